@@ -1,0 +1,187 @@
+#include "vtkConformalConversions.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+namespace
+{
+void EmptyOutputs(vtkAlgorithm* self)
+{
+  for (int port = 0; port < self->GetNumberOfOutputPorts(); ++port)
+  {
+    if (vtkDataObject* output = self->GetOutputDataObject(port))
+    {
+      output->Initialize();
+    }
+  }
+}
+}
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+conformal::ParallelFor SMPFor()
+{
+  return [](conformal::Index count, const std::function<void(conformal::Index)>& body)
+  {
+    vtkSMPTools::For(0, count, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          body(i);
+        }
+      });
+  };
+}
+
+//------------------------------------------------------------------------------
+conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
+{
+  return [=](double fraction)
+  {
+    self->UpdateProgress(begin + fraction * (end - begin));
+    return self->GetAbortExecute() == 0;
+  };
+}
+
+//------------------------------------------------------------------------------
+int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
+{
+  try
+  {
+    core();
+    return 1;
+  }
+  catch (const conformal::Aborted&)
+  {
+    EmptyOutputs(self);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    EmptyOutputs(self);
+    vtkErrorWithObjectMacro(self, << "out of memory");
+  }
+  catch (const std::exception& e)
+  {
+    EmptyOutputs(self);
+    vtkErrorWithObjectMacro(self, << e.what());
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+bool ViewPoints(vtkPoints* points, conformal::PointView& view)
+{
+  if (!points || points->GetNumberOfPoints() == 0)
+  {
+    view = conformal::PointView();
+    return true;
+  }
+  if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
+  {
+    view = conformal::PointView(floats->GetPointer(0), floats->GetNumberOfTuples());
+    return true;
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
+  {
+    view = conformal::PointView(doubles->GetPointer(0), doubles->GetNumberOfTuples());
+    return true;
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+conformal::Points ToPoints(vtkPoints* points)
+{
+  conformal::Points result(points ? points->GetNumberOfPoints() : 0, 3);
+  for (vtkIdType i = 0; i < result.rows(); ++i)
+  {
+    points->GetPoint(i, result.row(i).data());
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool ToVectors(vtkDataArray* array, conformal::Points& vectors)
+{
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    return false;
+  }
+  vectors.resize(array->GetNumberOfTuples(), 3);
+  for (vtkIdType i = 0; i < vectors.rows(); ++i)
+  {
+    array->GetTuple(i, vectors.row(i).data());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(vectors.rows());
+  std::copy_n(vectors.data(), vectors.size(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddNumber(vtkFieldData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddNumber(vtkFieldData* data, const char* name, long long value)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void SetPoints(vtkPolyData* surface, const conformal::Points& points)
+{
+  vtkNew<vtkPoints> copy;
+  copy->SetDataTypeToDouble();
+  copy->SetNumberOfPoints(points.rows());
+  std::copy_n(
+    points.data(), points.size(), vtkDoubleArray::SafeDownCast(copy->GetData())->GetPointer(0));
+  surface->SetPoints(copy);
+}
+
+//------------------------------------------------------------------------------
+void SetSurface(
+  vtkPolyData* surface, const conformal::Points& points, const conformal::Triangles& triangles)
+{
+  surface->Initialize();
+  SetPoints(surface, points);
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(triangles.size());
+  std::copy_n(triangles.data(), triangles.size(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(3, connectivity);
+  surface->SetPolys(cells);
+}
+}

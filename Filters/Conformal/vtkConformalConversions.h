@@ -1,0 +1,62 @@
+// Between VTK and the numerical core: the only file that knows both worlds.
+#ifndef vtkConformalConversions_h
+#define vtkConformalConversions_h
+
+#include "Parallel.h" // for ParallelFor
+#include "Types.h"    // for Points, Triangles, PointView, Progress
+
+#include <functional> // for RunCore's argument
+
+class vtkAlgorithm;
+class vtkCellArray;
+class vtkDataArray;
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace vtkConformalConversions
+{
+/// Name of the point array that carries a map to the sphere: 3 doubles, unit length.
+inline const char* SpherePositionName()
+{
+  return "SpherePosition";
+}
+
+/// Threads of vtkSMPTools.
+conformal::ParallelFor SMPFor();
+
+/// Reports to the filter's progress observers; stops when the filter is asked to abort.
+/// Maps [0, 1] to [begin, end] of the filter's own progress.
+conformal::Progress ProgressOf(vtkAlgorithm* self, double begin = 0.0, double end = 1.0);
+
+/// Run the core. What it throws becomes an error of the filter and 0; an abort asked for by the
+/// user is no error. In both cases the outputs are emptied, so that no partial result looks whole.
+/// The result is what RequestData should return.
+int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
+
+/// Coordinates as doubles, #P by 3 (empty for a null pointer).
+conformal::Points ToPoints(vtkPoints* points);
+
+/// The coordinates where they lie. Null if they are neither floats nor doubles in a row, the one
+/// case in which a caller needs ToPoints.
+bool ViewPoints(vtkPoints* points, conformal::PointView& view);
+
+/// A named point array of 3 components as doubles; false if there is none of that shape.
+bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
+
+/// Add a point array of 3 doubles.
+void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
+
+/// Add an array of one number.
+void AddNumber(vtkFieldData* data, const char* name, double value);
+void AddNumber(vtkFieldData* data, const char* name, long long value);
+
+/// Points and triangles, replacing what the surface held.
+void SetSurface(
+  vtkPolyData* surface, const conformal::Points& points, const conformal::Triangles& triangles);
+
+/// Replace a surface's points by doubles.
+void SetPoints(vtkPolyData* surface, const conformal::Points& points);
+}
+
+#endif

@@ -1,0 +1,55 @@
+/**
+ * @class   vtkGeodesicSphereSource
+ * @brief   unit sphere triangulated as a geodesic icosahedron
+ *
+ * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles on
+ * the unit sphere around the origin, f being the Frequency, triangles counter-clockwise seen from
+ * outside. Point 0 is the north pole (0, 0, 1).
+ * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
+ * - point array "Normals" (double, 3 components): the same.
+ *
+ * The mesh is the network space of the conformal self-organizing map, Eqs. 1 and 2 of
+ * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008), and, at a higher Frequency, the dense mesh that samples a curved
+ * seamless surface.
+ *
+ * @sa
+ * vtkConformalSOM vtkCurvedSeamlessSurface
+ */
+
+#ifndef vtkGeodesicSphereSource_h
+#define vtkGeodesicSphereSource_h
+
+#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSCONFORMAL_EXPORT vtkGeodesicSphereSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkGeodesicSphereSource* New();
+  vtkTypeMacro(vtkGeodesicSphereSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Steps into which every edge of the icosahedron is cut, f in the paper. In [1, 1000].
+   * Default is 36, which gives 12,962 points and 25,920 triangles.
+   */
+  vtkSetClampMacro(Frequency, int, 1, 1000);
+  vtkGetMacro(Frequency, int);
+  ///@}
+
+protected:
+  vtkGeodesicSphereSource();
+  ~vtkGeodesicSphereSource() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkGeodesicSphereSource(const vtkGeodesicSphereSource&) = delete;
+  void operator=(const vtkGeodesicSphereSource&) = delete;
+
+  int Frequency = 36;
+};
+
+#endif

@@ -1,0 +1,83 @@
+#include "MeshTopology.h"
+
+#include <algorithm>
+
+namespace conformal
+{
+Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices)
+{
+  Adjacency around;
+  around.Offsets.assign(numberOfVertices + 1, 0);
+  for (Index i = 0; i < faces.size(); ++i)
+  {
+    ++around.Offsets[faces.data()[i] + 1];
+  }
+  for (Index v = 0; v < numberOfVertices; ++v)
+  {
+    around.Offsets[v + 1] += around.Offsets[v];
+  }
+  around.Ids.resize(faces.size());
+  std::vector<int> next(around.Offsets.begin(), around.Offsets.end() - 1);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      around.Ids[next[faces(r, k)]++] = static_cast<int>(r);
+    }
+  }
+  return around;
+}
+
+Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
+{
+  const Adjacency around = vertexTriangles(faces, numberOfVertices);
+  Adjacency neighbors;
+  neighbors.Offsets.assign(1, 0);
+  neighbors.Offsets.reserve(numberOfVertices + 1);
+  neighbors.Ids.reserve(faces.size());
+  std::vector<int> ring;
+  for (Index v = 0; v < numberOfVertices; ++v)
+  {
+    ring.clear();
+    for (const int* r = around.begin(v); r != around.end(v); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        if (faces(*r, k) != v)
+        {
+          ring.push_back(faces(*r, k));
+        }
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    neighbors.Ids.insert(neighbors.Ids.end(), ring.begin(), ring.end());
+    neighbors.Offsets.push_back(static_cast<int>(neighbors.Ids.size()));
+  }
+  return neighbors;
+}
+
+Triangles triangleNeighbors(const Triangles& faces, Index numberOfVertices)
+{
+  const Adjacency around = vertexTriangles(faces, numberOfVertices);
+  Triangles across = Triangles::Constant(faces.rows(), 3, -1);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = faces(r, k), to = faces(r, (k + 1) % 3);
+      for (const int* other = around.begin(to); other != around.end(to); ++other)
+      {
+        for (int j = 0; j < 3; ++j)
+        {
+          if (faces(*other, j) == to && faces(*other, (j + 1) % 3) == from)
+          {
+            across(r, k) = *other;
+          }
+        }
+      }
+    }
+  }
+  return across;
+}
+}

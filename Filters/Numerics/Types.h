@@ -1,0 +1,79 @@
+/// Shared types of the numerical core: matrices by shape, a view of samples, progress.
+
+#ifndef ConformalTypes_h
+#define ConformalTypes_h
+
+#include <Eigen/Core>
+#include <Eigen/Geometry> // cross products
+
+#include <exception>
+#include <functional>
+
+namespace conformal
+{
+using Index = Eigen::Index;
+using Vector3 = Eigen::Vector3d;
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3
+using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
+
+/// Called with the fraction done, in [0, 1], never falling, always from the calling thread.
+/// Returns whether to go on; after a false the core throws Aborted.
+using Progress = std::function<bool(double)>;
+
+/// Thrown by every function of the core whose Progress said stop.
+class Aborted : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "aborted"; }
+};
+
+/// Report progress; an empty callback always goes on.
+/// @throws Aborted if the callback says stop
+inline void report(const Progress& progress, double fraction)
+{
+  if (progress && !progress(fraction))
+  {
+    throw Aborted();
+  }
+}
+
+/// Points that somebody else owns, as packed floats or doubles, so that ten million of them
+/// need no copy.
+class PointView
+{
+public:
+  PointView() = default;
+  PointView(const double* xyz, Index size)
+    : Doubles(xyz)
+    , Size(size)
+  {
+  }
+  PointView(const float* xyz, Index size)
+    : Floats(xyz)
+    , Size(size)
+  {
+  }
+  PointView(const Points& points)
+    : PointView(points.data(), points.rows())
+  {
+  }
+
+  Index size() const { return this->Size; }
+  Vector3 operator[](Index i) const
+  {
+    if (this->Doubles)
+    {
+      return Vector3(this->Doubles + 3 * i);
+    }
+    const float* p = this->Floats + 3 * i;
+    return Vector3(p[0], p[1], p[2]);
+  }
+
+private:
+  const double* Doubles = nullptr;
+  const float* Floats = nullptr;
+  Index Size = 0;
+};
+}
+
+#endif

@@ -1,0 +1,99 @@
+// What every filter owes its users, said once.
+#ifndef FilterContract_h
+#define FilterContract_h
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTestErrorObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace contract
+{
+/// A named array with so many components and tuples, all finite. Pass dataType -1 for any type.
+inline void ExpectArray(vtkFieldData* data, const char* name, int dataType, int components,
+  vtkIdType tuples)
+{
+  vtkDataArray* array = data->GetArray(name);
+  ASSERT_NE(array, nullptr) << name;
+  if (dataType >= 0)
+  {
+    EXPECT_EQ(array->GetDataType(), dataType) << name;
+  }
+  EXPECT_EQ(array->GetNumberOfComponents(), components) << name;
+  ASSERT_EQ(array->GetNumberOfTuples(), tuples) << name;
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      ASSERT_TRUE(std::isfinite(array->GetComponent(i, c))) << name << " " << i;
+    }
+  }
+}
+
+/// A point array "SpherePosition": 3 doubles of unit length, one for each of the points.
+inline void ExpectSpherePosition(vtkPolyData* surface)
+{
+  ExpectArray(surface->GetPointData(), "SpherePosition", VTK_DOUBLE, 3,
+    surface->GetNumberOfPoints());
+  vtkDataArray* array = surface->GetPointData()->GetArray("SpherePosition");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double* n = array->GetTuple3(i);
+    ASSERT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1.0, 1e-12);
+  }
+}
+
+/// Update() runs once until something changes; modify() must make it run again.
+template <typename Modify>
+void ExpectRunsOnlyWhenModified(vtkAlgorithm* filter, Modify modify)
+{
+  filter->Update();
+  const vtkMTimeType first = filter->GetOutputDataObject(0)->GetMTime();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetMTime(), first);
+  modify();
+  filter->Update();
+  EXPECT_GT(filter->GetOutputDataObject(0)->GetMTime(), first);
+}
+
+/// PrintSelf names the property.
+inline void ExpectPrints(vtkObject* object, const std::string& property)
+{
+  std::ostringstream text;
+  object->Print(text);
+  EXPECT_NE(text.str().find(property + ":"), std::string::npos) << property;
+}
+
+/// Counts errors and warnings of a filter and of its executive, and keeps their texts.
+class Observed
+{
+public:
+  explicit Observed(vtkAlgorithm* filter)
+  {
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    filter->AddObserver(vtkCommand::WarningEvent, this->Observer);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Executive);
+  }
+  bool Error() const { return this->Observer->GetError(); }
+  bool Warning() const { return this->Observer->GetWarning(); }
+  std::string ErrorMessage() const { return this->Observer->GetErrorMessage(); }
+  std::string WarningMessage() const { return this->Observer->GetWarningMessage(); }
+  void Clear() { this->Observer->Clear(); }
+
+private:
+  vtkNew<vtkTest::ErrorObserver> Observer;
+  vtkNew<vtkTest::ErrorObserver> Executive;
+};
+}
+
+#endif
