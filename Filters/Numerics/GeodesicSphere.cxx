@@ -113,8 +113,8 @@ GeodesicSphere makeGeodesicSphere(int f)
         }
         else
         {
-          sphere.Positions.row(nextId) = ((f - i) * corners.row(a) + (i - j) * corners.row(b) +
-            j * corners.row(c)).normalized();
+          sphere.Positions.row(nextId) =
+            ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c)).normalized();
           row[j] = nextId++;
         }
       }

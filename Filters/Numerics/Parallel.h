@@ -16,7 +16,8 @@ namespace conformal
 /// Runs body(i) once for every i in [0, count), in any order, perhaps at the same time.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
 
-/// Run body(begin, end) over [0, size) in blocks of blockSize; in order where no ParallelFor is given.
+/// Run body(begin, end) over [0, size) in blocks of blockSize; in order where no ParallelFor is
+/// given.
 inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSize,
   const std::function<void(Index, Index)>& body)
 {

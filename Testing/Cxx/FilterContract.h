@@ -20,8 +20,8 @@
 namespace contract
 {
 /// A named array with so many components and tuples, all finite. Pass dataType -1 for any type.
-inline void ExpectArray(vtkFieldData* data, const char* name, int dataType, int components,
-  vtkIdType tuples)
+inline void ExpectArray(
+  vtkFieldData* data, const char* name, int dataType, int components, vtkIdType tuples)
 {
   vtkDataArray* array = data->GetArray(name);
   ASSERT_NE(array, nullptr) << name;
@@ -43,8 +43,8 @@ inline void ExpectArray(vtkFieldData* data, const char* name, int dataType, int 
 /// A point array "SpherePosition": 3 doubles of unit length, one for each of the points.
 inline void ExpectSpherePosition(vtkPolyData* surface)
 {
-  ExpectArray(surface->GetPointData(), "SpherePosition", VTK_DOUBLE, 3,
-    surface->GetNumberOfPoints());
+  ExpectArray(
+    surface->GetPointData(), "SpherePosition", VTK_DOUBLE, 3, surface->GetNumberOfPoints());
   vtkDataArray* array = surface->GetPointData()->GetArray("SpherePosition");
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {

@@ -1,0 +1,62 @@
+/// Foot points: the closest point of a triangle mesh.
+
+#ifndef ConformalTriangleTree_h
+#define ConformalTriangleTree_h
+
+#include "BoxTree.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// The closest point of a triangle, and where it lies in it.
+struct FootPoint
+{
+  int Triangle = -1;
+  Vector3 Barycentric = Vector3::Zero(); ///< of the foot in its triangle; >= 0, sum 1
+  Vector3 Position = Vector3::Zero();
+  double SquareDistance = std::numeric_limits<double>::infinity();
+};
+
+/// Closest point of the triangle a, b, c; degenerate triangles are segments or points.
+/// The field Triangle is left at -1.
+FootPoint closestPointOfTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
+
+/// Exact closest points on a mesh that may move.
+///
+/// A query costs about log(#F) and only reads, so many threads may ask at once.
+class TriangleTree
+{
+public:
+  TriangleTree() = default;
+
+  /// @param[in] positions  #V by 3, finite
+  /// @param[in] faces      #F by 3 ids
+  TriangleTree(const Points& positions, const Triangles& faces);
+
+  /// The same triangles with their vertices moved. O(#F).
+  void refit(const Points& positions);
+
+  /// The closest point of the mesh; of triangles equally close, the lowest id.
+  /// @param[in] x     a point; distances are exact to rounding
+  /// @param[in] hint  a triangle that may be close: saves time, never changes the result
+  /// @return Triangle -1 for a mesh without triangles
+  FootPoint closestPoint(const Vector3& x, int hint = -1) const;
+
+private:
+  struct Corners
+  {
+    Vector3 A, B, C;
+  };
+  void update(FootPoint& best, const Vector3& x, int place) const;
+
+  Triangles Faces;
+  BoxTree Tree;
+  std::vector<Corners> Placed; ///< corners of the triangle at each place of Tree.Items
+  std::vector<int> PlaceOf;    ///< place of each triangle
+};
+}
+
+#endif
