@@ -1,0 +1,114 @@
+#include "vtkGenusZeroCheck.h"
+
+#include "GenusZeroCheck.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkGenusZeroCheck);
+
+namespace
+{
+void AddCount(vtkFieldData* data, const char* name, conformal::Index value)
+{
+  vtkConformalConversions::AddNumber(data, name, static_cast<long long>(value));
+}
+
+// The ids, and their number under its own name.
+void AddFaults(
+  vtkFieldData* data, const char* countName, const char* name, const std::vector<vtkIdType>& ids)
+{
+  AddCount(data, countName, static_cast<conformal::Index>(ids.size()));
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (vtkIdType id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  data->AddArray(array);
+}
+
+void AddFaults(vtkFieldData* data, const char* countName, const char* name,
+  const std::vector<conformal::Edge>& edges)
+{
+  AddCount(data, countName, static_cast<conformal::Index>(edges.size()));
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(2);
+  for (const auto& [from, to] : edges)
+  {
+    array->InsertNextTuple2(from, to);
+  }
+  data->AddArray(array);
+}
+
+void AddLines(vtkFieldData* data, const char* name, const std::vector<std::string>& lines)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& line : lines)
+  {
+    array->InsertNextValue(line);
+  }
+  data->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkGenusZeroCheck::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      std::vector<vtkIdType> cellIds;
+      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      const conformal::Points points = vtkConformalConversions::ToPoints(input->GetPoints());
+      const conformal::GenusZeroReport report = conformal::checkGenusZero(
+        triangles, points.rows(), points, vtkConformalConversions::ProgressOf(this));
+
+      output->ShallowCopy(input);
+      vtkFieldData* data = output->GetFieldData();
+      AddCount(data, "IsGenusZero", report.isGenusZero());
+      AddCount(data, "EulerNumber", report.EulerNumber);
+      AddCount(data, "NumberOfBoundaryLoops", report.NumberOfBoundaryLoops);
+      AddCount(data, "NumberOfComponents", report.NumberOfComponents);
+      AddCount(data, "IsInsideOut", report.InsideOut);
+      AddCount(data, "NumberOfNonFinitePoints",
+        static_cast<conformal::Index>(report.NonFinitePoints.size()));
+      AddFaults(data, "NumberOfBoundaryEdges", "BoundaryEdges", report.BoundaryEdges);
+      AddFaults(data, "NumberOfNonManifoldEdges", "NonManifoldEdges", report.NonManifoldEdges);
+      AddFaults(data, "NumberOfInconsistentEdges", "InconsistentEdges", report.InconsistentEdges);
+      const auto ids = [](const std::vector<int>& from)
+      { return std::vector<vtkIdType>(from.begin(), from.end()); };
+      AddFaults(data, "NumberOfNonManifoldVertices", "NonManifoldVertices",
+        ids(report.NonManifoldVertices));
+      AddFaults(data, "NumberOfIsolatedPoints", "IsolatedPoints", ids(report.IsolatedPoints));
+      std::vector<vtkIdType> degenerate;
+      for (int r : report.DegenerateTriangles)
+      {
+        degenerate.push_back(cellIds[r]);
+      }
+      AddFaults(data, "NumberOfDegenerateTriangles", "DegenerateTriangles", degenerate);
+      AddLines(data, "GenusZeroReport", conformal::describe(report));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkGenusZeroCheck::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

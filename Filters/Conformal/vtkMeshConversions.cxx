@@ -1,0 +1,221 @@
+#include "vtkMeshConversions.h"
+
+#include "GenusZeroCheck.h"
+#include "vtkConformalConversions.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+// Collects triangles with the cell they come from.
+class TriangleCollector
+{
+public:
+  TriangleCollector(vtkPoints* points, std::vector<vtkIdType>& cellIds)
+    : Points(points)
+    , NumberOfPoints(points ? points->GetNumberOfPoints() : 0)
+    , CellIds(cellIds)
+  {
+  }
+
+  void AddPolygons(vtkCellArray* polygons, vtkIdType firstCellId)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+    {
+      polygons->GetCellAtId(i, size, ids);
+      this->RequireIds(size, ids, firstCellId + i);
+      if (size == 3)
+      {
+        this->Add(ids[0], ids[1], ids[2], firstCellId + i);
+      }
+      else if (size > 3)
+      {
+        this->AddPolygon(size, ids, firstCellId + i);
+      }
+    }
+  }
+
+  void AddStrips(vtkCellArray* strips, vtkIdType firstCellId)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
+    {
+      strips->GetCellAtId(i, size, ids);
+      this->RequireIds(size, ids, firstCellId + i);
+      for (vtkIdType k = 0; k + 2 < size; ++k)
+      {
+        const vtkIdType a = ids[k], b = ids[k + 1 + k % 2], c = ids[k + 2 - k % 2];
+        if (a != b && b != c && c != a)
+        {
+          this->Add(a, b, c, firstCellId + i);
+        }
+      }
+    }
+  }
+
+  conformal::Triangles GetTriangles() const
+  {
+    return Eigen::Map<const conformal::Triangles>(
+      this->Corners.data(), static_cast<conformal::Index>(this->CellIds.size()), 3);
+  }
+
+private:
+  void RequireIds(vtkIdType size, const vtkIdType* ids, vtkIdType cellId) const
+  {
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= this->NumberOfPoints)
+      {
+        throw std::out_of_range("cell " + std::to_string(cellId) + " names point " +
+          std::to_string(ids[k]) + " of " + std::to_string(this->NumberOfPoints));
+      }
+    }
+  }
+
+  // Ears are cut; where that fails, as it may on crossing or flat polygons, a fan has the same
+  // border and keeps a closed surface closed.
+  void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
+  {
+    this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
+    const bool done =
+      this->Polygon->Triangulate(this->Ears) != 0 && this->Ears->GetNumberOfIds() == 3 * (size - 2);
+    for (vtkIdType k = 0; k < size - 2; ++k)
+    {
+      if (done)
+      {
+        this->Add(ids[this->Ears->GetId(3 * k)], ids[this->Ears->GetId(3 * k + 1)],
+          ids[this->Ears->GetId(3 * k + 2)], cellId);
+      }
+      else
+      {
+        this->Add(ids[0], ids[k + 1], ids[k + 2], cellId);
+      }
+    }
+  }
+
+  void Add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cellId)
+  {
+    for (vtkIdType id : { a, b, c })
+    {
+      this->Corners.push_back(static_cast<int>(id));
+    }
+    this->CellIds.push_back(cellId);
+  }
+
+  vtkPoints* Points;
+  vtkIdType NumberOfPoints;
+  std::vector<vtkIdType>& CellIds;
+  std::vector<int> Corners;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+};
+
+std::string Sentence(const conformal::GenusZeroReport& report)
+{
+  std::string text;
+  for (const std::string& line : conformal::describe(report))
+  {
+    text += (text.empty() ? "" : "; ") + line;
+  }
+  return text;
+}
+}
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds)
+{
+  constexpr vtkIdType most = std::numeric_limits<int>::max();
+  if (surface->GetNumberOfPoints() > most)
+  {
+    throw std::length_error("the surface has more than " + std::to_string(most) + " points");
+  }
+  cellIds.clear();
+  TriangleCollector collector(surface->GetPoints(), cellIds);
+  const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  collector.AddPolygons(surface->GetPolys(), firstPolygon);
+  collector.AddStrips(surface->GetStrips(), firstPolygon + surface->GetNumberOfPolys());
+  if (static_cast<vtkIdType>(cellIds.size()) > most / 3)
+  {
+    throw std::length_error("the surface has more than " + std::to_string(most / 3) + " triangles");
+  }
+  return collector.GetTriangles();
+}
+
+//------------------------------------------------------------------------------
+ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface)
+{
+  ClosedMesh mesh;
+  std::vector<vtkIdType> cellIds;
+  conformal::Triangles& triangles = mesh.Triangles;
+  triangles = ToTriangles(surface, cellIds);
+  const conformal::Points points = ToPoints(surface->GetPoints());
+  if (!points.allFinite())
+  {
+    const auto bad = points.rows() - points.array().isFinite().rowwise().all().count();
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.rows()) +
+      " points of the surface are not finite");
+  }
+
+  conformal::GenusZeroReport report = conformal::checkGenusZero(triangles, points.rows(), points);
+  conformal::Index merged = 0;
+  if (!report.BoundaryEdges.empty())
+  {
+    merged = conformal::mergeCoincidentBoundaryPoints(triangles, points, report);
+  }
+  const conformal::Index repeated = conformal::dropRepeatedVertices(triangles);
+  if (merged + repeated > 0)
+  {
+    report = conformal::checkGenusZero(triangles, points.rows(), points);
+  }
+  if (!report.isGenusZero())
+  {
+    throw std::invalid_argument(
+      "the surface must be closed, manifold, in one piece and of genus zero, but it is " +
+      Sentence(report) + ". vtkGenusZeroCheck lists all of it.");
+  }
+  if (merged > 0)
+  {
+    vtkWarningWithObjectMacro(self, << merged << " coincident points of open edges were merged");
+  }
+  if (repeated > 0)
+  {
+    vtkWarningWithObjectMacro(self, << repeated << " triangles of a repeated point were dropped");
+  }
+  if (!report.InconsistentEdges.empty())
+  {
+    const conformal::Index turned = conformal::orientConsistently(triangles);
+    vtkWarningWithObjectMacro(
+      self, << turned << " triangles were turned, since they disagreed with their neighbors");
+  }
+  mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
+
+  const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
+  mesh.PointIds.assign(kept.begin(), kept.end());
+  mesh.Points.resize(static_cast<conformal::Index>(kept.size()), 3);
+  for (conformal::Index v = 0; v < mesh.Points.rows(); ++v)
+  {
+    mesh.Points.row(v) = points.row(kept[v]);
+  }
+  // Points that were merged away are of no triangle either, but were told of already.
+  const conformal::Index isolated = points.rows() - mesh.Points.rows() - merged;
+  if (isolated > 0)
+  {
+    vtkWarningWithObjectMacro(self, << isolated << " points of no triangle were dropped");
+  }
+  return mesh;
+}
+}

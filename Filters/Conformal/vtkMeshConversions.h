@@ -1,0 +1,41 @@
+// From vtkPolyData to the triangle meshes of the core.
+#ifndef vtkMeshConversions_h
+#define vtkMeshConversions_h
+
+#include "Types.h" // for Points, Triangles
+
+#include "vtkType.h" // for vtkIdType
+
+#include <vector> // for maps of ids
+
+class vtkAlgorithm;
+class vtkPolyData;
+
+namespace vtkConformalConversions
+{
+/// The triangles of a surface: polygons and strips cut up, lines, vertices and polygons of fewer
+/// than three points left out, as are the triangles of a repeated point that join strips.
+/// @param[out] cellIds  for each triangle the cell it comes from
+/// @throws std::out_of_range if a cell names a point that is not there
+/// @throws std::length_error if ids do not fit into an int
+conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
+
+/// A closed surface of genus zero, ready for the core.
+struct ClosedMesh
+{
+  conformal::Points Points;        ///< #V by 3, each used by a triangle, all finite
+  conformal::Triangles Triangles;  ///< #F by 3, no vertex twice, consistently oriented
+  std::vector<vtkIdType> PointIds; ///< for each vertex its point in the surface it was made from
+  bool InsideOut = false;          ///< clockwise seen from outside; nothing was done about it
+};
+
+/// Make a closed mesh of a surface, or say why not. Repairs what can be repaired without a loss,
+/// each with one warning of the filter: coincident points of open edges are merged (polygon
+/// soups), triangles of a repeated point dropped, triangles turned to agree with the most,
+/// isolated points dropped.
+/// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
+///   open, not manifold, in several pieces, or of another genus
+ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface);
+}
+
+#endif
