@@ -106,6 +106,18 @@ bool ViewPoints(vtkPoints* points, conformal::PointView& view)
 }
 
 //------------------------------------------------------------------------------
+conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
+{
+  conformal::PointView view;
+  if (ViewPoints(points, view))
+  {
+    return view;
+  }
+  copy = ToPoints(points);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
 conformal::Points ToPoints(vtkPoints* points)
 {
   conformal::Points result(points ? points->GetNumberOfPoints() : 0, 3);
@@ -139,6 +151,16 @@ void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& v
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(vectors.rows());
   std::copy_n(vectors.data(), vectors.size(), array->GetPointer(0));
+  data->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
+void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
   data->AddArray(array);
 }
 

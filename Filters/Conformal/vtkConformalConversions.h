@@ -6,6 +6,7 @@
 #include "Types.h"    // for Points, Triangles, PointView, Progress
 
 #include <functional> // for RunCore's argument
+#include <vector>     // for AddNumbers' argument
 
 class vtkAlgorithm;
 class vtkCellArray;
@@ -41,11 +42,17 @@ conformal::Points ToPoints(vtkPoints* points);
 /// case in which a caller needs ToPoints.
 bool ViewPoints(vtkPoints* points, conformal::PointView& view);
 
+/// The coordinates where they lie, or else in the given copy, which must outlive the view.
+conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
+
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
 /// Add a point array of 3 doubles.
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
+
+/// Add an array of 1 double for each point or cell.
+void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values);
 
 /// Add an array of one number.
 void AddNumber(vtkFieldData* data, const char* name, double value);

@@ -156,12 +156,18 @@ conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& c
 }
 
 //------------------------------------------------------------------------------
+conformal::Triangles ToTriangles(vtkPolyData* surface)
+{
+  std::vector<vtkIdType> cellIds;
+  return ToTriangles(surface, cellIds);
+}
+
+//------------------------------------------------------------------------------
 ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface)
 {
   ClosedMesh mesh;
-  std::vector<vtkIdType> cellIds;
   conformal::Triangles& triangles = mesh.Triangles;
-  triangles = ToTriangles(surface, cellIds);
+  triangles = ToTriangles(surface);
   const conformal::Points points = ToPoints(surface->GetPoints());
   if (!points.allFinite())
   {

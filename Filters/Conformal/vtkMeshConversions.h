@@ -19,6 +19,7 @@ namespace vtkConformalConversions
 /// @throws std::out_of_range if a cell names a point that is not there
 /// @throws std::length_error if ids do not fit into an int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
+conformal::Triangles ToTriangles(vtkPolyData* surface);
 
 /// A closed surface of genus zero, ready for the core.
 struct ClosedMesh

@@ -1,0 +1,304 @@
+#include "SurfaceMismatch.h"
+
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+// The reference's centre at the origin, the unit of length 1.
+struct Frame
+{
+  Vector3 Center = Vector3::Zero();
+  double Unit = 1.0;
+
+  Vector3 operator()(const Vector3& x) const { return (x - this->Center) / this->Unit; }
+  Points operator()(const PointView& points) const
+  {
+    Points moved(points.size(), 3);
+    for (Index i = 0; i < points.size(); ++i)
+    {
+      moved.row(i) = (*this)(points[i]);
+    }
+    return moved;
+  }
+};
+
+Frame frameOf(const PointView& reference, MismatchUnit unit)
+{
+  Box box;
+  for (Index i = 0; i < reference.size(); ++i)
+  {
+    box.extend(reference[i]);
+  }
+  // Half each, since a sum may overflow.
+  const Vector3 middle = 0.5 * box.Lower + 0.5 * box.Upper;
+  Frame frame;
+  Vector3 sum = Vector3::Zero();
+  for (Index i = 0; i < reference.size(); ++i)
+  {
+    sum += (reference[i] - middle) / static_cast<double>(reference.size());
+  }
+  frame.Center = middle + sum;
+  if (unit == MismatchUnit::MaxRadius)
+  {
+    frame.Unit = 0.0;
+    for (Index i = 0; i < reference.size(); ++i)
+    {
+      frame.Unit = std::max(frame.Unit, (reference[i] - frame.Center).stableNorm());
+    }
+  }
+  else if (unit == MismatchUnit::HalfDiagonal)
+  {
+    frame.Unit = (box.Upper - middle).stableNorm();
+  }
+  if (!(frame.Unit > 0.0))
+  {
+    throw std::invalid_argument("the reference has no extent to take a unit of length from");
+  }
+  return frame;
+}
+
+void requireFinite(const PointView& points, const char* what)
+{
+  Index bad = 0;
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    bad += !points[i].allFinite();
+  }
+  if (bad > 0)
+  {
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
+      " points of the " + what + " are not finite");
+  }
+}
+
+// Points as triangles of one corner, which the tree takes as they are.
+Triangles asTriangles(const std::vector<int>& vertices)
+{
+  Triangles triangles(static_cast<Index>(vertices.size()), 3);
+  for (Index i = 0; i < triangles.rows(); ++i)
+  {
+    triangles.row(i).setConstant(vertices[i]);
+  }
+  return triangles;
+}
+
+std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices)
+{
+  std::vector<char> used(numberOfVertices, 0);
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    used[triangles.data()[i]] = 1;
+  }
+  std::vector<int> vertices;
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    if (used[v])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+TriangleTree treeOf(const Points& points, const Triangles& triangles)
+{
+  if (triangles.rows() > 0)
+  {
+    return TriangleTree(points, triangles);
+  }
+  std::vector<int> all(points.rows());
+  for (int v = 0; v < points.rows(); ++v)
+  {
+    all[v] = v;
+  }
+  return TriangleTree(points, asTriangles(all));
+}
+
+// Points spread evenly over the area of a mesh (over its triangles, where it has no area).
+Points spreadSamples(const Points& points, const Triangles& triangles, int count, int seed)
+{
+  const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
+  std::vector<double> areaUpTo(triangles.rows());
+  for (bool byArea : { true, false })
+  {
+    double sum = 0.0;
+    for (Index r = 0; r < triangles.rows(); ++r)
+    {
+      const Vector3 a = corner(r, 0);
+      sum += byArea ? (corner(r, 1) - a).cross(corner(r, 2) - a).norm() : 1.0;
+      areaUpTo[r] = sum;
+    }
+    if (sum > 0.0)
+    {
+      break;
+    }
+  }
+  // Even steps through the area; inside the triangles the additive recurrence of the plastic
+  // number, any run of which fills the unit square evenly, so that large triangles are covered as
+  // well as many small ones. Random is only where both begin.
+  std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
+  // The standard fixes the engine's numbers, but not those of its distributions.
+  const auto uniform = [&]() { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  constexpr double plastic = 1.32471795724474602596;
+  const double step = uniform(), startU = uniform(), startV = uniform();
+  double whole = 0.0;
+  Points samples(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    const double area = (i + step) / count * areaUpTo.back();
+    const auto found = std::upper_bound(areaUpTo.begin(), areaUpTo.end() - 1, area);
+    const Index r = found - areaUpTo.begin();
+    double u = std::modf(startU + i / plastic, &whole);
+    double v = std::modf(startV + i / (plastic * plastic), &whole);
+    if (u + v > 1.0)
+    {
+      u = 1.0 - u;
+      v = 1.0 - v;
+    }
+    const Vector3 a = corner(r, 0);
+    samples.row(i) = a + u * (corner(r, 1) - a) + v * (corner(r, 2) - a);
+  }
+  return samples;
+}
+
+// Square distances to a mesh, with its share of the progress.
+class DistanceMeter
+{
+public:
+  DistanceMeter(const ParallelFor& parallelFor, const Progress& progress, Index total)
+    : Threads(parallelFor)
+    , Report(progress)
+    , Total(total)
+  {
+  }
+
+  template <typename Query>
+  std::vector<double> operator()(const TriangleTree& tree, Index size, const Query& query)
+  {
+    constexpr Index chunkSize = 1 << 16, blockSize = 1 << 9;
+    std::vector<double> squares(size);
+    for (Index start = 0; start < size; start += chunkSize)
+    {
+      const Index length = std::min(chunkSize, size - start);
+      forBlocks(this->Threads, length, blockSize,
+        [&](Index begin, Index end)
+        {
+          int hint = -1; // neighbors in the list are often neighbors in space
+          for (Index i = start + begin; i < start + end; ++i)
+          {
+            const FootPoint foot = tree.closestPoint(query(i), hint);
+            hint = foot.Triangle;
+            squares[i] = foot.SquareDistance;
+          }
+        });
+      this->Done += length;
+      report(this->Report, static_cast<double>(this->Done) / static_cast<double>(this->Total));
+    }
+    return squares;
+  }
+
+private:
+  const ParallelFor& Threads;
+  const Progress& Report;
+  Index Total;
+  Index Done = 0;
+};
+
+double meanOf(const std::vector<double>& values)
+{
+  double sum = 0.0;
+  for (double value : values)
+  {
+    sum += value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+double maximumOf(const std::vector<double>& values)
+{
+  return *std::max_element(values.begin(), values.end());
+}
+
+std::vector<double> rootsTimes(std::vector<double> squares, double unit)
+{
+  for (double& value : squares)
+  {
+    value = std::sqrt(value) * unit;
+  }
+  return squares;
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
+  const Triangles& modelTriangles, const PointView& referencePoints,
+  const Triangles& referenceTriangles, const SurfaceMismatchOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (modelTriangles.rows() == 0)
+  {
+    throw std::invalid_argument("the model has no triangles");
+  }
+  if (referencePoints.size() == 0)
+  {
+    throw std::invalid_argument("the reference has no points");
+  }
+  if (options.NumberOfSamples < 1)
+  {
+    throw std::invalid_argument("the number of samples must be positive");
+  }
+  requireFinite(modelPoints, "model");
+  requireFinite(referencePoints, "reference");
+
+  const Frame frame = frameOf(referencePoints, options.LengthUnit);
+  const Points model = frame(modelPoints);
+  const Index size = referencePoints.size();
+  DistanceMeter measure(
+    parallelFor, progress, 2 * size + options.NumberOfSamples + modelPoints.size());
+  const auto data = [&](Index i) { return frame(referencePoints[i]); };
+
+  SurfaceMismatch result;
+  result.LengthUnit = frame.Unit;
+  const std::vector<double> forward = measure(TriangleTree(model, modelTriangles), size, data);
+  result.MeanSquarePointToSurface = meanOf(forward);
+  {
+    const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
+    result.MeanSquarePointToVertex =
+      meanOf(measure(TriangleTree(model, asTriangles(vertices)), size, data));
+  }
+  const TriangleTree reference = treeOf(frame(referencePoints), referenceTriangles);
+  const Points samples =
+    spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
+  const std::vector<double> back =
+    measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); });
+  const std::vector<double> fromVertices =
+    measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); });
+  result.MeanSquareSurfaceToPoint = meanOf(back);
+  result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
+                         [](double square) { return square > WebDistance * WebDistance; })) /
+    static_cast<double>(back.size());
+  double farthest = std::max(maximumOf(forward), maximumOf(back));
+  for (int v : usedVertices(modelTriangles, model.rows()))
+  {
+    farthest = std::max(farthest, fromVertices[v]);
+  }
+  result.HausdorffDistance = std::sqrt(farthest);
+  result.ModelDistances = rootsTimes(fromVertices, frame.Unit);
+  result.ReferenceDistances = rootsTimes(forward, frame.Unit);
+  if (!std::isfinite(result.HausdorffDistance * frame.Unit) ||
+    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
+  {
+    throw std::overflow_error("the distances are too large to be squared");
+  }
+  return result;
+}
+}
