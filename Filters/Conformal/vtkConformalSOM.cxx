@@ -1,0 +1,218 @@
+#include "vtkConformalSOM.h"
+
+#include "ConformalSOM.h"
+#include "vtkConformalConversions.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkConformalSOM);
+
+namespace
+{
+// The priorities, those that are no use as weights set to 0 and counted.
+std::vector<double> ReadPriorities(vtkPointSet* input, const char* name, vtkIdType& unusable)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+    array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(std::string("the input has no point array \"") + name +
+      "\" with 1 component and a value for each point");
+  }
+  std::vector<double> priorities(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    const bool usable = std::isfinite(value) && value >= 0.0;
+    priorities[i] = usable ? value : 0.0;
+    unusable += !usable;
+  }
+  if (std::all_of(priorities.begin(), priorities.end(), [](double p) { return p == 0.0; }))
+  {
+    throw std::invalid_argument(
+      std::string("no point has a positive priority in the array \"") + name + "\"");
+  }
+  return priorities;
+}
+
+std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input)
+{
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
+  if (!ghosts)
+  {
+    return {};
+  }
+  return [ghosts](conformal::Index i)
+  {
+    return (ghosts->GetValue(i) &
+             (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) != 0;
+  };
+}
+
+void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& history)
+{
+  const auto addColumn = [&](const char* name, auto value)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (const conformal::TrainingRecord& record : history)
+    {
+      column->InsertNextValue(value(record));
+    }
+    table->AddColumn(column);
+  };
+  using Record = conformal::TrainingRecord;
+  addColumn("Frequency", [](const Record& r) { return r.Frequency; });
+  addColumn("NeighborhoodRadius", [](const Record& r) { return r.NeighborhoodRadius; });
+  addColumn("LearningRate", [](const Record& r) { return r.LearningRate; });
+  addColumn("MeanSquareError", [](const Record& r) { return r.MeanSquareError; });
+  addColumn("MeanDisplacement", [](const Record& r) { return r.MeanDisplacement; });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkConformalSOM::vtkConformalSOM()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkConformalSOM::~vtkConformalSOM()
+{
+  this->SetPriorityArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkConformalSOM::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkConformalSOM::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkConformalSOM::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* history = vtkTable::GetData(outputVector, 1);
+
+  conformal::ConformalSOMOptions options;
+  options.Frequency = this->Frequency;
+  options.TrainingMode = static_cast<conformal::TrainingMode>(this->TrainingMode);
+  options.RandomSeed = static_cast<unsigned int>(this->RandomSeed);
+  options.ReferencePoint = static_cast<conformal::ReferencePoint>(this->ReferencePoint);
+  options.NumberOfEpochs = this->NumberOfEpochs;
+  options.SamplesPerEpoch = this->SamplesPerEpoch;
+  options.InitialNeighborhoodRadius = this->InitialNeighborhoodRadius;
+  options.NeighborhoodTimeConstant = this->NeighborhoodTimeConstant;
+  options.InitialLearningRate = this->InitialLearningRate;
+  options.LearningRateTimeConstant = this->LearningRateTimeConstant;
+  options.PassesPerLevel = this->PassesPerLevel;
+  options.SamplesPerNeuron = this->SamplesPerNeuron;
+  options.NumberOfPolishRounds = this->NumberOfPolishRounds;
+  options.Smoothness = this->Smoothness;
+
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      conformal::PointView points;
+      conformal::Points copy;
+      if (!vtkConformalConversions::ViewPoints(input->GetPoints(), points))
+      {
+        copy = vtkConformalConversions::ToPoints(input->GetPoints());
+        points = copy;
+      }
+      std::vector<double> priorities;
+      vtkIdType unusable = 0;
+      if (this->PriorityArrayName && points.size() > 0)
+      {
+        priorities = ReadPriorities(input, this->PriorityArrayName, unusable);
+      }
+      const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
+      const conformal::TrainingSamples samples(points, priorities, GhostTest(input), threads);
+      if (unusable > 0)
+      {
+        vtkWarningMacro(<< unusable << " priorities are negative or not finite and count as 0");
+      }
+      if (samples.numberOfNonFinite() > 0)
+      {
+        vtkWarningMacro(<< samples.numberOfNonFinite() << " points are not finite and left out");
+      }
+      if (samples.empty())
+      {
+        vtkWarningMacro(<< "there are no points to learn from; the output is empty");
+        return;
+      }
+      if (samples.rank() < 3)
+      {
+        vtkWarningMacro(<< "rank " << samples.rank() << " cloud: its points are "
+                        << (samples.rank() == 2      ? "coplanar"
+                               : samples.rank() == 1 ? "collinear"
+                                                     : "all equal")
+                        << ", and so is the mesh flat");
+      }
+      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
+        samples, options, threads, vtkConformalConversions::ProgressOf(this));
+
+      vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
+      vtkConformalConversions::AddVectors(output->GetPointData(),
+        vtkConformalConversions::SpherePositionName(), result.Network.Positions);
+      vtkConformalConversions::AddNumber(
+        output->GetFieldData(), "Rank", static_cast<long long>(samples.rank()));
+      if (this->GenerateErrorScalars)
+      {
+        vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",
+          conformal::quantizationErrors(samples, result, threads));
+      }
+      FillHistory(history, result.History);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "TrainingMode: " << (this->TrainingMode == ONLINE ? "Online" : "Batch") << "\n";
+  os << indent
+     << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")
+     << "\n";
+  os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "ReferencePoint: " << (this->ReferencePoint == CONFORMAL ? "Conformal" : "Winner")
+     << "\n";
+  os << indent << "NumberOfEpochs: " << this->NumberOfEpochs << "\n";
+  os << indent << "SamplesPerEpoch: " << this->SamplesPerEpoch << "\n";
+  os << indent << "InitialNeighborhoodRadius: " << this->InitialNeighborhoodRadius << "\n";
+  os << indent << "NeighborhoodTimeConstant: " << this->NeighborhoodTimeConstant << "\n";
+  os << indent << "InitialLearningRate: " << this->InitialLearningRate << "\n";
+  os << indent << "LearningRateTimeConstant: " << this->LearningRateTimeConstant << "\n";
+  os << indent << "PassesPerLevel: " << this->PassesPerLevel << "\n";
+  os << indent << "SamplesPerNeuron: " << this->SamplesPerNeuron << "\n";
+  os << indent << "NumberOfPolishRounds: " << this->NumberOfPolishRounds << "\n";
+  os << indent << "Smoothness: " << this->Smoothness << "\n";
+  os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,238 @@
+/**
+ * @class   vtkConformalSOM
+ * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
+ *
+ * Input port 0: vtkPointSet, any points in any order; cells are ignored. Points that are not
+ * finite are left out with a warning, hidden or duplicate ghost points silently.
+ *
+ * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates:
+ * 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency, double precision.
+ * - point array "SpherePosition" (double, 3 components): where each point lies on the unit sphere,
+ *   the neuron's position vector n_i.
+ * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
+ *   square distance between a neuron and the input points it stands for.
+ * - field data "Rank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
+ *   equal points; below 3 the mesh is right but flat, and a warning says so.
+ *
+ * Output port 1: vtkTable, one row for each epoch (Online) or pass (Batch): "Frequency" of the
+ * lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t),
+ * "MeanSquareError" of the points presented, to the mesh, and "MeanDisplacement" of the neurons;
+ * both in the unit of training, in which the cloud's largest distance from its centroid is 1.
+ *
+ * The conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), section 2: neurons on
+ * a geodesic sphere learn weight vectors in the space of the points. TrainingMode Online is the
+ * paper's learning algorithm, one point at a time, with the paper's constants as defaults. Batch,
+ * the default, takes all points at a time on ever finer lattices and ends with a least-squares
+ * polish: it fits more than a hundred times closer in a fraction of the time.
+ *
+ * Implementation note: taken literally the paper's constants stop learning before the neighbourhood
+ * is as small as a triangle; Documentation/Filters.md has the measurement.
+ *
+ * Implementation note: E_mis looks from the points to the mesh only. Between limbs that lie close
+ * together the mesh may span webs; vtkSurfaceMismatch measures them.
+ *
+ * @sa
+ * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkSphericalTextureMap vtkSurfaceMismatch
+ */
+
+#ifndef vtkConformalSOM_h
+#define vtkConformalSOM_h
+
+#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSCONFORMAL_EXPORT vtkConformalSOM : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkConformalSOM* New();
+  vtkTypeMacro(vtkConformalSOM, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum TrainingModes
+  {
+    ONLINE = 0,
+    BATCH = 1
+  };
+
+  enum ReferencePoints
+  {
+    CONFORMAL = 0,
+    WINNER = 1
+  };
+
+  ///@{
+  /**
+   * Frequency f of the geodesic sphere that is the network. In [1, 1000]. Default is 36, which
+   * gives 12,962 neurons and 25,920 triangles. Training takes about 1 KiB a neuron.
+   */
+  vtkSetClampMacro(Frequency, int, 1, 1000);
+  vtkGetMacro(Frequency, int);
+  ///@}
+
+  ///@{
+  /**
+   * BATCH (default) for the multi-resolution batch learning, ONLINE for the paper's CSM Learning
+   * Algorithm step by step.
+   */
+  vtkSetClampMacro(TrainingMode, int, ONLINE, BATCH);
+  vtkGetMacro(TrainingMode, int);
+  void SetTrainingModeToOnline() { this->SetTrainingMode(ONLINE); }
+  void SetTrainingModeToBatch() { this->SetTrainingMode(BATCH); }
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of the input with 1 component, the priority of each point: how often it
+   * is drawn (Online) or how much it weighs (Batch). The paper gives priority to extrusive parts.
+   * Negative and non-finite values count as 0, with a warning. Default is none: equal priority.
+   */
+  vtkSetStringMacro(PriorityArrayName);
+  vtkGetStringMacro(PriorityArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Seed of the choice of points. In [0, VTK_INT_MAX]. Default is 1. The same input gives the same
+   * bits, on any number of threads.
+   */
+  vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
+  vtkGetMacro(RandomSeed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Online: which point r of the sphere a pattern stands for. CONFORMAL (default): the conformal
+   * image of its projection, Eqs. 4 and 5. WINNER: the winning neuron, r = n_c, which is the plain
+   * self-organizing map the paper compares with.
+   */
+  vtkSetClampMacro(ReferencePoint, int, CONFORMAL, WINNER);
+  vtkGetMacro(ReferencePoint, int);
+  void SetReferencePointToConformal() { this->SetReferencePoint(CONFORMAL); }
+  void SetReferencePointToWinner() { this->SetReferencePoint(WINNER); }
+  ///@}
+
+  ///@{
+  /**
+   * Online: number of training epochs. At least 0. Default is 80, as in the paper.
+   */
+  vtkSetClampMacro(NumberOfEpochs, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfEpochs, int);
+  ///@}
+
+  ///@{
+  /**
+   * Online: patterns drawn in one epoch. At least 1. Default is 8000, as in the paper.
+   */
+  vtkSetClampMacro(SamplesPerEpoch, int, 1, VTK_INT_MAX);
+  vtkGetMacro(SamplesPerEpoch, int);
+  ///@}
+
+  ///@{
+  /**
+   * Online: sigma_0 of the neighbourhood h(d) = exp(-d^2 / (2 sigma^2)), with
+   * sigma(t) = sigma_0 exp(-t / tau_1), a length on the unit sphere. Positive. Default is 0.4.
+   */
+  vtkSetMacro(InitialNeighborhoodRadius, double);
+  vtkGetMacro(InitialNeighborhoodRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Online: tau_1, in epochs. Positive. Default is 20.
+   */
+  vtkSetMacro(NeighborhoodTimeConstant, double);
+  vtkGetMacro(NeighborhoodTimeConstant, double);
+  ///@}
+
+  ///@{
+  /**
+   * Online: alpha_0 of the learning rate alpha(t) = alpha_0 exp(-t / tau_2). In [0, 1). Default is
+   * 0.01.
+   */
+  vtkSetMacro(InitialLearningRate, double);
+  vtkGetMacro(InitialLearningRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Online: tau_2, in epochs. Positive. Default is 60.
+   */
+  vtkSetMacro(LearningRateTimeConstant, double);
+  vtkGetMacro(LearningRateTimeConstant, double);
+  ///@}
+
+  ///@{
+  /**
+   * Batch: learning passes on each lattice, from coarse to fine. At least 0. Default is 10.
+   */
+  vtkSetClampMacro(PassesPerLevel, int, 0, VTK_INT_MAX);
+  vtkGetMacro(PassesPerLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Batch: patterns that a pass takes for each neuron, at most all there are. In [1, 10000].
+   * Default is 12.
+   */
+  vtkSetClampMacro(SamplesPerNeuron, int, 1, 10000);
+  vtkGetMacro(SamplesPerNeuron, int);
+  ///@}
+
+  ///@{
+  /**
+   * Batch: least-squares rounds over all points after learning. At least 0. Default is 5.
+   */
+  vtkSetClampMacro(NumberOfPolishRounds, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPolishRounds, int);
+  ///@}
+
+  ///@{
+  /**
+   * Batch: weight of the Laplacian in the polish, for each point of a neuron. Not negative. Default
+   * is 0.02; larger values smooth noise.
+   */
+  vtkSetMacro(Smoothness, double);
+  vtkGetMacro(Smoothness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to add the point array "QuantizationError". Default is off.
+   */
+  vtkSetMacro(GenerateErrorScalars, bool);
+  vtkGetMacro(GenerateErrorScalars, bool);
+  vtkBooleanMacro(GenerateErrorScalars, bool);
+  ///@}
+
+protected:
+  vtkConformalSOM();
+  ~vtkConformalSOM() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkConformalSOM(const vtkConformalSOM&) = delete;
+  void operator=(const vtkConformalSOM&) = delete;
+
+  int Frequency = 36;
+  int TrainingMode = BATCH;
+  char* PriorityArrayName = nullptr;
+  int RandomSeed = 1;
+  int ReferencePoint = CONFORMAL;
+  int NumberOfEpochs = 80;
+  int SamplesPerEpoch = 8000;
+  double InitialNeighborhoodRadius = 0.4;
+  double NeighborhoodTimeConstant = 20.0;
+  double InitialLearningRate = 0.01;
+  double LearningRateTimeConstant = 60.0;
+  int PassesPerLevel = 10;
+  int SamplesPerNeuron = 12;
+  int NumberOfPolishRounds = 5;
+  double Smoothness = 0.02;
+  bool GenerateErrorScalars = false;
+};
+
+#endif

@@ -1,0 +1,99 @@
+#include "ConformalSOM.h"
+
+#include "BatchTraining.h"
+#include "OnlineTraining.h"
+#include "TriangleTree.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+void require(bool good, const std::string& what)
+{
+  if (!good)
+  {
+    throw std::invalid_argument(what);
+  }
+}
+
+bool positive(double value)
+{
+  return std::isfinite(value) && value > 0.0;
+}
+
+void check(const ConformalSOMOptions& options)
+{
+  require(options.NumberOfEpochs >= 0, "NumberOfEpochs must not be negative");
+  require(options.SamplesPerEpoch >= 1, "SamplesPerEpoch must be at least 1");
+  require(positive(options.InitialNeighborhoodRadius),
+    "InitialNeighborhoodRadius must be a positive number");
+  require(positive(options.NeighborhoodTimeConstant),
+    "NeighborhoodTimeConstant must be a positive number");
+  require(options.InitialLearningRate >= 0.0 && options.InitialLearningRate < 1.0,
+    "InitialLearningRate must lie in [0, 1)");
+  require(positive(options.LearningRateTimeConstant),
+    "LearningRateTimeConstant must be a positive number");
+  require(options.PassesPerLevel >= 0, "PassesPerLevel must not be negative");
+  require(options.SamplesPerNeuron >= 1, "SamplesPerNeuron must be at least 1");
+  require(options.NumberOfPolishRounds >= 0, "NumberOfPolishRounds must not be negative");
+  require(std::isfinite(options.Smoothness) && options.Smoothness >= 0.0,
+    "Smoothness must be a number that is not negative");
+}
+}
+
+ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  require(!samples.empty(), "there is no point to learn from");
+  check(options);
+  report(progress, 0.0);
+  ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
+    ? trainOnline(samples, makeGeodesicSphere(options.Frequency), options, progress)
+    : trainBatch(samples, options, parallelFor, progress);
+  for (Index i = 0; i < result.Weights.rows(); ++i)
+  {
+    result.Weights.row(i) = samples.restore(result.Weights.row(i));
+  }
+  report(progress, 1.0);
+  return result;
+}
+
+std::vector<double> quantizationErrors(
+  const TrainingSamples& samples, const ConformalSOMResult& result, const ParallelFor& parallelFor)
+{
+  constexpr Index BlockSize = 4096;
+  Points weights(result.Weights.rows(), 3);
+  for (Index i = 0; i < weights.rows(); ++i)
+  {
+    weights.row(i) = samples.normalize(result.Weights.row(i));
+  }
+  const TriangleTree tree(weights, result.Network.Faces);
+  std::vector<int> neurons(samples.size());
+  forBlocks(parallelFor, samples.size(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(samples[i]);
+        int corner = 0;
+        foot.Barycentric.maxCoeff(&corner);
+        neurons[i] = result.Network.Faces(foot.Triangle, corner);
+      }
+    });
+  std::vector<double> sums(weights.rows(), 0.0), counts(weights.rows(), 0.0);
+  for (Index i = 0; i < samples.size(); ++i)
+  {
+    sums[neurons[i]] += (samples[i] - Vector3(weights.row(neurons[i]))).squaredNorm();
+    counts[neurons[i]] += 1.0;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    sums[i] = counts[i] > 0.0 ? samples.scale() * std::sqrt(sums[i] / counts[i]) : 0.0;
+  }
+  return sums;
+}
+}

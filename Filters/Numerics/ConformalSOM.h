@@ -1,0 +1,92 @@
+/// CSM: a closed mesh learned from scattered points, with its map to the sphere.
+
+#ifndef ConformalConformalSOM_h
+#define ConformalConformalSOM_h
+
+#include "GeodesicSphere.h"
+#include "Parallel.h"
+#include "TrainingSamples.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace conformal
+{
+enum class TrainingMode
+{
+  Online, ///< the paper's algorithm, one pattern at a time
+  Batch   ///< all patterns at a time, from coarse to fine, with a least-squares polish
+};
+
+/// Which point r of the network space a pattern stands for in Eq. 3.
+enum class ReferencePoint
+{
+  Conformal, ///< the conformal image of its projection, Eqs. 4 and 5: the conformal map (CSM)
+  Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
+};
+
+struct ConformalSOMOptions
+{
+  int Frequency = 36; ///< f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles
+  conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
+  unsigned int RandomSeed = 1; ///< the only source of randomness
+
+  // Online training; t counts epochs from 0.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Conformal;
+  int NumberOfEpochs = 80;
+  int SamplesPerEpoch = 8000;
+  double InitialNeighborhoodRadius = 0.4; ///< sigma_0; sigma(t) = sigma_0 exp(-t / tau_1)
+  double NeighborhoodTimeConstant = 20.0; ///< tau_1, in epochs
+  double InitialLearningRate = 0.01;      ///< alpha_0 in [0, 1); alpha(t) = alpha_0 exp(-t / tau_2)
+  double LearningRateTimeConstant = 60.0; ///< tau_2, in epochs
+
+  // Batch training.
+  int PassesPerLevel = 10;      ///< learning passes on each lattice, from coarse to fine
+  int SamplesPerNeuron = 12;    ///< patterns a pass takes for each neuron, at most all there are
+  int NumberOfPolishRounds = 5; ///< least-squares rounds on the finest lattice
+  double Smoothness = 0.02;     ///< weight of the polish's Laplacian, per pattern of a neuron
+};
+
+/// What training saw in one epoch (Online) or pass (Batch).
+struct TrainingRecord
+{
+  int Frequency = 0;             ///< of the lattice then trained
+  double NeighborhoodRadius = 0; ///< sigma(t), a length on the unit sphere
+  double LearningRate = 0;       ///< alpha(t); 1 in batch training
+  double MeanSquareError = 0;    ///< of the patterns presented, to their projections; max radius 1
+  double MeanDisplacement = 0;   ///< of the neurons' weight vectors; max radius 1
+};
+
+struct ConformalSOMResult
+{
+  GeodesicSphere Network; ///< n_i and the triangles of S^Delta
+  Points Weights;         ///< #N by 3, w_i: the vertices of M^Delta, in the points' own coordinates
+  std::vector<TrainingRecord> History;
+};
+
+/// Learn a closed surface through the samples, \cite Liou2008 section 2.
+///
+/// Implementation note: the weights start as the unit sphere around the samples' centroid, scaled
+/// so that their largest radius is 1, the frame in which the paper's constants are meant.
+///
+/// Implementation note: in Online mode a neuron farther than 4 sigma from r is not moved (its
+/// share in Eq. 3 is below 3.4e-4), which is what makes it fast; Documentation/Filters.md has the
+/// difference it makes.
+///
+/// @param[in] samples   at least one pattern
+/// @throws std::invalid_argument if there are no samples or an option is out of range
+/// @throws Aborted
+/// @post the result depends only on the arguments: same input, same bits, any number of threads;
+///       points scaled by a power of two give weights scaled by it, bit by bit
+ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
+  const ConformalSOMOptions& options = {}, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
+
+/// Root mean square distance between each neuron and the patterns it stands for: those in whose
+/// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
+/// @return #N values
+std::vector<double> quantizationErrors(const TrainingSamples& samples,
+  const ConformalSOMResult& result, const ParallelFor& parallelFor = {});
+}
+
+#endif
