@@ -85,6 +85,7 @@ public:
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Executive);
   }
   bool Error() const { return this->Observer->GetError(); }
+  bool ExecutiveError() const { return this->Executive->GetError(); }
   bool Warning() const { return this->Observer->GetWarning(); }
   std::string ErrorMessage() const { return this->Observer->GetErrorMessage(); }
   std::string WarningMessage() const { return this->Observer->GetWarningMessage(); }

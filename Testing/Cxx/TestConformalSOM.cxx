@@ -1,0 +1,471 @@
+#include "vtkConformalSOM.h"
+
+#include "FilterContract.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenusZeroCheck.h"
+#include "vtkImageData.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+namespace
+{
+// An ellipsoid's surface, evenly enough, at a place of its own.
+vtkSmartPointer<vtkPolyData> MakeCloud(vtkIdType size, int type = VTK_DOUBLE)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(type);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    double n[3], length = 0.0;
+    do
+    {
+      for (double& x : n)
+      {
+        x = random->GetNextRangeValue(-1.0, 1.0);
+      }
+      length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    } while (length < 0.1 || length > 1.0);
+    points->InsertNextPoint(5.0 + 3.0 * n[0] / length, 2.0 * n[1] / length, n[2] / length);
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  return cloud;
+}
+
+// Small and quick; what the tests show does not depend on size.
+vtkSmartPointer<vtkConformalSOM> MakeFilter(vtkPointSet* input)
+{
+  auto filter = vtkSmartPointer<vtkConformalSOM>::New();
+  filter->SetInputDataObject(input);
+  filter->SetFrequency(6);
+  filter->SetNumberOfEpochs(20);
+  filter->SetSamplesPerEpoch(500);
+  return filter;
+}
+
+void ExpectMesh(vtkConformalSOM* filter)
+{
+  const int f = filter->GetFrequency();
+  vtkPolyData* mesh = filter->GetOutput();
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 10 * f * f + 2);
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 20 * f * f);
+  EXPECT_EQ(mesh->GetPoints()->GetDataType(), VTK_DOUBLE);
+  contract::ExpectSpherePosition(mesh);
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  for (double bound : bounds)
+  {
+    EXPECT_TRUE(std::isfinite(bound));
+  }
+}
+
+void ExpectEmpty(vtkConformalSOM* filter)
+{
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows(), 0);
+}
+
+void AddPriorities(vtkPolyData* cloud, const std::function<double(vtkIdType)>& value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Priority");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextValue(value(i));
+  }
+  cloud->GetPointData()->AddArray(array);
+}
+}
+
+TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
+{
+  auto cloud = MakeCloud(3000);
+  for (int mode : { vtkConformalSOM::ONLINE, vtkConformalSOM::BATCH })
+  {
+    auto filter = MakeFilter(cloud);
+    filter->SetTrainingMode(mode);
+    filter->GenerateErrorScalarsOn();
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_FALSE(observed.Error() || observed.Warning());
+    ExpectMesh(filter);
+    contract::ExpectArray(
+      filter->GetOutput()->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 362);
+    contract::ExpectArray(filter->GetOutput()->GetFieldData(), "Rank", -1, 1, 1);
+    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Rank")->GetTuple1(0), 3.0);
+
+    vtkTable* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
+    ASSERT_NE(history, nullptr);
+    EXPECT_GT(history->GetNumberOfRows(), 10);
+    for (const char* column :
+      { "Frequency", "NeighborhoodRadius", "LearningRate", "MeanSquareError", "MeanDisplacement" })
+    {
+      contract::ExpectArray(
+        history->GetRowData(), column, VTK_DOUBLE, 1, history->GetNumberOfRows());
+    }
+  }
+}
+
+TEST(ConformalSOM, LearnsTheEllipsoidWhereItLies)
+{
+  auto cloud = MakeCloud(20000);
+  auto filter = MakeFilter(cloud);
+  filter->SetFrequency(12);
+  filter->Update();
+  vtkPolyData* mesh = filter->GetOutput();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    EXPECT_NEAR(std::hypot((x[0] - 5.0) / 3.0, x[1] / 2.0, x[2]), 1.0, 0.03);
+  }
+  vtkNew<vtkGenusZeroCheck> check;
+  check->SetInputConnection(filter->GetOutputPort());
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsGenusZero")->GetTuple1(0), 1.0);
+}
+
+TEST(ConformalSOM, TakesFloatsStructuredPointsAndCells)
+{
+  auto doubles = MakeCloud(2000), floats = MakeCloud(2000, VTK_FLOAT);
+  auto a = MakeFilter(doubles), b = MakeFilter(floats);
+  a->Update();
+  b->Update();
+  for (vtkIdType i = 0; i < a->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    double x[3], y[3];
+    a->GetOutput()->GetPoint(i, x);
+    b->GetOutput()->GetPoint(i, y);
+    EXPECT_NEAR(x[0], y[0], 1e-3);
+  }
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(20, 100, 1);
+  grid->SetPoints(doubles->GetPoints());
+  auto c = MakeFilter(grid);
+  c->Update();
+  EXPECT_EQ(std::memcmp(c->GetOutput()->GetPoints()->GetVoidPointer(0),
+              a->GetOutput()->GetPoints()->GetVoidPointer(0), 362 * 3 * sizeof(double)),
+    0);
+}
+
+TEST(ConformalSOM, LeavesItsInputAlone)
+{
+  auto cloud = MakeCloud(500);
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(cloud);
+  const vtkMTimeType before = cloud->GetMTime();
+  auto filter = MakeFilter(cloud);
+  filter->Update();
+  EXPECT_EQ(cloud->GetMTime(), before);
+  for (vtkIdType i = 0; i < 500; ++i)
+  {
+    EXPECT_EQ(cloud->GetPoint(i)[0], copy->GetPoint(i)[0]);
+  }
+  EXPECT_EQ(cloud->GetPointData()->GetNumberOfArrays(), 0);
+}
+
+TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
+{
+  auto cloud = MakeCloud(200);
+  auto filter = MakeFilter(cloud);
+  contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetRandomSeed(4); });
+  contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetTrainingModeToOnline(); });
+  for (const char* property :
+    { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed", "ReferencePoint",
+      "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius", "NeighborhoodTimeConstant",
+      "InitialLearningRate", "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron",
+      "NumberOfPolishRounds", "Smoothness", "GenerateErrorScalars" })
+  {
+    contract::ExpectPrints(filter, property);
+  }
+}
+
+TEST(ConformalSOM, SameBitsOnAnyBackendAndNumberOfThreads)
+{
+  auto cloud = MakeCloud(20000);
+  vtkNew<vtkPoints> first;
+  first->SetDataTypeToDouble();
+  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  {
+    for (int threads : { 1, 2, 5 })
+    {
+      auto filter = MakeFilter(cloud);
+      vtkSMPTools::LocalScope(
+        vtkSMPTools::Config(threads, backend, false), [&]() { filter->Update(); });
+      vtkPoints* points = filter->GetOutput()->GetPoints();
+      if (first->GetNumberOfPoints() == 0)
+      {
+        first->DeepCopy(points);
+      }
+      EXPECT_EQ(std::memcmp(first->GetVoidPointer(0), points->GetVoidPointer(0),
+                  points->GetNumberOfPoints() * 3 * sizeof(double)),
+        0)
+        << backend << " " << threads;
+    }
+  }
+}
+
+// Rows "CSM" of the policy on bad input -----------------------------------------------------
+
+TEST(ConformalSOM, NoPointsGiveAWarningAndAnEmptyMesh)
+{
+  vtkNew<vtkPolyData> nothing;
+  auto filter = MakeFilter(nothing);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_TRUE(observed.Warning());
+  EXPECT_FALSE(observed.Error());
+  ExpectEmpty(filter);
+}
+
+TEST(ConformalSOM, FlatCloudsGiveAWarningAndAFiniteMesh)
+{
+  struct Case
+  {
+    vtkIdType Size;
+    std::function<void(vtkIdType, double*)> Place;
+    int Rank;
+  };
+  const auto equal = [](vtkIdType, double* x) { x[0] = x[1] = x[2] = 3.0; };
+  const auto line = [](vtkIdType i, double* x) { x[0] = x[1] = x[2] = static_cast<double>(i); };
+  const auto plane = [](vtkIdType i, double* x)
+  {
+    x[0] = std::cos(static_cast<double>(i));
+    x[1] = 1e6 * std::sin(static_cast<double>(i));
+    x[2] = 4.0;
+  };
+  for (const Case& c : { Case{ 1, line, 0 }, Case{ 2, line, 1 }, Case{ 3, plane, 2 },
+         Case{ 100, equal, 0 }, Case{ 100, line, 1 }, Case{ 100, plane, 1 } })
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < c.Size; ++i)
+    {
+      double x[3];
+      c.Place(i, x);
+      points->InsertNextPoint(x);
+    }
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    auto filter = MakeFilter(cloud);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_FALSE(observed.Error());
+    ExpectMesh(filter);
+    const int rank =
+      static_cast<int>(filter->GetOutput()->GetFieldData()->GetArray("Rank")->GetTuple1(0));
+    EXPECT_NE(
+      observed.WarningMessage().find("rank " + std::to_string(rank) + " cloud"), std::string::npos);
+    EXPECT_LE(rank, 2);
+  }
+}
+
+TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)
+{
+  auto clean = MakeCloud(1000);
+  auto dirty = MakeCloud(1000);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  dirty->GetPoints()->InsertNextPoint(nan, 0, 0);
+  dirty->GetPoints()->InsertNextPoint(0, std::numeric_limits<double>::infinity(), 0);
+  auto a = MakeFilter(clean), b = MakeFilter(dirty);
+  contract::Observed observed(b);
+  a->Update();
+  b->Update();
+  EXPECT_TRUE(observed.Warning());
+  EXPECT_NE(observed.WarningMessage().find("2 points are not finite"), std::string::npos);
+  for (vtkIdType i = 0; i < a->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(a->GetOutput()->GetPoint(i)[2], b->GetOutput()->GetPoint(i)[2]);
+  }
+
+  vtkNew<vtkPolyData> allBad;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(nan, nan, nan);
+  allBad->SetPoints(points);
+  auto c = MakeFilter(allBad);
+  contract::Observed none(c);
+  c->Update();
+  EXPECT_TRUE(none.Warning());
+  EXPECT_FALSE(none.Error());
+  ExpectEmpty(c);
+}
+
+TEST(ConformalSOM, AnyUnitAndPlaceWill)
+{
+  auto cloud = MakeCloud(1000);
+  auto reference = MakeFilter(cloud);
+  reference->Update();
+  for (double unit : { 1e-30, 1e30 })
+  {
+    vtkNew<vtkPolyData> scaled;
+    scaled->DeepCopy(cloud);
+    for (vtkIdType i = 0; i < 1000; ++i)
+    {
+      double x[3];
+      cloud->GetPoint(i, x);
+      scaled->GetPoints()->SetPoint(i, unit * x[0], unit * x[1], unit * x[2]);
+    }
+    auto filter = MakeFilter(scaled);
+    filter->Update();
+    ExpectMesh(filter);
+    double x[3], y[3];
+    reference->GetOutput()->GetPoint(17, x);
+    filter->GetOutput()->GetPoint(17, y);
+    EXPECT_NEAR(y[0] / unit, x[0], 1e-6);
+  }
+}
+
+TEST(ConformalSOM, PriorityArraysThatCannotBeUsedAreErrors)
+{
+  auto cloud = MakeCloud(300);
+  const auto refused = [&](vtkPolyData* input, const char* name)
+  {
+    auto filter = MakeFilter(input);
+    filter->SetPriorityArrayName(name);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_TRUE(observed.Error());
+    EXPECT_NE(observed.ErrorMessage().find(name), std::string::npos);
+    ExpectEmpty(filter);
+  };
+  refused(cloud, "missing");
+  vtkNew<vtkDoubleArray> wrong;
+  wrong->SetName("short");
+  wrong->SetNumberOfTuples(299);
+  wrong->Fill(1.0);
+  cloud->GetPointData()->AddArray(wrong);
+  refused(cloud, "short");
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("vectors");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(300);
+  vectors->Fill(1.0);
+  cloud->GetPointData()->AddArray(vectors);
+  refused(cloud, "vectors");
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfTuples(300);
+  cloud->GetPointData()->AddArray(words);
+  refused(cloud, "words");
+  AddPriorities(cloud, [](vtkIdType i) { return i % 2 ? 0.0 : -1.0; });
+  refused(cloud, "Priority");
+}
+
+TEST(ConformalSOM, BadPrioritiesCountAsZeroWithAWarning)
+{
+  auto cloud = MakeCloud(1000), clean = MakeCloud(1000);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  AddPriorities(cloud, [&](vtkIdType i) { return i % 10 == 0 ? nan : i % 10 == 1 ? -2.0 : 1.0; });
+  AddPriorities(clean, [&](vtkIdType i) { return i % 10 < 2 ? 0.0 : 1.0; });
+  auto a = MakeFilter(cloud), b = MakeFilter(clean);
+  a->SetPriorityArrayName("Priority");
+  b->SetPriorityArrayName("Priority");
+  contract::Observed observed(a);
+  a->Update();
+  b->Update();
+  EXPECT_FALSE(observed.Error());
+  EXPECT_NE(observed.WarningMessage().find("200 priorities"), std::string::npos);
+  EXPECT_EQ(a->GetOutput()->GetPoint(9)[1], b->GetOutput()->GetPoint(9)[1]);
+}
+
+TEST(ConformalSOM, GhostPointsAreSkipped)
+{
+  auto clean = MakeCloud(1000), cloud = MakeCloud(1000);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(1003);
+  ghosts->Fill(0);
+  for (vtkIdType i = 1000; i < 1003; ++i)
+  {
+    cloud->GetPoints()->InsertNextPoint(100.0 * static_cast<double>(i), 0, 0);
+    ghosts->SetValue(
+      i, i == 1000 ? vtkDataSetAttributes::DUPLICATEPOINT : vtkDataSetAttributes::HIDDENPOINT);
+  }
+  cloud->GetPointData()->AddArray(ghosts);
+  auto a = MakeFilter(clean), b = MakeFilter(cloud);
+  a->Update();
+  b->Update();
+  EXPECT_EQ(a->GetOutput()->GetPoint(100)[0], b->GetOutput()->GetPoint(100)[0]);
+}
+
+TEST(ConformalSOM, OtherDataIsRefusedByThePort)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  vtkNew<vtkConformalSOM> filter;
+  filter->SetInputDataObject(image);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_TRUE(observed.ExecutiveError());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(ConformalSOM, BadParametersAreErrors)
+{
+  auto cloud = MakeCloud(100);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](const std::function<void(vtkConformalSOM*)>& change)
+  {
+    auto filter = MakeFilter(cloud);
+    change(filter);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_TRUE(observed.Error());
+    ExpectEmpty(filter);
+  };
+  refused([](auto* f) { f->SetInitialNeighborhoodRadius(0.0); });
+  refused([&](auto* f) { f->SetInitialNeighborhoodRadius(nan); });
+  refused([](auto* f) { f->SetNeighborhoodTimeConstant(0.0); });
+  refused([&](auto* f) { f->SetNeighborhoodTimeConstant(nan); });
+  refused([](auto* f) { f->SetInitialLearningRate(1.0); });
+  refused([&](auto* f) { f->SetInitialLearningRate(nan); });
+  refused([](auto* f) { f->SetLearningRateTimeConstant(0.0); });
+  refused([&](auto* f) { f->SetSmoothness(nan); });
+  refused([](auto* f) { f->SetSmoothness(-1.0); });
+
+  vtkNew<vtkConformalSOM> filter;
+  filter->SetFrequency(0);
+  EXPECT_EQ(filter->GetFrequency(), 1);
+  filter->SetFrequency(1000000);
+  EXPECT_EQ(filter->GetFrequency(), 1000);
+  filter->SetNumberOfEpochs(-3);
+  EXPECT_EQ(filter->GetNumberOfEpochs(), 0);
+}
+
+TEST(ConformalSOM, AbortLeavesNothingAndSaysNothing)
+{
+  auto cloud = MakeCloud(3000);
+  for (int mode : { vtkConformalSOM::ONLINE, vtkConformalSOM::BATCH })
+  {
+    auto filter = MakeFilter(cloud);
+    filter->SetTrainingMode(mode);
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*)
+      {
+        auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+        algorithm->SetAbortExecute(algorithm->GetProgress() > 0.3);
+      });
+    filter->AddObserver(vtkCommand::ProgressEvent, stop);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_FALSE(observed.Error() || observed.Warning());
+    ExpectEmpty(filter);
+  }
+}
