@@ -1,0 +1,127 @@
+"""The built-in scan: a toy bear made by code, as a scanner would see it.
+
+The bear is the zero set of a signed distance, a smooth union of ellipsoids and round cones. Its
+surface is sampled evenly and every sample is moved by a little noise, so that what comes out is
+what a scanner hands over: points without triangles. One piece, no holes, no handles (genus 0);
++y is up and the bear looks along +z. The same arguments give the same points.
+"""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+LOW, HIGH = np.array([-1.3, -1.35, -0.75]), np.array([1.3, 1.5, 0.8])  # a box around the bear
+SPACING = 0.03
+
+
+def ellipsoid(center, radii):
+    """Signed distance to an ellipsoid, exact to first order near its surface."""
+    def distance(p):
+        q = (p - center) / radii
+        length = np.linalg.norm(q, axis=1)
+        return length * (length - 1.0) / np.maximum(np.linalg.norm(q / radii, axis=1), 1e-12)
+    return distance
+
+
+def limb(start, end, start_radius, end_radius):
+    """Signed distance to a capsule whose radius changes evenly from start to end."""
+    start, axis = np.asarray(start), np.subtract(end, start)
+
+    def distance(p):
+        t = np.clip((p - start) @ axis / (axis @ axis), 0.0, 1.0)
+        radius = start_radius + (end_radius - start_radius) * t
+        return np.linalg.norm(p - start - t[:, None] * axis, axis=1) - radius
+    return distance
+
+
+def on_both_sides(part):
+    """A part and its mirror image in the plane x = 0."""
+    return lambda p: part(np.column_stack([np.abs(p[:, 0]), p[:, 1:]]))
+
+
+# Each part with the width over which it melts into those before it.
+PARTS = [
+    (ellipsoid((0.0, -0.14, 0.0), (0.47, 0.50, 0.40)), 0.0),                            # belly
+    (ellipsoid((0.0, 0.24, 0.0), (0.33, 0.30, 0.29)), 0.15),                            # chest
+    (ellipsoid((0.0, 0.78, 0.05), (0.45, 0.39, 0.38)), 0.12),                           # head
+    (on_both_sides(ellipsoid((0.40, 1.12, 0.0), (0.18, 0.19, 0.11))), 0.05),            # ears
+    (ellipsoid((0.0, 0.67, 0.37), (0.20, 0.15, 0.16)), 0.06),                           # muzzle
+    (ellipsoid((0.0, 0.76, 0.51), (0.07, 0.05, 0.05)), 0.03),                           # nose
+    (on_both_sides(ellipsoid((0.165, 0.90, 0.385), (0.05, 0.06, 0.045))), 0.02),        # eyes
+    (on_both_sides(limb((0.25, 0.24, 0.0), (0.92, 0.40, 0.08), 0.15, 0.15)), 0.08),     # arms
+    (on_both_sides(limb((0.22, -0.40, 0.0), (0.50, -0.98, 0.02), 0.20, 0.17)), 0.08),   # legs
+    (on_both_sides(limb((0.50, -1.00, 0.02), (0.56, -1.02, 0.26), 0.17, 0.17)), 0.06),  # feet
+    (ellipsoid((0.0, -0.36, -0.40), (0.13, 0.13, 0.13)), 0.05),                         # tail
+]
+
+
+def bear(p):
+    """Signed distance of #p by 3 points to the bear; negative inside."""
+    result = np.full(len(p), 10.0)
+    for part, width in PARTS:
+        d = part(p)
+        overlap = np.maximum(width - np.abs(result - d), 0.0)
+        result = np.minimum(result, d) - overlap**2 / (4.0 * max(width, 1e-12))
+    return result
+
+
+def zero_set(distance):
+    """Corners, #T by 3 by 3, of triangles close to the surface where distance is zero."""
+    size = np.ceil((HIGH - LOW) / SPACING).astype(int) + 1
+    x, y, z = (low + SPACING * np.arange(n) for low, n in zip(LOW, size))
+    grid_z, grid_y, grid_x = np.meshgrid(z, y, x, indexing="ij")
+    grid = np.column_stack([grid_x.ravel(), grid_y.ravel(), grid_z.ravel()])
+    image = vtkImageData()
+    image.SetDimensions(*size)
+    image.SetOrigin(*LOW)
+    image.SetSpacing(SPACING, SPACING, SPACING)
+    values = numpy_to_vtk(distance(grid), deep=True)
+    image.GetPointData().SetScalars(values)
+    contour = vtkFlyingEdges3D()
+    contour.SetInputData(image)
+    contour.SetValue(0, 0.0)
+    contour.ComputeNormalsOff()
+    contour.ComputeScalarsOff()
+    contour.Update()
+    mesh = contour.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    return points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+
+
+def even_samples(triangles, count, random):
+    """Points spread over the triangles in proportion to area."""
+    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    chosen = np.searchsorted(np.cumsum(area), random.random(count) * area.sum())
+    u, v = random.random((2, count, 1))
+    outside = u + v > 1.0
+    u, v = np.where(outside, 1.0 - u, u), np.where(outside, 1.0 - v, v)
+    return a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen]
+
+
+def project(points, distance, steps=3):
+    """Newton's method down the gradient: the points, moved on to the zero set."""
+    h = 1e-5
+    for _ in range(steps):
+        d = distance(points)
+        gradient = np.column_stack([
+            (distance(points + h * axis) - d) / h for axis in np.eye(3)])
+        points = points - gradient * (d / (gradient**2).sum(axis=1))[:, None]
+    return points
+
+
+def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1):
+    """The bear as a vtkPolyData of points only.
+
+    noise is the standard deviation of a point's displacement along each axis, as a share of the
+    bear's height.
+    """
+    random = np.random.RandomState(random_seed)
+    points = project(even_samples(zero_set(bear), number_of_points, random), bear)
+    height = np.ptp(points[:, 1])
+    points = points + noise * height * random.standard_normal(points.shape)
+    cloud, vtk_points = vtkPolyData(), vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    cloud.SetPoints(vtk_points)
+    return cloud
