@@ -1,0 +1,145 @@
+"""Draws the stages of a run side by side."""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
+from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkCamera, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
+    vtkTexture, vtkWindowToImageFilter)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 (draws the labels)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (draws everything)
+
+CLAY, INK, SLATE = (0.80, 0.62, 0.46), (0.20, 0.24, 0.30), (0.28, 0.42, 0.60)
+HAZE = (0.93, 0.94, 0.96)  # what lies behind the dots of a cloud
+FINER = 2  # pixels drawn for each pixel kept, along each axis
+
+
+def actor_of(data):
+    """An actor that shows a data set in one colour, whatever arrays it has."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputDataObject(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(CLAY)
+    actor.GetProperty().SetSpecular(0.15)
+    actor.GetProperty().SetSpecularPower(20)
+    return actor
+
+
+def cloud_actor(points, view):
+    """The points as dots, shaded as the surface they lie on; far ones fade into the background."""
+    normals = vtkPCANormalEstimation()
+    normals.SetInputData(points)
+    normals.SetSampleSize(20)
+    normals.SetNormalOrientationToPoint()
+    normals.SetOrientationPoint(points.GetCenter() + 100.0 * points.GetLength() * np.array(view))
+    dots = vtkVertexGlyphFilter()
+    dots.SetInputConnection(normals.GetOutputPort())
+    dots.Update()
+    depth = vtk_to_numpy(points.GetPoints().GetData()) @ np.array(view)
+    nearness = np.clip(2.0 * (depth - depth.min()) / max(np.ptp(depth), 1e-300), 0.2, 1.0)
+    colors = np.outer(nearness, SLATE) + np.outer(1.0 - nearness, HAZE)
+    dots.GetOutput().GetPointData().SetScalars(
+        numpy_to_vtk(np.rint(255 * colors).astype(np.uint8), deep=True))
+    actor = actor_of(dots.GetOutput())
+    actor.GetMapper().ScalarVisibilityOn()
+    actor.GetProperty().SetPointSize(1.25 * FINER)
+    return actor
+
+
+def mesh_actor(mesh):
+    """The triangles with their edges."""
+    actor = actor_of(mesh)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetColor(0.95, 0.92, 0.87)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.42, 0.46, 0.52)
+    actor.GetProperty().SetLineWidth(0.4 * FINER)
+    return actor
+
+
+def textured_actor(surface, image):
+    """The surface with the image on it."""
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.InterpolateOn()
+    texture.MipmapOn()
+    texture.RepeatOff()
+    texture.EdgeClampOn()
+    actor = actor_of(surface)
+    actor.GetProperty().SetColor(1.0, 1.0, 1.0)
+    actor.SetTexture(texture)
+    return actor
+
+
+def camera_on(points, view, up, aspect):
+    """A camera that sees the points from the direction view, a little from the side and above.
+
+    They fill a panel whose width is aspect times its height, but for a margin.
+    """
+    camera = vtkCamera()
+    camera.SetPosition(view)
+    camera.SetViewUp(up)
+    camera.Azimuth(18)
+    camera.Elevation(8)
+    camera.OrthogonalizeViewUp()
+    upward, toward = np.array(camera.GetViewUp()), np.array(camera.GetDirectionOfProjection()) * -1
+    axes = np.stack([np.cross(upward, toward), upward, toward])
+    seen = vtk_to_numpy(points.GetPoints().GetData()) @ axes.T
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    half, center = (high - low) / 2.0, axes.T @ ((low + high) / 2.0)
+    camera.ParallelProjectionOn()
+    camera.SetParallelScale(max(half[1] / 0.8, half[0] / (0.9 * aspect)))
+    distance = 10.0 * half.max()
+    camera.SetFocalPoint(center)
+    camera.SetPosition(center + distance * toward)
+    camera.SetClippingRange(distance - 2.0 * half.max(), distance + 2.0 * half.max())
+    return camera
+
+
+def scene(actor, label):
+    """A renderer that shows the actor above a label."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.86, 0.88, 0.91)
+    renderer.SetBackground2(0.98, 0.98, 0.98)
+    renderer.GradientBackgroundOn()
+    renderer.AddActor(actor)
+    lights = vtkLightKit()
+    lights.SetKeyLightIntensity(0.9)
+    lights.AddLightsToRenderer(renderer)
+    text = vtkTextActor()
+    text.SetInput(label)
+    text.GetTextProperty().SetFontSize(15 * FINER)
+    text.GetTextProperty().SetColor(INK)
+    text.GetTextProperty().SetJustificationToCentered()
+    text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    text.SetPosition(0.5, 0.03)
+    renderer.AddActor(text)
+    return renderer
+
+
+def write_side_by_side(path, scenes, camera, width, height):
+    """Draw the scenes from left to right, all by one camera, into a PNG file."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(0)
+    window.SetSize(width * FINER, height * FINER)
+    for i, renderer in enumerate(scenes):
+        renderer.SetViewport(i / len(scenes), 0.0, (i + 1) / len(scenes), 1.0)
+        renderer.SetActiveCamera(camera)
+        window.AddRenderer(renderer)
+    window.Render()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    shrink = vtkImageShrink3D()
+    shrink.SetInputConnection(grab.GetOutputPort())
+    shrink.SetShrinkFactors(FINER, FINER, 1)
+    shrink.AveragingOn()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(shrink.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# quickstart.sh [SCAN [TEXTURE]] [OPTION...]: from a scan to a painted surface on a fresh Debian 12.
+#
+# Installs what is missing, builds the project into build/release and runs Python/quickstart.py,
+# whose options may follow (--help lists them). Without SCAN, a scan made by code is used.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev python3-vtk9 \
+  python3-numpy libeigen3-dev xvfb xauth libgl1-mesa-dri
+
+log=$root/build/release/build.log
+mkdir -p "$(dirname "$log")"
+echo "Building into build/release"
+if ! (cd "$root" && cmake --preset release && cmake --build --preset release) >"$log" 2>&1; then
+  tail -n 40 "$log"
+  echo "The build failed; all of its output is in $log" >&2
+  exit 1
+fi
+
+display=()
+[ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum)
+export PYTHONPATH=$root/build/release/lib/python3.11/site-packages${PYTHONPATH:+:$PYTHONPATH}
+exec "${display[@]}" /usr/bin/python3 "$root/Examples/Python/quickstart.py" "$@"

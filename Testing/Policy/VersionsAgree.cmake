@@ -1,0 +1,21 @@
+# The version stands once, in project(); what cannot be made from it agrees with it.
+cmake_minimum_required(VERSION 3.18)
+
+function (first_match file pattern result)
+  file(READ "${SOURCE_DIR}/${file}" text)
+  if (NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "${file} states no version")
+  endif ()
+  set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+endfunction ()
+
+set(number "([0-9]+\\.[0-9]+\\.[0-9]+)")
+first_match(CMakeLists.txt "project\\(ConformalSOM[ \n]+VERSION ${number}" project)
+first_match(CITATION.cff "\nversion: ${number}" citation)
+first_match(CHANGELOG.md "\n## \\[${number}\\]" changelog)
+foreach (other IN ITEMS citation changelog)
+  if (NOT "${${other}}" STREQUAL "${project}")
+    message(SEND_ERROR "The ${other} says ${${other}}, CMakeLists.txt says ${project}")
+  endif ()
+endforeach ()
+first_match(Wrapping/Python/__init__.py.in "__version__ = \"(@PROJECT_VERSION@)\"" python)

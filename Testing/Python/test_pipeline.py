@@ -1,0 +1,126 @@
+"""The chain of five: its arrays are those Documentation/Pipeline.md promises, its results have
+the same bits on any number of threads, and they lie where the scan is."""
+import os
+import unittest
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+import numpy as np
+
+from builtin_figure import bear, figure_cloud
+from conformalsom import (
+    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkGeodesicSphereSource, vtkSphericalTextureMap, vtkSurfaceMismatch)
+
+PROMISE = os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
+
+
+def chain(frequency=18, surface_frequency=40):
+    """The filters of the pipeline, all run, by class name."""
+    scan = figure_cloud(20000)
+    network = vtkConformalSOM()
+    network.SetInputData(scan)
+    network.SetFrequency(frequency)
+    surface = vtkCurvedSeamlessSurface()
+    surface.SetInputConnection(network.GetOutputPort())
+    surface.SetFrequency(surface_frequency)
+    painted = vtkSphericalTextureMap()
+    painted.SetInputConnection(surface.GetOutputPort())
+    painted.SetViewDirection(0, 0, 1)
+    painted.SetViewUp(0, 1, 0)
+    mismatch = vtkSurfaceMismatch()
+    mismatch.SetInputConnection(0, painted.GetOutputPort())
+    mismatch.SetInputData(1, scan)
+    distortion = vtkConformalDistortion()
+    distortion.SetInputConnection(mismatch.GetOutputPort())
+    distortion.Update()
+    sphere = vtkGeodesicSphereSource()
+    sphere.Update()
+    stages = (network, surface, painted, mismatch, distortion, sphere)
+    return {stage.GetClassName(): stage for stage in stages}
+
+
+def promised_arrays():
+    """Rows of the table in Pipeline.md: name, where, components, type, writers."""
+    with open(PROMISE, encoding="ascii") as file:
+        rows = [line.strip("| \n").split(" | ") for line in file if line.startswith("| `")]
+    for name, where, kind, writers, _ in rows:
+        components, type_name = kind.split(" ", 1)
+        yield name.strip("`"), where, int(components), type_name, writers.split(", ")
+
+
+def all_bytes(data):
+    """Points, triangles and every array of a vtkPolyData as bytes."""
+    arrays = [data.GetPoints().GetData(), data.GetPolys().GetConnectivityArray()]
+    for attributes in (data.GetPointData(), data.GetCellData(), data.GetFieldData()):
+        arrays += [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+    return {i: vtk_to_numpy(array).tobytes() for i, array in enumerate(arrays)}
+
+
+class TestPipeline(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.stages = chain()
+        cls.result = cls.stages["vtkConformalDistortion"].GetOutput()
+
+    def test_writes_the_promised_arrays(self):
+        places = {"points": "GetPointData", "cells": "GetCellData", "field data": "GetFieldData"}
+        promised = list(promised_arrays())
+        self.assertGreater(len(promised), 10)
+        for name, where, components, type_name, writers in promised:
+            for writer in writers:
+                with self.subTest(f"{name} of {writer}"):
+                    output = self.stages[writer].GetOutput()
+                    array = getattr(output, places[where])().GetArray(name)
+                    self.assertIsNotNone(array)
+                    self.assertEqual(array.GetNumberOfComponents(), components)
+                    self.assertEqual(array.GetDataTypeAsString(), type_name)
+                    self.assertTrue(np.isfinite(vtk_to_numpy(array)).all())
+
+    def test_every_stage_is_closed_and_of_genus_zero(self):
+        for name in ("vtkConformalSOM", "vtkCurvedSeamlessSurface"):
+            with self.subTest(name):
+                check = vtkGenusZeroCheck()
+                check.SetInputData(self.stages[name].GetOutput())
+                check.Update()
+                field = check.GetOutput().GetFieldData()
+                self.assertEqual(field.GetArray("IsGenusZero").GetValue(0), 1)
+                self.assertEqual(field.GetArray("NumberOfInconsistentEdges").GetValue(0), 0)
+
+    def test_texture_splits_nothing_open(self):
+        edges = vtkFeatureEdges()
+        edges.SetInputData(self.stages["vtkSphericalTextureMap"].GetOutput())
+        edges.FeatureEdgesOff()
+        edges.Update()
+        self.assertEqual(edges.GetOutput().GetNumberOfCells(), 0)
+
+    def test_surface_lies_on_the_bear(self):
+        """Independent of every filter: the bear is known as a formula."""
+        points = vtk_to_numpy(self.stages["vtkCurvedSeamlessSurface"].GetOutput().GetPoints().GetData())
+        distance = np.abs(bear(points.astype(float)))
+        self.assertLess(np.median(distance), 0.01)
+        self.assertLess((distance > 0.05).mean(), 0.1)
+
+    def test_mismatch_sees_the_scan(self):
+        field = self.result.GetFieldData()
+        p2s = field.GetArray("MeanSquarePointToSurface").GetValue(0)
+        nv = field.GetArray("MeanSquarePointToVertex").GetValue(0)
+        self.assertGreater(p2s, 0.0)
+        self.assertLess(p2s, nv)
+        self.assertLess(p2s, 1e-4)
+
+    def test_same_bits_on_any_threads(self):
+        expected = all_bytes(self.result)
+        for backend in ("Sequential", "STDThread", "TBB"):
+            for threads in (1, 2):
+                with self.subTest(f"{backend}, {threads} threads"):
+                    self.assertTrue(vtkSMPTools.SetBackend(backend))
+                    vtkSMPTools.Initialize(threads)
+                    again = chain()["vtkConformalDistortion"].GetOutput()
+                    self.assertEqual(all_bytes(again), expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
