@@ -109,6 +109,7 @@ def scene(actor, label):
     renderer.AddActor(actor)
     lights = vtkLightKit()
     lights.SetKeyLightIntensity(0.9)
+    lights.SetKeyToFillRatio(2.0)
     lights.AddLightsToRenderer(renderer)
     text = vtkTextActor()
     text.SetInput(label)
@@ -143,3 +144,15 @@ def write_side_by_side(path, scenes, camera, width, height):
     writer.SetInputConnection(shrink.GetOutputPort())
     writer.SetFileName(path)
     writer.Write()
+
+
+def write_stages(path, scan, mesh, surface, image, view, up):
+    """Draw the cloud, the mesh, the surface and the surface with the image side by side."""
+    camera = camera_on(scan, view, up, aspect=0.8)
+    scenes = [
+        scene(cloud_actor(scan, view), f"Scan: {scan.GetNumberOfPoints():,} points"),
+        scene(mesh_actor(mesh), f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles"),
+        scene(actor_of(surface), f"Smooth surface: {surface.GetNumberOfPolys():,} triangles"),
+        scene(textured_actor(surface, image), "Painted surface"),
+    ]
+    write_side_by_side(path, scenes, camera, 1600, 500)

@@ -12,11 +12,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from conformalsom import (
-    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap,
-    vtkSurfaceMismatch, vtkTexturedSurfaceWriter)
+    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
 
 import builtin_figure
 import pictures
+import report
 import scan_files
 import textures
 from steps import StepFailed, Steps
@@ -47,6 +47,8 @@ def sources(args, steps):
     if args.scan:
         scan = scan_files.reader_for(args.scan, scan_files.SCAN_READERS)
         steps.run("Read the scan", scan)
+        if scan.GetOutput().GetNumberOfPoints() == 0:
+            raise ValueError(f"{args.scan}: no points found")
     else:
         scan = vtkTrivialProducer()
         steps.run("Make a scan", scan, lambda: scan.SetOutput(builtin_figure.figure_cloud()))
@@ -65,50 +67,6 @@ def write(steps, writer, folder, name, *inputs):
         writer.SetInputConnection(port, source.GetOutputPort())
     writer.SetFileName(os.path.join(folder, name))
     steps.run(f"Write {name}", writer, writer.Write)
-
-
-def measure(steps, name, surface, scan):
-    """Field data of the surface's distance to the scan and of its map's distortion."""
-    mismatch = vtkSurfaceMismatch()
-    mismatch.SetInputConnection(0, surface.GetOutputPort())
-    mismatch.SetInputConnection(1, scan.GetOutputPort())
-    distortion = vtkConformalDistortion()
-    distortion.SetInputConnection(mismatch.GetOutputPort())
-    steps.run(f"Measure the {name}", mismatch)
-    steps.run(f"Distortion of the {name}", distortion)
-    return distortion.GetOutput().GetFieldData()
-
-
-def draw(path, stages, args):
-    """The cloud, the mesh, the surface and the painted surface, side by side."""
-    scan, mesh, surface, image = stages
-    camera = pictures.camera_on(scan, args.view, args.up, aspect=0.8)
-    scenes = [
-        pictures.scene(pictures.cloud_actor(scan, args.view),
-                       f"Scan: {scan.GetNumberOfPoints():,} points"),
-        pictures.scene(pictures.mesh_actor(mesh),
-                       f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles"),
-        pictures.scene(pictures.actor_of(surface),
-                       f"Smooth surface: {surface.GetNumberOfPolys():,} triangles"),
-        pictures.scene(pictures.textured_actor(surface, image), "Painted surface"),
-    ]
-    pictures.write_side_by_side(path, scenes, camera, 1600, 500)
-
-
-def print_table(scan, models, seconds):
-    """Sizes, seconds, errors and distortion. models: name -> (surface, its figures)."""
-    print(f"\n{'':<16}{'points':>10}{'triangles':>11}{'p2s':>10}{'nv':>10}{'s2p':>10}{'angle':>9}")
-    print(f"{'scan':<16}{scan.GetNumberOfPoints():>10,}{scan.GetNumberOfPolys():>11,}")
-    for name, (surface, figures) in models.items():
-        p2s, nv, s2p, angle = (figures.GetArray(array).GetValue(0) for array in (
-            "MeanSquarePointToSurface", "MeanSquarePointToVertex", "MeanSquareSurfaceToPoint",
-            "MeanAngleDistortion"))
-        print(f"{name:<16}{surface.GetNumberOfPoints():>10,}{surface.GetNumberOfPolys():>11,}"
-              f"{p2s:>10.2e}{nv:>10.2e}{s2p:>10.2e}{angle:>8.2f}d")
-    print("p2s, nv, s2p: mean square distance from the scan's points to the model, from them to its\n"
-          "nearest vertex, and from the model to the scan; the scan's largest radius is 1.\n"
-          "angle: mean change of a triangle's angles on the way to the sphere, in degrees.\n"
-          f"{sum(seconds.values()):.1f} s in all.")
 
 
 def main():
@@ -133,16 +91,17 @@ def main():
     painted.SetViewUp(args.up)
     steps.run("Lay the texture", painted)
 
-    figures = {name: (model.GetOutput(), measure(steps, name, model, scan))
-               for name, model in (("mesh", network), ("surface", painted))}
+    mesh = report.measured(steps, "mesh", network, scan)
+    result = report.measured(steps, "surface", painted, scan)
 
-    write(steps, vtkXMLPolyDataWriter(), args.output, "surface.vtp", painted)
+    write(steps, vtkXMLPolyDataWriter(), args.output, "surface.vtp", result)
     for name in ("surface.glb", "surface.obj"):
-        write(steps, vtkTexturedSurfaceWriter(), args.output, name, painted, texture)
-    stages = [stage.GetOutputDataObject(0) for stage in (scan, network, painted, texture)]
-    path = os.path.join(args.output, "quickstart.png")
-    draw(path, stages, args)
-    print_table(stages[0], figures, steps.seconds)
+        write(steps, vtkTexturedSurfaceWriter(), args.output, name, result, texture)
+    stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, texture)]
+    pictures.write_stages(
+        os.path.join(args.output, "quickstart.png"), *stages, args.view, args.up)
+    report.print_table(*stages[:3], steps.seconds)
+    print(f"Results: {os.path.relpath(args.output)}{os.sep}")
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ class Steps:
         @calldata_type(VTK_STRING)
         def keep(_, event, text):
             # "ERROR: In <file>, line <n>\n<class> (<address>): <message>\n\n"
-            messages[event].append(text.split("): ", 1)[-1].strip())
+            messages[event].append(text.split("): ", 1)[-1].strip().partition("\n")[0])
 
         def show(caller, _):
             if sys.stdout.isatty():

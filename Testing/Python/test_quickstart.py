@@ -41,7 +41,7 @@ class TestQuickstart(unittest.TestCase):
         picture.SetInputData(textures.checkerboard(128))
         picture.SetFileName(os.path.join(cls.folder, "my picture.png"))
         picture.Write()
-        cls.run = quickstart(cls.folder, "my scan.vtp", "my picture.png", "--output", "out",
+        cls.completed = quickstart(cls.folder, "my scan.vtp", "my picture.png", "--output", "out",
                              "--frequency", "8", "--surface-frequency", "16")
         cls.output = os.path.join(cls.folder, "out")
 
@@ -50,13 +50,13 @@ class TestQuickstart(unittest.TestCase):
         cls.temporary.cleanup()
 
     def test_ends_well_and_quietly(self):
-        self.assertEqual((self.run.returncode, self.run.stderr), (0, ""))
+        self.assertEqual((self.completed.returncode, self.completed.stderr), (0, ""))
 
     def test_prints_a_line_a_step_and_the_table(self):
         for text in ("Read the scan", "Learn the mesh", "Build the smooth surface", "Lay the texture",
                      "p2s", "nv", "s2p", "angle", "4,000", "642", "2,562"):
             with self.subTest(text):
-                self.assertIn(text, self.run.stdout)
+                self.assertIn(text, self.completed.stdout)
 
     def test_surface_keeps_every_array(self):
         surface = read(vtkXMLPolyDataReader(), self.output, "surface.vtp")

@@ -1,0 +1,54 @@
+// ConformalTexture OUTPUT.vtp [SCAN.ply]: from points to a surface with texture coordinates.
+// Without a scan, the points of a rounded box are used.
+
+#include "vtkConformalPLYReader.h"
+#include "vtkConformalSOM.h"
+#include "vtkCurvedSeamlessSurface.h"
+#include "vtkSphericalTextureMap.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSuperquadricSource.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <cstdlib>
+#include <iostream>
+
+int main(int argc, char* argv[])
+{
+  if (argc < 2)
+  {
+    std::cerr << "usage: ConformalTexture OUTPUT.vtp [SCAN.ply]\n";
+    return EXIT_FAILURE;
+  }
+  vtkNew<vtkConformalSOM> mesh;
+  vtkNew<vtkConformalPLYReader> scan;
+  vtkNew<vtkSuperquadricSource> box;
+  if (argc > 2)
+  {
+    scan->SetFileName(argv[2]);
+    mesh->SetInputConnection(scan->GetOutputPort());
+  }
+  else
+  {
+    box->SetThetaResolution(100);
+    box->SetPhiResolution(100);
+    box->SetPhiRoundness(0.5);
+    box->SetThetaRoundness(0.5);
+    mesh->SetInputConnection(box->GetOutputPort());
+  }
+
+  vtkNew<vtkCurvedSeamlessSurface> surface;
+  surface->SetInputConnection(mesh->GetOutputPort());
+  vtkNew<vtkSphericalTextureMap> texture;
+  texture->SetInputConnection(surface->GetOutputPort());
+  texture->SetViewDirection(0.0, 0.0, 1.0);
+  texture->SetViewUp(0.0, 1.0, 0.0);
+
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(texture->GetOutputPort());
+  writer->SetFileName(argv[1]);
+  const bool written = writer->Write() != 0;
+  std::cout << texture->GetOutput()->GetNumberOfPoints() << " points\n";
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
+}

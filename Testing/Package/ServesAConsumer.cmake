@@ -1,0 +1,47 @@
+# Install the build below a prefix with a blank in its name, build the example project against it
+# from a folder of its own, run it, and import the installed Python package.
+cmake_minimum_required(VERSION 3.18)
+
+function (run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\n${output}")
+  endif ()
+  set(output "${output}" PARENT_SCOPE)
+endfunction ()
+
+set(prefix "${WORK_DIR}/the prefix")
+set(consumer "${WORK_DIR}/consumer")
+set(result_file "${WORK_DIR}/consumer/painted.vtp")
+file(REMOVE_RECURSE "${prefix}" "${consumer}")
+
+run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+set(flags)
+if (SANITIZE)
+  set(flags "-DCMAKE_CXX_FLAGS=-fsanitize=${SANITIZE}")
+endif ()
+run("${CMAKE_COMMAND}" -S "${CONSUMER_DIR}" -B "${consumer}" -G "${GENERATOR}"
+  "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}" "-DCMAKE_PREFIX_PATH=${prefix}" ${flags})
+if (NOT output MATCHES "Build files have been written")
+  message(FATAL_ERROR "${output}")
+endif ()
+run("${CMAKE_COMMAND}" --build "${consumer}")
+run("${consumer}/ConformalTexture" "${result_file}")
+if (NOT output MATCHES "64002 points")
+  message(FATAL_ERROR "The consumer says: ${output}")
+endif ()
+file(READ "${result_file}" vtp LIMIT 20000)
+foreach (array IN ITEMS SpherePosition "Texture Coordinates")
+  if (NOT vtp MATCHES "Name=\"${array}\"")
+    message(FATAL_ERROR "${result_file} has no array ${array}")
+  endif ()
+endforeach ()
+
+if (PYTHON)
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${PYTHON_DESTINATION}" "${PYTHON}" -c
+    "import conformalsom; conformalsom.vtkConformalSOM(); print(conformalsom.__file__)")
+  if (NOT output MATCHES "the prefix")
+    message(FATAL_ERROR "Another package was imported: ${output}")
+  endif ()
+endif ()
