@@ -1,4 +1,4 @@
-"""Runs filters one after the other: a line for each, its seconds, and an end at the first error."""
+"""Runs filters one after the other: a line for each, and an end at the first error."""
 import sys
 import time
 
@@ -42,7 +42,6 @@ class Steps:
         self.seconds[label] = time.perf_counter() - start
         if messages["ErrorEvent"]:
             raise StepFailed(f"{label}: {messages['ErrorEvent'][0]}")
-        start_of_line = "\r" if sys.stdout.isatty() else ""
-        print(f"{start_of_line}{label:<28}{self.seconds[label]:6.2f} s", flush=True)
+        print(f"\r{label:<34}" if sys.stdout.isatty() else label, flush=True)
         for text in messages["WarningEvent"]:
             print(f"  note: {text}", flush=True)
