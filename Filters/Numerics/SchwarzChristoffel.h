@@ -62,7 +62,7 @@ public:
 
   /// dz/ds in the plane that has the point's corner at 0, the next corner on the positive real
   /// axis and the circumcircle's diameter as unit. The derivative of a map between two triangles
-  /// is the quotient of theirs. Infinite at corners of less than half a turn.
+  /// is the quotient of theirs. Infinite at s = 0.
   /// @pre not degenerate
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
