@@ -8,13 +8,17 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -141,6 +145,36 @@ bool ToVectors(vtkDataArray* array, conformal::Points& vectors)
     array->GetTuple(i, vectors.row(i).data());
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+conformal::Points ToSpherePositions(vtkPolyData* surface)
+{
+  const std::string name = SpherePositionName();
+  vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::invalid_argument("the surface has no point array " + name);
+  }
+  conformal::Points positions;
+  if (!ToVectors(array, positions))
+  {
+    throw std::invalid_argument("the point array " + name + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components instead of 3");
+  }
+  conformal::Index bad = 0;
+  for (conformal::Index i = 0; i < positions.rows(); ++i)
+  {
+    const double length = positions.row(i).stableNorm();
+    bad += !(length > 0.0 && std::isfinite(length));
+    positions.row(i) /= length;
+  }
+  if (bad > 0)
+  {
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(positions.rows()) +
+      " vectors of " + name + " are zero or not finite");
+  }
+  return positions;
 }
 
 //------------------------------------------------------------------------------

@@ -48,6 +48,11 @@ conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
+/// A surface's map to the sphere, normalised to unit length.
+/// @throws std::invalid_argument if the point array is missing, is not of 3 components, or holds
+///   a vector that is zero or not finite
+conformal::Points ToSpherePositions(vtkPolyData* surface);
+
 /// Add a point array of 3 doubles.
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
 

@@ -34,6 +34,21 @@ inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSiz
     runBlock(block);
   }
 }
+
+/// The same with a report now and then, always from the calling thread.
+/// @throws Aborted if the progress says stop
+inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSize,
+  const Progress& progress, const std::function<void(Index, Index)>& body)
+{
+  const Index chunkSize = 256 * blockSize;
+  for (Index start = 0; start < size; start += chunkSize)
+  {
+    const Index length = std::min(chunkSize, size - start);
+    forBlocks(parallelFor, length, blockSize,
+      [&](Index begin, Index end) { body(start + begin, start + end); });
+    report(progress, static_cast<double>(start + length) / static_cast<double>(size));
+  }
+}
 }
 
 #endif

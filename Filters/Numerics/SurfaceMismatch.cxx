@@ -184,25 +184,25 @@ public:
   template <typename Query>
   std::vector<double> operator()(const TriangleTree& tree, Index size, const Query& query)
   {
-    constexpr Index chunkSize = 1 << 16, blockSize = 1 << 9;
+    constexpr Index blockSize = 1 << 9;
     std::vector<double> squares(size);
-    for (Index start = 0; start < size; start += chunkSize)
+    const auto progress = [&](double fraction)
     {
-      const Index length = std::min(chunkSize, size - start);
-      forBlocks(this->Threads, length, blockSize,
-        [&](Index begin, Index end)
+      report(this->Report, (this->Done + fraction * size) / static_cast<double>(this->Total));
+      return true;
+    };
+    forBlocks(this->Threads, size, blockSize, progress,
+      [&](Index begin, Index end)
+      {
+        int hint = -1; // neighbors in the list are often neighbors in space
+        for (Index i = begin; i < end; ++i)
         {
-          int hint = -1; // neighbors in the list are often neighbors in space
-          for (Index i = start + begin; i < start + end; ++i)
-          {
-            const FootPoint foot = tree.closestPoint(query(i), hint);
-            hint = foot.Triangle;
-            squares[i] = foot.SquareDistance;
-          }
-        });
-      this->Done += length;
-      report(this->Report, static_cast<double>(this->Done) / static_cast<double>(this->Total));
-    }
+          const FootPoint foot = tree.closestPoint(query(i), hint);
+          hint = foot.Triangle;
+          squares[i] = foot.SquareDistance;
+        }
+      });
+    this->Done += size;
     return squares;
   }
 

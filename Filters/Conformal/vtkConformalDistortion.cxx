@@ -1,0 +1,90 @@
+#include "vtkConformalDistortion.h"
+
+#include "Distortion.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+vtkStandardNewMacro(vtkConformalDistortion);
+
+namespace
+{
+// Mean over the triangles of each cell; cells without triangles keep the value of no distortion.
+std::vector<double> OfCells(vtkIdType numberOfCells, const std::vector<vtkIdType>& cellIds,
+  const std::vector<double>& ofTriangles, double none)
+{
+  std::vector<double> sums(numberOfCells, 0.0);
+  std::vector<int> counts(numberOfCells, 0);
+  for (std::size_t r = 0; r < cellIds.size(); ++r)
+  {
+    sums[cellIds[r]] += ofTriangles[r];
+    ++counts[cellIds[r]];
+  }
+  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  {
+    sums[cell] = counts[cell] > 0 ? sums[cell] / counts[cell] : none;
+  }
+  return sums;
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkConformalDistortion::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (input->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro(<< "the surface is empty, nothing was measured");
+    return 1;
+  }
+
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      std::vector<vtkIdType> cellIds;
+      conformal::Points copy;
+      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      const conformal::Distortion distortion =
+        conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(), copy),
+          triangles, vtkConformalConversions::ToSpherePositions(input),
+          vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
+
+      output->ShallowCopy(input);
+      const auto addCellArray = [&](
+                                  const char* name, const std::vector<double>& values, double none)
+      {
+        vtkConformalConversions::AddNumbers(
+          output->GetCellData(), name, OfCells(input->GetNumberOfCells(), cellIds, values, none));
+      };
+      addCellArray("AngleDistortion", distortion.AngleDistortion, 0.0);
+      addCellArray("AreaDistortion", distortion.AreaDistortion, 0.0);
+      addCellArray("QuasiConformalError", distortion.QuasiConformalError, 1.0);
+
+      vtkFieldData* data = output->GetFieldData();
+      using vtkConformalConversions::AddNumber;
+      AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
+      AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
+      AddNumber(data, "AreaDistortionDeviation", distortion.AreaDistortionDeviation);
+      AddNumber(data, "SphereDegree", distortion.SphereDegree);
+      AddNumber(data, "NumberOfFlippedTriangles",
+        static_cast<long long>(distortion.NumberOfFlippedTriangles));
+      AddNumber(data, "NumberOfDegenerateTriangles",
+        static_cast<long long>(distortion.NumberOfDegenerateTriangles));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalDistortion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
