@@ -1,0 +1,77 @@
+// The CSM Learning Algorithm as it is written: every neuron is asked for its distance, every
+// neuron is moved, nothing is cut off. What trainConformalSOM is measured against.
+#ifndef BruteForceTraining_h
+#define BruteForceTraining_h
+
+#include "ConformalSOM.h"
+#include "MeshTopology.h"
+#include "Random.h"
+#include "SchwarzChristoffel.h"
+#include "TriangleTree.h"
+
+#include <cmath>
+
+namespace reference
+{
+/// Online training without priorities; the patterns drawn are those trainConformalSOM draws.
+/// The arrays run through the vector units of the build.
+/// @return #N by 3 weights in the unit of training
+inline conformal::Points trainByBruteForce(
+  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options)
+{
+  using namespace conformal;
+  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
+  const Adjacency around = vertexTriangles(network.Faces, network.Positions.rows());
+  const NetworkShapes shapes(network.Positions, network.Faces);
+  const Eigen::Array<double, Eigen::Dynamic, 3> n = network.Positions.array();
+  Eigen::Array<double, Eigen::Dynamic, 3> w = n;
+  Eigen::ArrayXd distances, shares;
+  const auto weight = [&](int i) { return Vector3(w(i, 0), w(i, 1), w(i, 2)); };
+  Random random(options.RandomSeed);
+  for (int t = 0; t < options.NumberOfEpochs; ++t)
+  {
+    const double sigma =
+      options.InitialNeighborhoodRadius * std::exp(-t / options.NeighborhoodTimeConstant);
+    const double alpha =
+      options.InitialLearningRate * std::exp(-t / options.LearningRateTimeConstant);
+    for (int step = 0; step < options.SamplesPerEpoch; ++step)
+    {
+      const Vector3 x = samples[random.index(samples.size())];
+      distances =
+        (w.col(0) - x[0]).square() + (w.col(1) - x[1]).square() + (w.col(2) - x[2]).square();
+      const double least = distances.minCoeff();
+      int winner = 0;
+      while (distances[winner] != least)
+      {
+        ++winner;
+      }
+      FootPoint foot;
+      for (const int* r = around.begin(winner); r != around.end(winner); ++r)
+      {
+        const auto ids = network.Faces.row(*r);
+        FootPoint candidate =
+          closestPointOfTriangle(x, weight(ids[0]), weight(ids[1]), weight(ids[2]));
+        candidate.Triangle = *r;
+        foot = candidate.SquareDistance < foot.SquareDistance ? candidate : foot;
+      }
+      const auto ids = network.Faces.row(foot.Triangle);
+      const TriangleShape simplex(weight(ids[0]), weight(ids[1]), weight(ids[2]));
+      const Vector3 image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+      const Vector3 r = (network.Positions.row(ids[0]) * image[0] +
+        network.Positions.row(ids[1]) * image[1] + network.Positions.row(ids[2]) * image[2])
+                          .normalized();
+      shares = alpha *
+        (((n.col(0) - r[0]).square() + (n.col(1) - r[1]).square() + (n.col(2) - r[2]).square()) *
+          (-0.5 / (sigma * sigma)))
+          .exp();
+      for (int c = 0; c < 3; ++c)
+      {
+        w.col(c) += shares * (x[c] - w.col(c));
+      }
+    }
+  }
+  return w.matrix();
+}
+}
+
+#endif
