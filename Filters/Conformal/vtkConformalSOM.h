@@ -164,7 +164,8 @@ public:
 
   ///@{
   /**
-   * Batch: learning passes on each lattice, from coarse to fine. At least 0. Default is 10.
+   * Batch: learning passes on each lattice, from coarse to fine, the neighbourhood narrower from
+   * pass to pass. At least 0. Default is 5.
    */
   vtkSetClampMacro(PassesPerLevel, int, 0, VTK_INT_MAX);
   vtkGetMacro(PassesPerLevel, int);
@@ -228,7 +229,7 @@ private:
   double NeighborhoodTimeConstant = 20.0;
   double InitialLearningRate = 0.01;
   double LearningRateTimeConstant = 60.0;
-  int PassesPerLevel = 10;
+  int PassesPerLevel = 5;
   int SamplesPerNeuron = 12;
   int NumberOfPolishRounds = 5;
   double Smoothness = 0.02;

@@ -1,6 +1,7 @@
 #include "BatchTraining.h"
 
 #include "FixedPointSums.h"
+#include "FootPoints.h"
 #include "LeastSquaresPolish.h"
 #include "MeshTopology.h"
 #include "Random.h"
@@ -29,56 +30,81 @@ std::vector<int> frequencies(int finest)
   return levels;
 }
 
-/// Which patterns a pass takes: all where they are few, else the next stretch of a stride through
-/// all of them that meets each once before it meets any again.
+/// Which patterns a pass takes: all where they are few, else evenly spaced ones in the scan's own
+/// order, from a start that moves from pass to pass so that all have their turn.
 class Rotation
 {
 public:
   Rotation(Index size, unsigned int seed)
     : Size(size)
+    , Start(Random(seed).uniform())
   {
-    // A stride near the golden section spreads any stretch evenly over the scan's own order.
-    this->Stride = std::max<Index>(1, static_cast<Index>(0.6180339887498949 * size));
-    while (gcd(this->Stride, size) != 1)
-    {
-      ++this->Stride;
-    }
-    this->Next = Random(seed).index(size);
   }
 
-  void take(Index count, std::vector<Index>& taken)
+  void turn(Index wanted)
   {
-    taken.resize(std::min(count, this->Size));
-    for (Index& id : taken)
-    {
-      id = this->Next;
-      this->Next = (this->Next + this->Stride) % this->Size;
-    }
-    // In the scan's order: neighbours in memory are often neighbours in space.
-    std::sort(taken.begin(), taken.end());
+    this->Count = std::min(wanted, this->Size);
+    constexpr double GoldenSection = 0.6180339887498949; // its multiples spread evenly
+    this->Start = std::fmod(this->Start + GoldenSection, 1.0);
+  }
+  Index count() const { return this->Count; }
+  Index id(Index i) const
+  {
+    const double spacing = static_cast<double>(this->Size) / static_cast<double>(this->Count);
+    return std::min(
+      static_cast<Index>((static_cast<double>(i) + this->Start) * spacing), this->Size - 1);
   }
 
 private:
-  static Index gcd(Index a, Index b) { return b == 0 ? a : gcd(b, a % b); }
-
-  Index Size, Stride, Next;
+  Index Size;
+  Index Count = 0;
+  double Start;
 };
+
+/// For each neuron the mass C of its patterns, then their sum S.
+using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// One step of diffusion over the lattice: every neuron keeps half and hands half to its
 /// neighbours in equal parts.
-void diffuse(
-  const Adjacency& neighbors, Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>& sums)
+void diffuse(const Adjacency& neighbors, Shares& shares)
 {
-  auto spread = (0.5 * sums).eval();
-  for (Index i = 0; i < sums.rows(); ++i)
+  Shares spread = 0.5 * shares;
+  for (Index i = 0; i < shares.rows(); ++i)
   {
     const double part = 0.5 / neighbors.size(i);
     for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
     {
-      spread.row(*j) += part * sums.row(i);
+      spread.row(*j) += part * shares.row(i);
     }
   }
-  sums.swap(spread);
+  shares.swap(spread);
+}
+
+/// The width of so many steps of diffusion as a radius sigma on the unit sphere: a step's variance
+/// in one direction is a quarter of the square edge length, half of the neighbours' half share.
+double diffusionRadius(int steps, Index triangles)
+{
+  const double area = 4.0 * std::acos(-1.0) / static_cast<double>(triangles);
+  const double squareEdge = 4.0 / std::sqrt(3.0) * area;
+  return std::sqrt(0.25 * steps * squareEdge);
+}
+
+/// S / C. A neuron without patterns follows its neighbours.
+Points means(const Shares& shares, const Adjacency& neighbors, const Points& weights)
+{
+  const double negligible = 1e-6 * shares.col(0).mean();
+  Points moved(weights.rows(), 3);
+  for (Index i = 0; i < moved.rows(); ++i)
+  {
+    Vector3 around = Vector3::Zero();
+    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+    {
+      around += Vector3(weights.row(*j)) / neighbors.size(i);
+    }
+    moved.row(i) =
+      (shares.row(i).tail<3>() + negligible * around.transpose()) / (shares(i, 0) + negligible);
+  }
+  return moved;
 }
 
 /// The weights of a finer lattice: the coarser surface at the finer lattice's directions.
@@ -106,18 +132,20 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   const ParallelFor& parallelFor, const Progress& progress)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
-  double work = 0.0, done = 0.0;
   const auto passWork = [](int f) { return static_cast<double>(f) * f; };
+  double work = passWork(options.Frequency) * options.NumberOfPolishRounds, done = 0.0;
   for (int f : levels)
   {
     work += passWork(f) * options.PassesPerLevel;
   }
-  work += passWork(options.Frequency) * options.NumberOfPolishRounds;
+  const auto progressOf = [&](double part) -> Progress
+  {
+    return [&, part](double fraction)
+    { return !progress || progress(std::min(1.0, (done + fraction * part) / work)); };
+  };
 
   ConformalSOMResult result;
   Rotation rotation(samples.size(), options.RandomSeed);
-  std::vector<Index> taken;
-  std::vector<FootPoint> feet;
   for (int f : levels)
   {
     const GeodesicSphere coarse = std::move(result.Network);
@@ -127,84 +155,57 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     result.Weights =
       f == levels.front() ? positions : interpolate(coarse, result.Weights, positions, parallelFor);
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
-    TriangleTree tree(result.Weights, faces);
+    TriangleTree surface(result.Weights, faces);
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
-      rotation.take(options.SamplesPerNeuron * positions.rows(), taken);
-      const Index size = static_cast<Index>(taken.size());
-      feet.resize(size);
-      forBlocks(parallelFor, size, BlockSize,
-        [&](Index begin, Index end)
-        {
-          for (Index i = begin; i < end; ++i)
-          {
-            feet[i] = tree.closestPoint(samples[taken[i]], i > begin ? feet[i - 1].Triangle : -1);
-          }
-        });
-
-      TrainingRecord record;
+      rotation.turn(options.SamplesPerNeuron * positions.rows());
       FixedPointSums sums(4 * positions.rows());
-      FixedPointSums error(1);
-      for (Index i = 0; i < size; ++i)
-      {
-        const Vector3 x = samples[taken[i]];
-        const double weight = samples.weight(taken[i]);
-        error.add(0, feet[i].SquareDistance);
-        for (int k = 0; k < 3; ++k)
+      double squareError = 0.0;
+      forEachFoot(
+        samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
+        [&](Index id, const Vector3& x, const FootPoint& foot)
         {
-          const double share = weight * feet[i].Barycentric[k];
-          const Index neuron = 4 * Index(faces(feet[i].Triangle, k));
-          sums.add(neuron, share);
-          for (int c = 0; c < 3; ++c)
+          squareError += foot.SquareDistance;
+          for (int k = 0; k < 3; ++k)
           {
-            sums.add(neuron + 1 + c, share * x[c]);
+            const double share = samples.weight(id) * foot.Barycentric[k];
+            const Index neuron = 4 * Index(faces(foot.Triangle, k));
+            sums.add(neuron, share);
+            for (int c = 0; c < 3; ++c)
+            {
+              sums.add(neuron + 1 + c, share * x[c]);
+            }
           }
-        }
-      }
-      Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> shares(positions.rows(), 4);
+        },
+        parallelFor, progressOf(0.9 * passWork(f)));
+      Shares shares(positions.rows(), 4);
       for (Index i = 0; i < shares.size(); ++i)
       {
         shares.data()[i] = sums[i];
       }
       const int steps =
-        std::max(1, WidestDiffusion - pass * WidestDiffusion / std::max(1, options.PassesPerLevel));
+        std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
       for (int step = 0; step < steps; ++step)
       {
         diffuse(neighbors, shares);
       }
+      const Points moved = means(shares, neighbors, result.Weights);
 
-      // A neuron without patterns follows its neighbours; in doubt the old weight is as good.
-      const double negligible = 1e-6 * shares.col(0).mean();
-      Points moved = result.Weights;
-      for (Index i = 0; i < moved.rows(); ++i)
-      {
-        Vector3 pull = Vector3::Zero();
-        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-        {
-          pull += Vector3(result.Weights.row(*j)) / neighbors.size(i);
-        }
-        moved.row(i) =
-          (shares.row(i).tail<3>() + negligible * pull.transpose()) / (shares(i, 0) + negligible);
-      }
+      TrainingRecord record;
       record.Frequency = f;
-      record.NeighborhoodRadius = std::sqrt(0.5 * steps) * 2.0 / std::sqrt(3.0) *
-        std::sqrt(4.0 * std::acos(-1.0) / (2.0 * faces.rows()));
+      record.NeighborhoodRadius = diffusionRadius(steps, faces.rows());
       record.LearningRate = 1.0;
-      record.MeanSquareError = error[0] / static_cast<double>(size);
+      record.MeanSquareError = squareError / static_cast<double>(rotation.count());
       record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
       result.History.push_back(record);
       result.Weights = moved;
-      tree.refit(result.Weights);
+      surface.refit(result.Weights);
       done += passWork(f);
       report(progress, done / work);
     }
   }
-  polish(
-    samples, options, parallelFor,
-    [&](double fraction)
-    { return !progress || progress((done + fraction * (work - done)) / work); },
-    result);
+  polish(samples, options, parallelFor, progressOf(work - done), result);
   return result;
 }
 }

@@ -7,7 +7,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int LeafSize = 4;
+constexpr int LeafSize = 2;
 
 void split(BoxTree& tree, const std::vector<Box>& boxes, int first, int last)
 {

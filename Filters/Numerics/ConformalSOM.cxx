@@ -1,6 +1,7 @@
 #include "ConformalSOM.h"
 
 #include "BatchTraining.h"
+#include "FootPoints.h"
 #include "OnlineTraining.h"
 #include "TriangleTree.h"
 
@@ -65,31 +66,23 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 std::vector<double> quantizationErrors(
   const TrainingSamples& samples, const ConformalSOMResult& result, const ParallelFor& parallelFor)
 {
-  constexpr Index BlockSize = 4096;
   Points weights(result.Weights.rows(), 3);
   for (Index i = 0; i < weights.rows(); ++i)
   {
     weights.row(i) = samples.normalize(result.Weights.row(i));
   }
-  const TriangleTree tree(weights, result.Network.Faces);
-  std::vector<int> neurons(samples.size());
-  forBlocks(parallelFor, samples.size(), BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        const FootPoint foot = tree.closestPoint(samples[i]);
-        int corner = 0;
-        foot.Barycentric.maxCoeff(&corner);
-        neurons[i] = result.Network.Faces(foot.Triangle, corner);
-      }
-    });
   std::vector<double> sums(weights.rows(), 0.0), counts(weights.rows(), 0.0);
-  for (Index i = 0; i < samples.size(); ++i)
-  {
-    sums[neurons[i]] += (samples[i] - Vector3(weights.row(neurons[i]))).squaredNorm();
-    counts[neurons[i]] += 1.0;
-  }
+  forEachFoot(
+    samples, TriangleTree(weights, result.Network.Faces), samples.size(), {},
+    [&](Index, const Vector3& x, const FootPoint& foot)
+    {
+      int corner = 0;
+      foot.Barycentric.maxCoeff(&corner);
+      const int neuron = result.Network.Faces(foot.Triangle, corner);
+      sums[neuron] += (x - Vector3(weights.row(neuron))).squaredNorm();
+      counts[neuron] += 1.0;
+    },
+    parallelFor);
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
     sums[i] = counts[i] > 0.0 ? samples.scale() * std::sqrt(sums[i] / counts[i]) : 0.0;

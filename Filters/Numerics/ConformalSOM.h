@@ -41,7 +41,7 @@ struct ConformalSOMOptions
   double LearningRateTimeConstant = 60.0; ///< tau_2, in epochs
 
   // Batch training.
-  int PassesPerLevel = 10;      ///< learning passes on each lattice, from coarse to fine
+  int PassesPerLevel = 5;       ///< learning passes on each lattice, from coarse to fine
   int SamplesPerNeuron = 12;    ///< patterns a pass takes for each neuron, at most all there are
   int NumberOfPolishRounds = 5; ///< least-squares rounds on the finest lattice
   double Smoothness = 0.02;     ///< weight of the polish's Laplacian, per pattern of a neuron

@@ -1,13 +1,13 @@
 #include "LeastSquaresPolish.h"
 
 #include "FixedPointSums.h"
+#include "FootPoints.h"
 #include "MeshTopology.h"
 #include "TriangleTree.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
 
-#include <algorithm>
 #include <vector>
 
 namespace conformal
@@ -15,8 +15,6 @@ namespace conformal
 namespace
 {
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-constexpr Index BlockSize = 4096;
-constexpr Index ChunkSize = 1 << 18; ///< samples between two reports; their feet are kept
 constexpr int MaximumIterations = 25;
 
 SparseMatrix uniformLaplacian(const Adjacency& neighbors, Index size)
@@ -100,32 +98,19 @@ void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const Index size = result.Weights.rows();
   const SparseMatrix laplacian = uniformLaplacian(vertexNeighbors(faces, size), size);
   const SparseMatrix bending = laplacian.transpose() * laplacian;
-  TriangleTree tree(result.Weights, faces);
-  std::vector<FootPoint> feet;
+  TriangleTree surface(result.Weights, faces);
   SparseMatrix matrix(size, size);
   Points right(size, 3);
   for (int round = 0; round < options.NumberOfPolishRounds; ++round)
   {
     NormalEquations equations(faces.rows());
-    for (Index first = 0; first < samples.size(); first += ChunkSize)
-    {
-      report(progress,
-        (round + static_cast<double>(first) / samples.size()) / options.NumberOfPolishRounds);
-      const Index count = std::min(ChunkSize, samples.size() - first);
-      feet.resize(count);
-      forBlocks(parallelFor, count, BlockSize,
-        [&](Index begin, Index end)
-        {
-          for (Index i = begin; i < end; ++i)
-          {
-            feet[i] = tree.closestPoint(samples[first + i], i > begin ? feet[i - 1].Triangle : -1);
-          }
-        });
-      for (Index i = 0; i < count; ++i)
-      {
-        equations.add(feet[i], samples[first + i], samples.weight(first + i));
-      }
-    }
+    const auto progressOfRound = [&](double fraction)
+    { return !progress || progress((round + 0.9 * fraction) / options.NumberOfPolishRounds); };
+    forEachFoot(
+      samples, surface, samples.size(), {},
+      [&](Index id, const Vector3& x, const FootPoint& foot)
+      { equations.add(foot, x, samples.weight(id)); },
+      parallelFor, progressOfRound);
     equations.assemble(faces, matrix, right);
     const double lambda = options.Smoothness * equations.Weight / size;
     const SparseMatrix system = matrix + lambda * bending;
@@ -135,7 +120,7 @@ void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
     forBlocks(parallelFor, 3, 1,
       [&](Index c, Index)
       { result.Weights.col(c) = solver.solveWithGuess(right.col(c), before.col(c)); });
-    tree.refit(result.Weights);
+    surface.refit(result.Weights);
 
     TrainingRecord record;
     record.Frequency = options.Frequency;

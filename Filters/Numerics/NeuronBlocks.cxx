@@ -1,6 +1,7 @@
 #include "NeuronBlocks.h"
 
 #include "BoxTree.h"
+#include "Lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +12,8 @@ namespace conformal
 {
 namespace
 {
-// Lanes that move in step, as GCC and Clang write them; they compile to whatever vector units
-// there are. Left to itself the compiler does not see through these loops.
-using Floats = float __attribute__((vector_size(32)));
-using Halves = float __attribute__((vector_size(16)));
-using Doubles = double __attribute__((vector_size(32)));
-constexpr int FloatLanes = 8, DoubleLanes = 4;
+using Halves =
+  float __attribute__((vector_size(16), aligned(4))); // as many floats as there are Doubles
 }
 
 NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)

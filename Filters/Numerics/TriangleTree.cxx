@@ -100,7 +100,42 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces)
   {
     this->PlaceOf[this->Tree.Items[place]] = place;
   }
+  if (faces.rows() > 0)
+  {
+    this->addQuad(0);
+  }
   this->refit(positions);
+}
+
+int TriangleTree::addQuad(int node)
+{
+  const int self = static_cast<int>(this->Quads.size());
+  this->Quads.emplace_back();
+  std::array<int, DoubleLanes> nodes;
+  nodes.fill(-1);
+  nodes[0] = node;
+  for (int filled = 1, widened = 1; widened > 0 && filled < DoubleLanes;)
+  {
+    widened = 0;
+    for (int i = filled; i-- > 0 && filled < DoubleLanes;)
+    {
+      const BoxTree::Node& inner = this->Tree.Nodes[nodes[i]];
+      if (inner.Count == 0)
+      {
+        nodes[filled++] = inner.Second;
+        ++nodes[i]; // the first child is the next node
+        ++widened;
+      }
+    }
+  }
+  for (int k = 0; k < DoubleLanes; ++k)
+  {
+    const bool inner = nodes[k] >= 0 && this->Tree.Nodes[nodes[k]].Count == 0;
+    const int next = inner ? this->addQuad(nodes[k]) : -1;
+    this->Quads[self].Node[k] = nodes[k];
+    this->Quads[self].Next[k] = next;
+  }
+  return self;
 }
 
 void TriangleTree::refit(const Points& positions)
@@ -116,6 +151,18 @@ void TriangleTree::refit(const Points& positions)
       box.extend(this->Placed[place].C);
       return box;
     });
+  for (Quad& quad : this->Quads)
+  {
+    for (int k = 0; k < DoubleLanes; ++k)
+    {
+      const Box box = quad.Node[k] >= 0 ? this->Tree.Nodes[quad.Node[k]].Bounds : Box();
+      for (int c = 0; c < 3; ++c)
+      {
+        quad.Lower[c][k] = box.Lower[c];
+        quad.Upper[c][k] = box.Upper[c];
+      }
+    }
+  }
 }
 
 void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
@@ -130,10 +177,27 @@ void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
   }
 }
 
+__attribute__((target_clones("avx2", "default"))) void TriangleTree::measure(
+  const Quad& quad, const double* x, double* distances)
+{
+  Doubles sum = {};
+  for (int c = 0; c < 3; ++c)
+  {
+    const Doubles below = quad.Lower[c] - x[c], above = x[c] - quad.Upper[c], zero = {};
+    Doubles outside = below > above ? below : above;
+    outside = outside > zero ? outside : zero;
+    sum += outside * outside;
+  }
+  for (int k = 0; k < DoubleLanes; ++k)
+  {
+    distances[k] = sum[k];
+  }
+}
+
 FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
 {
   FootPoint best;
-  if (this->Tree.Nodes.empty())
+  if (this->Quads.empty())
   {
     return best;
   }
@@ -141,38 +205,47 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
   {
     this->update(best, x, this->PlaceOf[hint]);
   }
-  // The depth is the logarithm of an int, so the stack cannot overflow.
-  std::array<std::pair<int, double>, 64> stack;
+  struct Waiting
+  {
+    double SquareDistance;
+    int Quad, Node;
+  };
+  // At most three wait on each level, and the depth is half the logarithm of an int.
+  std::array<Waiting, 3 * 32> stack;
   int depth = 0;
-  stack[depth++] = { 0, 0.0 };
+  stack[depth++] = { 0.0, 0, 0 };
   while (depth > 0)
   {
-    const auto [index, distance] = stack[--depth];
-    if (distance > best.SquareDistance)
+    const Waiting next = stack[--depth];
+    if (next.SquareDistance > best.SquareDistance)
     {
       continue;
     }
-    const BoxTree::Node& node = this->Tree.Nodes[index];
-    if (node.Count > 0)
+    if (next.Quad < 0)
     {
-      for (int place = node.First; place < node.First + node.Count; ++place)
+      const BoxTree::Node& leaf = this->Tree.Nodes[next.Node];
+      for (int place = leaf.First; place < leaf.First + leaf.Count; ++place)
       {
         this->update(best, x, place);
       }
       continue;
     }
-    const int near = index + 1, far = node.Second;
-    const double nearDistance = this->Tree.Nodes[near].Bounds.squareDistance(x);
-    const double farDistance = this->Tree.Nodes[far].Bounds.squareDistance(x);
-    if (nearDistance <= farDistance)
+    const Quad& quad = this->Quads[next.Quad];
+    double distances[DoubleLanes];
+    measure(quad, x.data(), distances);
+    const int bottom = depth;
+    for (int k = 0; k < DoubleLanes; ++k)
     {
-      stack[depth++] = { far, farDistance };
-      stack[depth++] = { near, nearDistance };
-    }
-    else
-    {
-      stack[depth++] = { near, nearDistance };
-      stack[depth++] = { far, farDistance };
+      // Empty places are infinitely far. Sorted in, so that the closest is taken first.
+      if (distances[k] <= best.SquareDistance && quad.Node[k] >= 0)
+      {
+        int at = depth++;
+        for (; at > bottom && stack[at - 1].SquareDistance < distances[k]; --at)
+        {
+          stack[at] = stack[at - 1];
+        }
+        stack[at] = { distances[k], quad.Next[k], quad.Node[k] };
+      }
     }
   }
   return best;

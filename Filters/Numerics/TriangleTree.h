@@ -4,6 +4,7 @@
 #define ConformalTriangleTree_h
 
 #include "BoxTree.h"
+#include "Lanes.h"
 #include "Types.h"
 
 #include <vector>
@@ -50,10 +51,20 @@ private:
   {
     Vector3 A, B, C;
   };
+  // Four boxes side by side, grandchildren of the binary tree, measured at the same time.
+  struct Quad
+  {
+    Doubles Lower[3], Upper[3];
+    int Node[DoubleLanes]; ///< of Tree, whose box this is; -1 for a place that is empty
+    int Next[DoubleLanes]; ///< quad below; -1 under a leaf
+  };
+  int addQuad(int node);
   void update(FootPoint& best, const Vector3& x, int place) const;
+  static void measure(const Quad& quad, const double* x, double* distances);
 
   Triangles Faces;
   BoxTree Tree;
+  std::vector<Quad> Quads;
   std::vector<Corners> Placed; ///< corners of the triangle at each place of Tree.Items
   std::vector<int> PlaceOf;    ///< place of each triangle
 };
