@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
-LOW, HIGH = np.array([-1.3, -1.35, -0.75]), np.array([1.3, 1.5, 0.8])  # a box around the bear
+LOW, HIGH = np.array([-0.9, -1.0, -0.7]), np.array([0.9, 1.3, 0.8])  # a box around the bear
 SPACING = 0.03
 
 
@@ -40,19 +40,19 @@ def on_both_sides(part):
     return lambda p: part(np.column_stack([np.abs(p[:, 0]), p[:, 1:]]))
 
 
+# Limbs are short: one that learns from points alone spans webs between long ones.
 # Each part with the width over which it melts into those before it.
 PARTS = [
-    (ellipsoid((0.0, -0.14, 0.0), (0.47, 0.50, 0.40)), 0.0),                            # belly
-    (ellipsoid((0.0, 0.24, 0.0), (0.33, 0.30, 0.29)), 0.15),                            # chest
-    (ellipsoid((0.0, 0.78, 0.05), (0.45, 0.39, 0.38)), 0.12),                           # head
-    (on_both_sides(ellipsoid((0.40, 1.12, 0.0), (0.18, 0.19, 0.11))), 0.05),            # ears
-    (ellipsoid((0.0, 0.67, 0.37), (0.20, 0.15, 0.16)), 0.06),                           # muzzle
-    (ellipsoid((0.0, 0.76, 0.51), (0.07, 0.05, 0.05)), 0.03),                           # nose
-    (on_both_sides(ellipsoid((0.165, 0.90, 0.385), (0.05, 0.06, 0.045))), 0.02),        # eyes
-    (on_both_sides(limb((0.25, 0.24, 0.0), (0.92, 0.40, 0.08), 0.15, 0.15)), 0.08),     # arms
-    (on_both_sides(limb((0.22, -0.40, 0.0), (0.50, -0.98, 0.02), 0.20, 0.17)), 0.08),   # legs
-    (on_both_sides(limb((0.50, -1.00, 0.02), (0.56, -1.02, 0.26), 0.17, 0.17)), 0.06),  # feet
-    (ellipsoid((0.0, -0.36, -0.40), (0.13, 0.13, 0.13)), 0.05),                         # tail
+    (ellipsoid((0.0, -0.24, 0.0), (0.52, 0.58, 0.45)), 0.0),                            # belly
+    (ellipsoid((0.0, 0.20, 0.0), (0.41, 0.38, 0.38)), 0.20),                            # chest
+    (ellipsoid((0.0, 0.66, 0.04), (0.46, 0.40, 0.40)), 0.17),                           # head
+    (on_both_sides(ellipsoid((0.34, 0.98, 0.0), (0.18, 0.19, 0.14))), 0.08),            # ears
+    (ellipsoid((0.0, 0.56, 0.38), (0.20, 0.15, 0.15)), 0.08),                           # muzzle
+    (ellipsoid((0.0, 0.64, 0.52), (0.075, 0.055, 0.05)), 0.03),                         # nose
+    (on_both_sides(ellipsoid((0.17, 0.78, 0.39), (0.055, 0.065, 0.05))), 0.02),         # eyes
+    (on_both_sides(limb((0.32, 0.01, 0.10), (0.56, -0.01, 0.23), 0.18, 0.16)), 0.20),   # arms
+    (on_both_sides(limb((0.26, -0.60, 0.14), (0.37, -0.70, 0.42), 0.21, 0.20)), 0.16),  # legs
+    (ellipsoid((0.0, -0.50, -0.42), (0.13, 0.13, 0.13)), 0.08),                         # tail
 ]
 
 
