@@ -1,0 +1,26 @@
+/// What parsers make of a file's numbers.
+
+#ifndef ConformalNamedArray_h
+#define ConformalNamedArray_h
+
+#include "OwnedArray.h"
+#include "ScalarType.h"
+
+#include <string>
+
+namespace conformal
+{
+/// Numbers with a name, #T by Components of one type.
+struct NamedArray
+{
+  std::string Name;
+  ScalarType Type = ScalarType::Float32;
+  std::size_t Components = 1;
+  OwnedArray<unsigned char> Values; ///< as bytes in this machine's order
+
+  std::size_t tupleBytes() const { return this->Components * sizeOf(this->Type); }
+  std::size_t numberOfTuples() const { return this->Values.size() / this->tupleBytes(); }
+};
+}
+
+#endif

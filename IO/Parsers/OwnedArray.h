@@ -1,0 +1,96 @@
+/// Numbers in memory of malloc, so that another owner can take them without a copy.
+
+#ifndef ConformalOwnedArray_h
+#define ConformalOwnedArray_h
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace conformal
+{
+template <typename T>
+class OwnedArray
+{
+  static_assert(std::is_trivially_copyable<T>::value, "values are moved as bytes");
+
+public:
+  T* data() { return this->Values.get(); }
+  const T* data() const { return this->Values.get(); }
+  std::size_t size() const { return this->Size; }
+  T& operator[](std::size_t i) { return this->Values.get()[i]; }
+  const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
+
+  /// Memory for so many values in all. New values are not initialised.
+  void reserve(std::size_t capacity)
+  {
+    if (capacity > this->Capacity)
+    {
+      this->reallocate(capacity);
+    }
+  }
+
+  void resize(std::size_t size)
+  {
+    this->reserve(size);
+    this->Size = size;
+  }
+
+  void push(T value)
+  {
+    if (this->Size == this->Capacity)
+    {
+      this->reallocate(std::max<std::size_t>(64, 2 * this->Capacity));
+    }
+    this->Values.get()[this->Size++] = value;
+  }
+
+  /// Give back what was reserved and not used.
+  void shrink()
+  {
+    if (this->Size < this->Capacity)
+    {
+      this->reallocate(this->Size);
+    }
+  }
+
+  /// Hand over the memory, to be freed with std::free. The array is empty afterwards.
+  T* release()
+  {
+    this->Size = this->Capacity = 0;
+    return this->Values.release();
+  }
+
+private:
+  void reallocate(std::size_t capacity)
+  {
+    if (capacity > std::numeric_limits<std::size_t>::max() / sizeof(T))
+    {
+      throw std::bad_alloc();
+    }
+    const std::size_t bytes = std::max<std::size_t>(1, capacity * sizeof(T));
+    void* values = std::realloc(this->Values.get(), bytes);
+    if (!values)
+    {
+      throw std::bad_alloc();
+    }
+    static_cast<void>(this->Values.release()); // realloc has taken it
+    this->Values.reset(static_cast<T*>(values));
+    this->Capacity = capacity;
+  }
+
+  struct Free
+  {
+    void operator()(void* values) const { std::free(values); }
+  };
+  std::unique_ptr<T, Free> Values;
+  std::size_t Size = 0;
+  std::size_t Capacity = 0;
+};
+}
+
+#endif

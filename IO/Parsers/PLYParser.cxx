@@ -1,0 +1,538 @@
+#include "PLYParser.h"
+
+#include "PLYHeader.h"
+#include "PLYRecords.h"
+#include "PLYValues.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
+
+bool isLittleEndianMachine()
+{
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 1;
+}
+
+bool hasRepeatedId(const std::int64_t* ids, std::size_t count)
+{
+  constexpr std::size_t few = 16;
+  if (count <= few)
+  {
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      if (std::find(ids, ids + i, ids[i]) != ids + i)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  std::vector<std::int64_t> sorted(ids, ids + count);
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+template <typename T>
+std::uint64_t replaceNonFinite(NamedArray& array)
+{
+  std::uint64_t replaced = 0;
+  const std::size_t count = array.Values.size() / sizeof(T);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    T value;
+    unsigned char* place = array.Values.data() + i * sizeof(T);
+    std::memcpy(&value, place, sizeof(T));
+    if (!std::isfinite(value))
+    {
+      value = T(0);
+      std::memcpy(place, &value, sizeof(T));
+      ++replaced;
+    }
+  }
+  return replaced;
+}
+
+std::uint64_t replaceNonFinite(std::vector<NamedArray>& arrays)
+{
+  std::uint64_t replaced = 0;
+  for (NamedArray& array : arrays)
+  {
+    replaced += array.Type == ScalarType::Float32 ? replaceNonFinite<float>(array)
+      : array.Type == ScalarType::Float64         ? replaceNonFinite<double>(array)
+                                                  : 0;
+  }
+  return replaced;
+}
+
+// Triangles of one strip after another.
+class StripTriangles
+{
+public:
+  explicit StripTriangles(PLYData& data)
+    : Data(data)
+  {
+  }
+
+  void endStrip() { this->Length = 0; }
+
+  void add(std::int64_t id)
+  {
+    const std::int64_t a = this->First;
+    const std::int64_t b = this->Second;
+    this->First = b;
+    this->Second = id;
+    ++this->Length;
+    if (this->Length < 3 || a == b || b == id || id == a)
+    {
+      return;
+    }
+    const bool isTurned = this->Length % 2 == 0;
+    this->Data.PolygonIds.push(isTurned ? b : a);
+    this->Data.PolygonIds.push(isTurned ? a : b);
+    this->Data.PolygonIds.push(id);
+    this->Data.PolygonOffsets.push(static_cast<std::int64_t>(this->Data.PolygonIds.size()));
+  }
+
+private:
+  PLYData& Data;
+  std::int64_t First = 0;
+  std::int64_t Second = 0;
+  std::uint64_t Length = 0;
+};
+
+class BodyReader
+{
+public:
+  BodyReader(ByteReader& input, const PLYHeader& header, const ParseLimits& limits,
+    const ParseProgress& progress, PLYData& data)
+    : Input(input)
+    , Header(header)
+    , Limits(limits)
+    , Progress(progress)
+    , Data(data)
+  {
+  }
+
+  void read()
+  {
+    if (!this->find("vertex"))
+    {
+      this->Input.fail(ParseCode::Malformed, "found no element vertex");
+    }
+    this->NumberOfPoints = this->find("vertex")->Count;
+    const auto hasAny = [&](const char* name)
+    {
+      const PLYElement* element = this->find(name);
+      return element && element->Count > 0;
+    };
+    this->IsMesh = hasAny("face") || hasAny("tristrips");
+    this->Data.PolygonOffsets.push(0);
+    if (this->Header.Format == PLYFormat::Ascii)
+    {
+      this->readElements(TextValues(this->Input));
+    }
+    else
+    {
+      this->Swap =
+        isLittleEndianMachine() != (this->Header.Format == PLYFormat::BinaryLittleEndian);
+      this->Input.beginBinary();
+      this->readElements(BinaryValues(this->Input, this->Swap));
+    }
+    this->finish();
+  }
+
+private:
+  const PLYElement* find(const char* name) const
+  {
+    for (const PLYElement& element : this->Header.Elements)
+    {
+      if (element.Name == name)
+      {
+        return &element;
+      }
+    }
+    return nullptr;
+  }
+
+  template <typename Values>
+  void readElements(Values values)
+  {
+    for (const PLYElement& element : this->Header.Elements)
+    {
+      std::size_t leastBytes = 0;
+      for (const PLYProperty& property : element.Properties)
+      {
+        leastBytes += values.leastBytes(property.IsList ? property.CountType : property.Type);
+      }
+      // The last number of a text has no blank to its right: one byte less is enough.
+      const bool isText = this->Header.Format == PLYFormat::Ascii && leastBytes > 0;
+      const std::size_t count =
+        this->Limits.checkedCount(this->Input, "records of the element " + quoted(element.Name),
+          element.Count, leastBytes - (isText ? 1 : 0), element.Properties.size() * sizeof(double));
+      if (element.Name == "vertex")
+      {
+        this->readPoints(values, element, count);
+      }
+      else if (element.Name == "face" && count > 0)
+      {
+        this->readPolygons(values, element, count);
+      }
+      else if (element.Name == "tristrips" && count > 0)
+      {
+        this->readStrips(values, element, count);
+      }
+      else if (leastBytes > 0)
+      {
+        this->skipRecords(values, element, count);
+      }
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  template <typename Values>
+  void readPoints(Values& values, const PLYElement& element, std::size_t count)
+  {
+    PLYRecords records = this->recordsOf(element, true);
+    records.resize(count);
+    std::size_t kept = 0;
+    if (this->Header.Format != PLYFormat::Ascii && records.canCopy())
+    {
+      kept = this->copyPoints(records, element, count);
+    }
+    else
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        for (std::size_t p = 0; p < element.Properties.size(); ++p)
+        {
+          if (element.Properties[p].IsList)
+          {
+            this->skipList(values, element.Properties[p]);
+          }
+          else
+          {
+            records.read(values, p, kept);
+          }
+        }
+        values.endRecord();
+        kept += this->keepsPoint(records, kept) ? 1 : 0;
+        this->tick();
+      }
+    }
+    records.resize(kept);
+    this->Data.Points = std::move(records.arrays().front());
+    records.arrays().erase(records.arrays().begin());
+    this->Data.PointArrays = std::move(records.arrays());
+  }
+
+  std::size_t copyPoints(PLYRecords& records, const PLYElement& element, std::size_t count)
+  {
+    std::size_t recordBytes = 0;
+    for (const PLYProperty& property : element.Properties)
+    {
+      recordBytes += sizeOf(property.Type);
+    }
+    const std::size_t mostInBlock = std::max<std::size_t>(1, BlockBytes / recordBytes);
+    std::size_t kept = 0;
+    for (std::size_t done = 0; done < count;)
+    {
+      const std::size_t block = std::min(mostInBlock, count - done);
+      const std::string_view bytes = this->Input.peek(block * recordBytes);
+      if (bytes.size() < block * recordBytes)
+      {
+        this->Input.fail(ParseCode::PrematureEnd, "the file ends inside the points");
+      }
+      const std::size_t first = kept;
+      records.copy(bytes.data(), block, first, this->Swap);
+      for (std::size_t i = 0; i < block; ++i)
+      {
+        if (kept != first + i)
+        {
+          records.move(first + i, kept);
+        }
+        kept += this->keepsPoint(records, kept) ? 1 : 0;
+      }
+      this->Input.advance(block * recordBytes);
+      done += block;
+      this->tick();
+    }
+    return kept;
+  }
+
+  bool keepsPoint(const PLYRecords& records, std::size_t record)
+  {
+    if (records.isFinitePoint(record))
+    {
+      return true;
+    }
+    if (this->IsMesh) // no point was dropped before, so this is its number in the file
+    {
+      this->Input.fail(ParseCode::Malformed,
+        "found coordinates of vertex " + std::to_string(record) + " that are not finite");
+    }
+    ++this->Data.DroppedPoints;
+    return false;
+  }
+
+  //----------------------------------------------------------------------------
+  template <typename Values>
+  void readPolygons(Values& values, const PLYElement& element, std::size_t count)
+  {
+    const PLYProperty& list = this->idsOf(element);
+    PLYRecords records = this->recordsOf(element, false);
+    records.resize(count);
+    auto& ids = this->Data.PolygonIds;
+    auto& offsets = this->Data.PolygonOffsets;
+    offsets.reserve(offsets.size() + count);
+    ids.reserve(ids.size() + std::min<std::uint64_t>(3 * count, this->Input.left()));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t begin = ids.size();
+      for (std::size_t p = 0; p < element.Properties.size(); ++p)
+      {
+        const PLYProperty& property = element.Properties[p];
+        if (&property == &list)
+        {
+          this->readIds(values, list, [&](std::int64_t id) { ids.push(this->checkedId(id)); });
+        }
+        else if (property.IsList)
+        {
+          this->skipList(values, property);
+        }
+        else
+        {
+          records.read(values, p, kept);
+        }
+      }
+      values.endRecord();
+      const std::size_t corners = ids.size() - begin;
+      if (corners < 3 || hasRepeatedId(ids.data() + begin, corners))
+      {
+        ids.resize(begin);
+        ++this->Data.DroppedPolygons;
+        continue;
+      }
+      offsets.push(static_cast<std::int64_t>(ids.size()));
+      ++kept;
+    }
+    records.resize(kept);
+    this->Data.PolygonArrays = std::move(records.arrays());
+  }
+
+  template <typename Values>
+  void readStrips(Values& values, const PLYElement& element, std::size_t count)
+  {
+    const PLYProperty& list = this->idsOf(element);
+    StripTriangles triangles(this->Data);
+    this->HasStrips = true;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (const PLYProperty& property : element.Properties)
+      {
+        if (&property == &list)
+        {
+          this->readIds(values, list,
+            [&](std::int64_t id)
+            {
+              if (id == -1)
+              {
+                triangles.endStrip();
+              }
+              else
+              {
+                triangles.add(this->checkedId(id));
+              }
+            });
+          triangles.endStrip();
+        }
+        else
+        {
+          this->skipProperty(values, property);
+        }
+      }
+      values.endRecord();
+    }
+  }
+
+  // The list of ids of an element of cells.
+  const PLYProperty& idsOf(const PLYElement& element)
+  {
+    for (const PLYProperty& property : element.Properties)
+    {
+      if (property.Name == "vertex_indices" || property.Name == "vertex_index")
+      {
+        if (!property.IsList || isFloating(property.Type))
+        {
+          break;
+        }
+        return property;
+      }
+    }
+    this->Input.fail(ParseCode::Malformed,
+      "found no list vertex_indices of integers in the element " + quoted(element.Name));
+  }
+
+  template <typename Values, typename Sink>
+  void readIds(Values& values, const PLYProperty& list, Sink sink)
+  {
+    const std::size_t count = this->listLength(values, list);
+    withType(list.Type,
+      [&](auto zero)
+      {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          sink(static_cast<std::int64_t>(values.template next<decltype(zero)>()));
+          this->tick();
+        }
+      });
+  }
+
+  std::int64_t checkedId(std::int64_t id)
+  {
+    if (id < 0 || static_cast<std::uint64_t>(id) >= this->NumberOfPoints)
+    {
+      this->Input.fail(ParseCode::Malformed,
+        "found id " + std::to_string(id) + ", expected 0 <= id < " +
+          std::to_string(this->NumberOfPoints));
+    }
+    return id;
+  }
+
+  //----------------------------------------------------------------------------
+  template <typename Values>
+  std::size_t listLength(Values& values, const PLYProperty& list)
+  {
+    const std::int64_t length = withType(list.CountType,
+      [&](auto zero) { return static_cast<std::int64_t>(values.template next<decltype(zero)>()); });
+    if (length < 0)
+    {
+      this->Input.fail(ParseCode::Malformed,
+        "found a list of " + std::to_string(length) + " members, expected 0 or more");
+    }
+    return this->Limits.checkedCount(this->Input, "members of the list " + quoted(list.Name),
+      length, values.leastBytes(list.Type), sizeof(std::int64_t));
+  }
+
+  template <typename Values>
+  void skipList(Values& values, const PLYProperty& list)
+  {
+    values.skip(list.Type, this->listLength(values, list));
+  }
+
+  template <typename Values>
+  void skipProperty(Values& values, const PLYProperty& property)
+  {
+    if (property.IsList)
+    {
+      this->skipList(values, property);
+    }
+    else
+    {
+      values.skip(property.Type, 1);
+    }
+  }
+
+  template <typename Values>
+  void skipRecords(Values& values, const PLYElement& element, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (const PLYProperty& property : element.Properties)
+      {
+        this->skipProperty(values, property);
+      }
+      values.endRecord();
+      this->tick();
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  PLYRecords recordsOf(const PLYElement& element, bool hasPoints)
+  {
+    try
+    {
+      return PLYRecords(element, hasPoints);
+    }
+    catch (const std::invalid_argument& e)
+    {
+      this->Input.fail(ParseCode::Malformed, e.what());
+    }
+  }
+
+  void finish()
+  {
+    if (this->HasStrips)
+    {
+      this->Data.PolygonArrays.clear();
+    }
+    this->Data.PolygonOffsets.shrink();
+    this->Data.PolygonIds.shrink();
+    this->Data.ReplacedValues =
+      replaceNonFinite(this->Data.PointArrays) + replaceNonFinite(this->Data.PolygonArrays);
+  }
+
+  // Reports at every hundredth of the input.
+  void tick()
+  {
+    const std::uint64_t offset = this->Input.offset();
+    if (offset < this->NextReport)
+    {
+      return;
+    }
+    const std::uint64_t size = this->Input.size();
+    this->NextReport = offset + size / 100 + 1;
+    if (this->Progress && !this->Progress(static_cast<double>(offset) / size))
+    {
+      this->Input.fail(ParseCode::Aborted, "aborted");
+    }
+  }
+
+  ByteReader& Input;
+  const PLYHeader& Header;
+  const ParseLimits& Limits;
+  const ParseProgress& Progress;
+  PLYData& Data;
+  std::uint64_t NumberOfPoints = 0;
+  std::uint64_t NextReport = 0;
+  bool IsMesh = false;
+  bool HasStrips = false;
+  bool Swap = false;
+};
+}
+
+//------------------------------------------------------------------------------
+PLYResult parsePLY(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+{
+  PLYResult result;
+  result.Status = statusOf(
+    [&]()
+    {
+      const PLYHeader header = readPLYHeader(input);
+      BodyReader(input, header, limits, progress, result.Data).read();
+    });
+  if (!result.Status.ok())
+  {
+    result.Data = PLYData();
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+PLYResult parsePLY(std::string_view bytes, const ParseLimits& limits, const ParseProgress& progress)
+{
+  ByteReader input(bytes);
+  return parsePLY(input, limits, progress);
+}
+}

@@ -1,0 +1,61 @@
+/// Types of the numbers in a file.
+
+#ifndef ConformalScalarType_h
+#define ConformalScalarType_h
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace conformal
+{
+enum class ScalarType
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Float32,
+  Float64
+};
+
+/// Call f with a zero of the C++ type, which a generic lambda takes as its type.
+template <typename Function>
+decltype(auto) withType(ScalarType type, Function&& f)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return f(std::int8_t());
+    case ScalarType::UInt8:
+      return f(std::uint8_t());
+    case ScalarType::Int16:
+      return f(std::int16_t());
+    case ScalarType::UInt16:
+      return f(std::uint16_t());
+    case ScalarType::Int32:
+      return f(std::int32_t());
+    case ScalarType::UInt32:
+      return f(std::uint32_t());
+    case ScalarType::Float32:
+      return f(float());
+    case ScalarType::Float64:
+      break;
+  }
+  return f(double());
+}
+
+inline std::size_t sizeOf(ScalarType type)
+{
+  return withType(type, [](auto zero) { return sizeof(zero); });
+}
+
+inline bool isFloating(ScalarType type)
+{
+  return type == ScalarType::Float32 || type == ScalarType::Float64;
+}
+}
+
+#endif

@@ -1,0 +1,180 @@
+// PLY files made in place.
+#ifndef PLYSamples_h
+#define PLYSamples_h
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace samples
+{
+inline std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+  {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// A tetrahedron with an attribute of every sort, elements around it that nobody knows.
+inline const std::string& AsciiMesh()
+{
+  static const std::string text = "ply\n"
+                                  "format ascii 1.0\n"
+                                  "comment a comment\n"
+                                  "obj_info some info\n"
+                                  "element camera 1\n"
+                                  "property float focal\n"
+                                  "property list uchar float lens\n"
+                                  "element vertex 4\n"
+                                  "property float x\n"
+                                  "property float y\n"
+                                  "property float z\n"
+                                  "property float nx\n"
+                                  "property float ny\n"
+                                  "property float nz\n"
+                                  "property uchar red\n"
+                                  "property uchar green\n"
+                                  "property uchar blue\n"
+                                  "property float s\n"
+                                  "property float t\n"
+                                  "property double confidence\n"
+                                  "property short label\n"
+                                  "element face 4\n"
+                                  "property int group\n"
+                                  "property list uchar int vertex_indices\n"
+                                  "end_header\n"
+                                  "35.5 2 0.1 0.2\n"
+                                  "0 0 0  0 0 1  1 2 3  0 0.25 0.5 -1\n"
+                                  "1 0 0  0 1 0  4 5 6  0 0.5 0.25 -2\n"
+                                  "0 1 0  1 0 0  7 8 9  1 0.75 0.125 -3\n"
+                                  "0 0 1  0 0 -1  250 251 252  1 1 1e-3 32767\n"
+                                  "7 3 0 2 1\n"
+                                  "8 3 0 1 3\n"
+                                  "9 3 1 2 3\n"
+                                  "10 3 2 0 3\n";
+  return text;
+}
+
+inline const std::string& AsciiCloud()
+{
+  static const std::string text = "ply\n"
+                                  "format ascii 1.0\n"
+                                  "element vertex 3\n"
+                                  "property double x\n"
+                                  "property double y\n"
+                                  "property double z\n"
+                                  "end_header\n"
+                                  "0.5 1.5 2.5\n"
+                                  "1234567.123456789 -1e-3 .25\n"
+                                  "7 8 9\n";
+  return text;
+}
+
+inline const std::string& AsciiStrips()
+{
+  static const std::string text = "ply\n"
+                                  "format ascii 1.0\n"
+                                  "element vertex 6\n"
+                                  "property float x\n"
+                                  "property float y\n"
+                                  "property float z\n"
+                                  "element tristrips 1\n"
+                                  "property list int int vertex_indices\n"
+                                  "end_header\n"
+                                  "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n"
+                                  "12 0 1 2 3 -1 2 3 3 4 5 -1 0\n";
+  return text;
+}
+
+// Builds binary files of either order.
+class Binary
+{
+public:
+  Binary(bool isBig, const std::string& header)
+    : IsBig(isBig)
+    , Bytes("ply\nformat binary_" + std::string(isBig ? "big" : "little") + "_endian 1.0\n" +
+        header + "end_header\n")
+  {
+  }
+  template <typename T>
+  Binary& add(T value)
+  {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    const std::uint16_t one = 1;
+    char first = 0;
+    std::memcpy(&first, &one, 1);
+    if (this->IsBig == (first == 1))
+    {
+      std::reverse(bytes, bytes + sizeof(T));
+    }
+    this->Bytes.append(bytes, sizeof(T));
+    return *this;
+  }
+  template <typename T>
+  Binary& add(const std::vector<T>& values)
+  {
+    for (const T value : values)
+    {
+      this->add(value);
+    }
+    return *this;
+  }
+  const std::string& bytes() const { return this->Bytes; }
+
+private:
+  bool IsBig;
+  std::string Bytes;
+};
+
+// The mesh of AsciiMesh() in binary, properties in another order.
+inline std::string BinaryMesh(bool isBig)
+{
+  Binary file(isBig,
+    "element face 4\n"
+    "property list uint8 uint32 vertex_index\n"
+    "property int32 group\n"
+    "element unknown 2\n"
+    "property list ushort double numbers\n"
+    "element vertex 4\n"
+    "property float32 z\n"
+    "property int16 label\n"
+    "property float32 x\n"
+    "property float32 y\n"
+    "property float64 confidence\n"
+    "property uint8 red\n"
+    "property uint8 green\n"
+    "property uint8 blue\n");
+  using Ids = std::vector<std::uint32_t>;
+  const Ids faces[] = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    file.add<std::uint8_t>(3).add(faces[i]).add<std::int32_t>(7 + i);
+  }
+  file.add<std::uint16_t>(0).add<std::uint16_t>(2).add(0.5).add(0.25);
+  const float xyz[4][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const std::int16_t labels[] = { -1, -2, -3, 32767 };
+  const double confidences[] = { 0.5, 0.25, 0.125, 1e-3 };
+  const std::vector<std::uint8_t> colors[] = { { 1, 2, 3 }, { 4, 5, 6 }, { 7, 8, 9 },
+    { 250, 251, 252 } };
+  for (int i = 0; i < 4; ++i)
+  {
+    file.add(xyz[i][2]).add(labels[i]).add(xyz[i][0]).add(xyz[i][1]).add(confidences[i]);
+    file.add(colors[i]);
+  }
+  return file.bytes();
+}
+
+inline std::string BinaryCloud(bool isBig)
+{
+  return Binary(isBig, "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n")
+    .add(std::vector<float>{ 1.5F, -2.25F, 3.0F, 1e-30F, 1e30F, 0.1F })
+    .bytes();
+}
+}
+
+#endif

@@ -1,0 +1,113 @@
+#include "TexturedSurfaceBytes.h"
+
+#include "../CommaLocale.h"
+#include "FileOutput.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+conformal::TexturedSurface triangle()
+{
+  conformal::TexturedSurface surface;
+  surface.Positions = { 0, 0, 0, 1.5, 0, 0, 0, 0.1, -2 };
+  surface.TexCoords = { 0, 0, 1, 0.25F, 0.5F, 1 };
+  surface.Corners = { 0, 1, 2 };
+  return surface;
+}
+
+std::uint32_t uint32At(const std::string& bytes, std::size_t offset)
+{
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    value |= std::uint32_t(static_cast<unsigned char>(bytes.at(offset + i))) << 8 * i;
+  }
+  return value;
+}
+
+float floatAt(const std::string& bytes, std::size_t offset)
+{
+  const std::uint32_t bits = uint32At(bytes, offset);
+  float value;
+  std::memcpy(&value, &bits, 4);
+  return value;
+}
+}
+
+TEST(TexturedSurfaceBytes, GLBHasTheLayoutOfTheSpecification)
+{
+  const CommaLocale locale;
+  const std::string png = "12345"; // not a multiple of four
+  const std::string glb = conformal::makeGLB(triangle(), png);
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(uint32At(glb, 4), 2u);
+  EXPECT_EQ(uint32At(glb, 8), glb.size());
+  const std::uint32_t jsonSize = uint32At(glb, 12);
+  EXPECT_EQ(jsonSize % 4, 0u);
+  EXPECT_EQ(glb.substr(16, 4), "JSON");
+  const std::string json = glb.substr(20, jsonSize);
+  EXPECT_EQ(json.front(), '{');
+  EXPECT_EQ(json[json.find_last_not_of(' ')], '}');
+  // Shortest texts of the floats' exact values, as doubles.
+  EXPECT_NE(json.find("\"min\":[0,0,-2],\"max\":[1.5,0.10000000149011612,0]"), std::string::npos);
+  EXPECT_EQ(json.find("NORMAL"), std::string::npos);
+
+  const std::size_t bin = 20 + jsonSize;
+  EXPECT_EQ(uint32At(glb, bin), glb.size() - bin - 8);
+  EXPECT_EQ(glb.substr(bin + 4, 4), std::string("BIN\0", 4));
+  const std::size_t data = bin + 8;
+  EXPECT_EQ(data % 4, 0u);
+  EXPECT_EQ(floatAt(glb, data + 12), 1.5F);
+  EXPECT_EQ(floatAt(glb, data + 36 + 4), 1.0F);     // v of the first point, from the top
+  EXPECT_EQ(floatAt(glb, data + 36 + 12), 0.75F);   // and of the second
+  EXPECT_EQ(uint32At(glb, data + 36 + 24 + 8), 2u); // the last corner
+  EXPECT_EQ(glb.substr(data + 72), std::string("12345\0\0\0", 8));
+}
+
+TEST(TexturedSurfaceBytes, OBJCountsFromOneAndRefersToItsMaterial)
+{
+  conformal::TexturedSurface surface = triangle();
+  const CommaLocale locale;
+  EXPECT_EQ(conformal::makeOBJ(surface, "a.mtl"),
+    "mtllib a.mtl\nusemtl surface\n"
+    "v 0 0 0\nv 1.5 0 0\nv 0 0.1 -2\n"
+    "vt 0 0\nvt 1 0.25\nvt 0.5 1\n"
+    "f 1/1 2/2 3/3\n");
+  surface.Normals = { 0, 0, 1, 0, 0, 1, 0, 1, 0 };
+  const std::string text = conformal::makeOBJ(surface, "a.mtl");
+  EXPECT_NE(text.find("vn 0 1 0\nf 1/1/1 2/2/2 3/3/3\n"), std::string::npos);
+  EXPECT_NE(conformal::makeMTL("a.png").find("map_Kd a.png\n"), std::string::npos);
+}
+
+TEST(TexturedSurfaceBytes, StopsWhenAsked)
+{
+  const auto stop = [](double) { return false; };
+  EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);
+  EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::ParseError);
+}
+
+TEST(TexturedSurfaceBytes, FilesAreWrittenTogetherOrNotAtAll)
+{
+  const auto folder = std::filesystem::path(testing::TempDir()) / "TexturedSurfaceBytes";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const std::string good = (folder / "good").string();
+  const std::string bad = (folder / "missing" / "bad").string();
+  std::ofstream(good) << "before";
+  const conformal::WriteStatus failed = conformal::writeFiles({ { good, "new" }, { bad, "new" } });
+  EXPECT_EQ(failed.Code, conformal::WriteCode::CannotOpen);
+  EXPECT_EQ(failed.Path, bad);
+  std::string content;
+  std::ifstream(good) >> content;
+  EXPECT_EQ(content, "before");
+  EXPECT_TRUE(conformal::writeFiles({ { good, "new" } }).ok());
+  std::ifstream(good) >> content;
+  EXPECT_EQ(content, "new");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  std::filesystem::remove_all(folder);
+}
