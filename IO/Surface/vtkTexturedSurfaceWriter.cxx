@@ -1,0 +1,277 @@
+#include "vtkTexturedSurfaceWriter.h"
+
+#include "FileOutput.h"
+#include "TexturedSurfaceBytes.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkTexturedSurfaceWriter);
+
+namespace
+{
+class WriteError : public std::runtime_error
+{
+public:
+  WriteError(unsigned long code, const std::string& message)
+    : std::runtime_error(message)
+    , Code(code)
+  {
+  }
+  const unsigned long Code;
+};
+
+void Require(bool condition, const char* message)
+{
+  if (!condition)
+  {
+    throw WriteError(vtkErrorCode::UserError, message);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
+{
+  const bool areTriangles =
+    input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
+  if (areTriangles)
+  {
+    return input;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(input);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+std::vector<float> ToUnitVectors(vtkDataArray* array)
+{
+  std::vector<float> vectors;
+  vectors.reserve(3 * array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    double n[3];
+    array->GetTuple(i, n);
+    const double length = std::hypot(n[0], n[1], n[2]);
+    const bool hasDirection = std::isfinite(length) && length > 0.0;
+    for (int c = 0; c < 3; ++c) // the formats know no normal without direction
+    {
+      vectors.push_back(static_cast<float>(hasDirection ? n[c] / length : (c == 2 ? 1.0 : 0.0)));
+    }
+  }
+  return vectors;
+}
+
+std::vector<float> ToTexCoords(vtkDataArray* array)
+{
+  std::vector<float> coordinates;
+  coordinates.reserve(2 * array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      const auto value = static_cast<float>(array->GetComponent(i, c));
+      Require(std::isfinite(value), "a texture coordinate is not finite");
+      coordinates.push_back(value);
+    }
+  }
+  return coordinates;
+}
+
+conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
+{
+  const vtkSmartPointer<vtkPolyData> surface = OnlyTriangles(input);
+  const vtkIdType count = surface->GetNumberOfPoints();
+  Require(count > 0 && surface->GetNumberOfPolys() > 0, "the surface has no polygons");
+  Require(static_cast<vtkTypeUInt64>(count) < std::numeric_limits<vtkTypeUInt32>::max(),
+    "the surface has too many points for 32-bit ids");
+  vtkDataArray* texCoords = surface->GetPointData()->GetTCoords();
+  Require(
+    texCoords && texCoords->GetNumberOfComponents() >= 2 && texCoords->GetNumberOfTuples() == count,
+    "the surface has no texture coordinates");
+
+  conformal::TexturedSurface result;
+  result.TexCoords = ToTexCoords(texCoords);
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  if (normals && normals->GetNumberOfTuples() == count)
+  {
+    result.Normals = ToUnitVectors(normals);
+  }
+  result.Positions.resize(3 * count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    surface->GetPoint(i, &result.Positions[3 * i]);
+  }
+  const bool areFloats = std::all_of(result.Positions.begin(), result.Positions.end(),
+    [](double p) { return std::abs(p) <= std::numeric_limits<float>::max(); });
+  Require(areFloats, "a coordinate is no finite float");
+  result.Corners.reserve(3 * surface->GetNumberOfPolys());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+  {
+    surface->GetPolys()->GetCellAtId(cell, ids);
+    for (const vtkIdType id : *ids)
+    {
+      Require(id >= 0 && id < count, "a polygon has an id that no point has");
+      result.Corners.push_back(static_cast<std::uint32_t>(id));
+    }
+  }
+  return result;
+}
+
+std::string ToPNG(vtkImageData* texture)
+{
+  int size[3];
+  texture->GetDimensions(size);
+  vtkDataArray* pixels = texture->GetPointData()->GetScalars();
+  Require(pixels && texture->GetNumberOfPoints() > 0 && size[2] == 1, "the texture is no picture");
+  const int components = pixels->GetNumberOfComponents();
+  Require(pixels->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4),
+    "the texture's pixels are not 3 or 4 unsigned chars");
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(texture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  Require(bytes && bytes->GetNumberOfValues() > 0, "the texture cannot be written as PNG");
+  return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+}
+
+void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files)
+{
+  const conformal::WriteStatus status = conformal::writeFiles(files);
+  if (status.Code == conformal::WriteCode::CannotOpen)
+  {
+    throw WriteError(vtkErrorCode::CannotOpenFileError, status.Path + " cannot be opened");
+  }
+  if (status.Code == conformal::WriteCode::OutOfDiskSpace)
+  {
+    throw WriteError(vtkErrorCode::OutOfDiskSpaceError, status.Path + " cannot be written whole");
+  }
+}
+
+std::string LowerCaseExtension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().u8string();
+  for (char& c : extension)
+  {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return extension;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkTexturedSurfaceWriter::vtkTexturedSurfaceWriter()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkTexturedSurfaceWriter::~vtkTexturedSurfaceWriter()
+{
+  delete[] this->FileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTexturedSurfaceWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
+  const int isWritten = this->Superclass::Write();
+  return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::WriteData()
+{
+  try
+  {
+    this->WriteFiles();
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const conformal::ParseError&) // asked to abort: nothing was written
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const WriteError& e)
+  {
+    this->SetErrorCode(e.Code);
+    vtkErrorMacro(<< e.what());
+  }
+  catch (const std::exception& e)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::WriteFiles()
+{
+  if (!this->FileName || !this->FileName[0])
+  {
+    throw WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
+  }
+  const std::filesystem::path path = std::filesystem::u8path(this->FileName);
+  const std::string extension = LowerCaseExtension(path);
+  if (extension != ".glb" && extension != ".obj")
+  {
+    throw WriteError(vtkErrorCode::UnrecognizedFileTypeError,
+      std::string(this->FileName) + " ends in neither .glb nor .obj");
+  }
+  const conformal::TexturedSurface surface =
+    ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));
+  const std::string png = ToPNG(vtkImageData::SafeDownCast(this->GetInput(1)));
+  const conformal::ParseProgress progress = [this](double fraction)
+  {
+    this->UpdateProgress(fraction);
+    return this->GetAbortExecute() == 0;
+  };
+  if (extension == ".glb")
+  {
+    const std::string glb = conformal::makeGLB(surface, png, progress);
+    WriteTogether({ { this->FileName, glb } });
+    return;
+  }
+  const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
+  const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
+  const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
+  const std::string mtl = conformal::makeMTL(texture.filename().u8string());
+  WriteTogether(
+    { { texture.u8string(), png }, { material.u8string(), mtl }, { this->FileName, obj } });
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
