@@ -103,7 +103,7 @@ public:
     for (;;)
     {
       this->nextLine();
-      if (this->Words.empty() || this->Words[0] == "comment" || this->Words[0] == "obj_info")
+      if (this->Words.empty() || this->Words[0] == "comment")
       {
         continue;
       }
@@ -124,6 +124,10 @@ private:
     if (keyword == "format")
     {
       this->readFormat(header);
+    }
+    else if (keyword == "obj_info")
+    {
+      this->readInfo(header);
     }
     else if (keyword == "element")
     {
@@ -154,16 +158,25 @@ private:
     this->HasFormat = true;
   }
 
+  // Free text, but for the size of a scanner's grid.
+  void readInfo(PLYHeader& header)
+  {
+    if (this->Words.size() == 3 && this->Words[1] == "num_cols")
+    {
+      header.GridColumns = this->count();
+    }
+    else if (this->Words.size() == 3 && this->Words[1] == "num_rows")
+    {
+      header.GridRows = this->count();
+    }
+  }
+
   void readElement(PLYHeader& header)
   {
     this->expectWords(3, "element NAME COUNT");
-    const std::string_view text = this->Words[2];
     PLYElement element;
     element.Name = this->Words[1];
-    const auto [end, error] =
-      std::from_chars(text.data(), text.data() + text.size(), element.Count);
-    this->check(error == std::errc() && end == text.data() + text.size(),
-      "a count of elements, from 0 to 2^64 - 1");
+    element.Count = this->count();
     this->check(this->ElementNames.insert(element.Name).second, "an element's name once");
     this->check(++this->NumberOfNames <= MostNames, "fewer elements");
     this->PropertyNames.clear();
@@ -186,6 +199,17 @@ private:
     this->check(this->PropertyNames.insert(property.Name).second, "a property's name once");
     this->check(++this->NumberOfNames <= MostNames, "fewer properties");
     element.Properties.push_back(std::move(property));
+  }
+
+  // The third word as a count.
+  std::uint64_t count()
+  {
+    const std::string_view text = this->Words[2];
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    this->check(
+      error == std::errc() && end == text.data() + text.size(), "a count, from 0 to 2^64 - 1");
+    return value;
   }
 
   ScalarType type(std::string_view name)

@@ -41,6 +41,8 @@ struct PLYHeader
 {
   PLYFormat Format = PLYFormat::Ascii;
   std::vector<PLYElement> Elements;
+  std::uint64_t GridColumns = 0; ///< of obj_info num_cols, 0 if there is none
+  std::uint64_t GridRows = 0;    ///< of obj_info num_rows
 };
 
 /// Whether bytes from the start of a file are those of a PLY file.

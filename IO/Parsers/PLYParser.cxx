@@ -3,6 +3,7 @@
 #include "PLYHeader.h"
 #include "PLYRecords.h"
 #include "PLYValues.h"
+#include "RangeGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,10 +115,11 @@ private:
 class BodyReader
 {
 public:
-  BodyReader(ByteReader& input, const PLYHeader& header, const ParseLimits& limits,
-    const ParseProgress& progress, PLYData& data)
+  BodyReader(ByteReader& input, const PLYHeader& header, const PLYOptions& options,
+    const ParseLimits& limits, const ParseProgress& progress, PLYData& data)
     : Input(input)
     , Header(header)
+    , Options(options)
     , Limits(limits)
     , Progress(progress)
     , Data(data)
@@ -136,7 +138,8 @@ public:
       const PLYElement* element = this->find(name);
       return element && element->Count > 0;
     };
-    this->IsMesh = hasAny("face") || hasAny("tristrips");
+    this->IsMesh =
+      hasAny("face") || hasAny("tristrips") || (this->hasGrid() && hasAny("range_grid"));
     this->Data.PolygonOffsets.push(0);
     if (this->Header.Format == PLYFormat::Ascii)
     {
@@ -191,6 +194,10 @@ private:
       else if (element.Name == "tristrips" && count > 0)
       {
         this->readStrips(values, element, count);
+      }
+      else if (element.Name == "range_grid" && count > 0 && this->hasGrid())
+      {
+        this->readGrid(values, element, count);
       }
       else if (leastBytes > 0)
       {
@@ -366,6 +373,39 @@ private:
     }
   }
 
+  bool hasGrid() const { return this->Header.GridColumns > 0 && this->Header.GridRows > 0; }
+
+  template <typename Values>
+  void readGrid(Values& values, const PLYElement& element, std::size_t count)
+  {
+    const PLYProperty& list = this->idsOf(element);
+    if (count / this->Header.GridColumns != this->Header.GridRows ||
+      count % this->Header.GridColumns != 0)
+    {
+      this->Input.fail(ParseCode::Malformed,
+        "found " + std::to_string(count) +
+          " cells of the range_grid, expected num_cols times num_rows");
+    }
+    this->Grid.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Grid[i] = -1;
+      for (const PLYProperty& property : element.Properties)
+      {
+        if (&property == &list)
+        {
+          this->readIds(
+            values, list, [&](std::int64_t id) { this->Grid[i] = this->checkedId(id); });
+        }
+        else
+        {
+          this->skipProperty(values, property);
+        }
+      }
+      values.endRecord();
+    }
+  }
+
   // The list of ids of an element of cells.
   const PLYProperty& idsOf(const PLYElement& element)
   {
@@ -473,7 +513,12 @@ private:
 
   void finish()
   {
-    if (this->HasStrips)
+    if (this->Grid.size() > 0)
+    {
+      appendGridTriangles(this->Data.Points, this->Grid, this->Header.GridColumns,
+        this->Options.MaximumEdgeLength, this->Data.PolygonOffsets, this->Data.PolygonIds);
+    }
+    if (this->HasStrips || this->Grid.size() > 0)
     {
       this->Data.PolygonArrays.clear();
     }
@@ -501,9 +546,11 @@ private:
 
   ByteReader& Input;
   const PLYHeader& Header;
+  const PLYOptions& Options;
   const ParseLimits& Limits;
   const ParseProgress& Progress;
   PLYData& Data;
+  OwnedArray<std::int64_t> Grid; ///< point ids of a range grid
   std::uint64_t NumberOfPoints = 0;
   std::uint64_t NextReport = 0;
   bool IsMesh = false;
@@ -513,14 +560,15 @@ private:
 }
 
 //------------------------------------------------------------------------------
-PLYResult parsePLY(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+PLYResult parsePLY(ByteReader& input, const PLYOptions& options, const ParseLimits& limits,
+  const ParseProgress& progress)
 {
   PLYResult result;
   result.Status = statusOf(
     [&]()
     {
       const PLYHeader header = readPLYHeader(input);
-      BodyReader(input, header, limits, progress, result.Data).read();
+      BodyReader(input, header, options, limits, progress, result.Data).read();
     });
   if (!result.Status.ok())
   {
@@ -530,9 +578,10 @@ PLYResult parsePLY(ByteReader& input, const ParseLimits& limits, const ParseProg
 }
 
 //------------------------------------------------------------------------------
-PLYResult parsePLY(std::string_view bytes, const ParseLimits& limits, const ParseProgress& progress)
+PLYResult parsePLY(std::string_view bytes, const PLYOptions& options, const ParseLimits& limits,
+  const ParseProgress& progress)
 {
   ByteReader input(bytes);
-  return parsePLY(input, limits, progress);
+  return parsePLY(input, options, limits, progress);
 }
 }

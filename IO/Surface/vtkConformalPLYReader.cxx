@@ -20,6 +20,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt64Array.h"
 
+#include <cmath>
 #include <numeric>
 
 vtkStandardNewMacro(vtkConformalPLYReader);
@@ -180,12 +181,20 @@ int vtkConformalPLYReader::RequestData(
     vtkErrorMacro(<< "FileName is not set");
     return 0;
   }
+  if (!std::isfinite(this->MaximumEdgeLength))
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< "MaximumEdgeLength is not finite");
+    return 0;
+  }
+  conformal::PLYOptions options;
+  options.MaximumEdgeLength = this->MaximumEdgeLength;
   conformal::ByteReader input;
   conformal::PLYResult result;
   result.Status = conformal::openFile(this->FileName, input);
   if (result.Status.ok())
   {
-    result = conformal::parsePLY(input, {},
+    result = conformal::parsePLY(input, options, {},
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
@@ -235,4 +244,5 @@ void vtkConformalPLYReader::Warn(
 void vtkConformalPLYReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #ifndef _WIN32
@@ -132,6 +133,26 @@ TEST(ConformalPLYReader, MakesACloudVisibleAndKeepsItsDoubles)
   reading.Output->GetVerts()->GetCellAtId(2, ids);
   EXPECT_EQ(ids->GetNumberOfIds(), 1);
   EXPECT_EQ(ids->GetId(0), 2);
+}
+
+TEST(ConformalPLYReader, JoinsNeighboursOfARangeGrid)
+{
+  const TemporaryFolder folder;
+  const Reading reading(folder.write("grid.ply", samples::AsciiGrid()));
+  ASSERT_FALSE(reading.Observed.Error());
+  EXPECT_EQ(reading.Reader->GetMaximumEdgeLength(), 0.0);
+  EXPECT_EQ(reading.Output->GetNumberOfPolys(), 3);
+  EXPECT_EQ(reading.Output->GetNumberOfVerts(), 0);
+  reading.Reader->SetMaximumEdgeLength(100.0);
+  reading.Reader->Update();
+  EXPECT_EQ(reading.Output->GetNumberOfPolys(), 7);
+  reading.Reader->SetMaximumEdgeLength(-1.0);
+  EXPECT_EQ(reading.Reader->GetMaximumEdgeLength(), 0.0);
+  reading.Reader->SetMaximumEdgeLength(std::numeric_limits<double>::quiet_NaN());
+  reading.Reader->Update();
+  EXPECT_TRUE(reading.Observed.Error());
+  EXPECT_EQ(reading.Reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_EQ(reading.Output->GetNumberOfPoints(), 0);
 }
 
 TEST(ConformalPLYReader, ReadsIgeasStripsAsTheClosedMeshsTriangles)
@@ -292,4 +313,5 @@ TEST(ConformalPLYReader, RecoversFromAnErrorAndRunsOnlyWhenModified)
   EXPECT_FALSE(observed.Error());
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   contract::ExpectPrints(reader, "FileName");
+  contract::ExpectPrints(reader, "MaximumEdgeLength");
 }

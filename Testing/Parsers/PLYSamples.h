@@ -90,6 +90,27 @@ inline const std::string& AsciiStrips()
   return text;
 }
 
+// Three by three cells of a scanner, one of which saw nothing, with a step to the last column.
+inline const std::string& AsciiGrid()
+{
+  static const std::string text = "ply\n"
+                                  "format ascii 1.0\n"
+                                  "obj_info num_cols 3\n"
+                                  "obj_info num_rows 3\n"
+                                  "element vertex 8\n"
+                                  "property float x\n"
+                                  "property float y\n"
+                                  "property float z\n"
+                                  "element range_grid 9\n"
+                                  "property list uchar int vertex_indices\n"
+                                  "end_header\n"
+                                  "0 0 0.5\n1 0 0\n2 0 9\n"
+                                  "0 -1 0\n1 -1 0\n2 -1 9\n"
+                                  "1 -2 0\n2 -2 9\n"
+                                  "1 0\n1 1\n1 2\n1 3\n1 4\n1 5\n0\n1 6\n1 7\n";
+  return text;
+}
+
 // Builds binary files of either order.
 class Binary
 {

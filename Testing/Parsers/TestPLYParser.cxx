@@ -193,6 +193,38 @@ TEST(PLYParser, ResolvesStripsIntoTrianglesOfOneWinding)
   EXPECT_EQ(result.Data.DroppedPolygons, 0u);
 }
 
+TEST(PLYParser, JoinsNeighboursOfARangeGrid)
+{
+  const conformal::PLYResult result = parsePLY(samples::AsciiGrid());
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  // 0 1 2    Two triangles of 0 3 4 1, cut by 1 3, which is shorter, since 0 is raised; 4 is too
+  // 3 4 5    far from 2 and 5 by the default limit; one triangle of the three below.
+  // - 6 7
+  EXPECT_EQ(polygonIds(result.Data), (Ids{ 3, 4, 1, 3, 1, 0, 6, 4, 3 }));
+  EXPECT_EQ(polygonOffsets(result.Data), (Ids{ 0, 3, 6, 9 }));
+  conformal::PLYOptions options;
+  options.MaximumEdgeLength = 100.0;
+  EXPECT_EQ(polygonOffsets(parsePLY(samples::AsciiGrid(), options).Data).size(), 8u);
+  options.MaximumEdgeLength = 0.5;
+  EXPECT_EQ(polygonOffsets(parsePLY(samples::AsciiGrid(), options).Data).size(), 1u);
+}
+
+TEST(PLYParser, RefusesGridsThatAreNone)
+{
+  const std::string& grid = samples::AsciiGrid();
+  ExpectRefused(
+    samples::replaced(grid, "num_rows 3", "num_rows 2"), ParseCode::Malformed, 19, "num_cols");
+  ExpectRefused(
+    samples::replaced(grid, "num_rows 3", "num_rows -3"), ParseCode::Malformed, 4, "count");
+  ExpectRefused(samples::replaced(grid, "\n1 5\n", "\n1 8\n"), ParseCode::Malformed, 25, "id 8");
+  // Nobody knows the shape of a grid of no size: its points are a cloud.
+  const conformal::PLYResult cloud =
+    parsePLY(samples::replaced(grid, "obj_info num_rows 3", "obj_info rows 3"));
+  ASSERT_TRUE(cloud.Status.ok()) << cloud.Status.text();
+  EXPECT_EQ(cloud.Data.PolygonIds.size(), 0u);
+  EXPECT_EQ(cloud.Data.Points.numberOfTuples(), 8u);
+}
+
 TEST(PLYParser, IsBlindToLineEndsBlanksAndTheByteOrderMark)
 {
   const std::string& mesh = samples::AsciiMesh();
@@ -474,7 +506,7 @@ TEST(PLYParser, HoldsTheCallersMemoryLimit)
 {
   conformal::ParseLimits limits;
   limits.MaximumMemory = 10;
-  EXPECT_EQ(parsePLY(samples::AsciiCloud(), limits).Status.Code, ParseCode::OutOfMemory);
+  EXPECT_EQ(parsePLY(samples::AsciiCloud(), {}, limits).Status.Code, ParseCode::OutOfMemory);
 }
 
 TEST(PLYParser, EveryTruncationIsRefused)
@@ -515,13 +547,13 @@ TEST(PLYParser, ReportsProgressAndStops)
     last = fraction;
     return ++calls < 20;
   };
-  const conformal::PLYResult result = parsePLY(file, {}, watch);
+  const conformal::PLYResult result = parsePLY(file, {}, {}, watch);
   EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
   EXPECT_EQ(calls, 20);
   EXPECT_EQ(result.Data.Points.Values.size(), 0u);
   calls = -1000;
   last = 0.0;
-  EXPECT_TRUE(parsePLY(file, {}, watch).Status.ok());
+  EXPECT_TRUE(parsePLY(file, {}, {}, watch).Status.ok());
   EXPECT_GT(last, 0.9);
 }
 
