@@ -6,6 +6,7 @@
 #include "OwnedArray.h"
 #include "ScalarType.h"
 
+#include <cstdint>
 #include <string>
 
 namespace conformal
@@ -21,6 +22,9 @@ struct NamedArray
   std::size_t tupleBytes() const { return this->Components * sizeOf(this->Type); }
   std::size_t numberOfTuples() const { return this->Values.size() / this->tupleBytes(); }
 };
+
+/// Replace values that are not finite by 0. Returns how many there were.
+std::uint64_t replaceNonFinite(NamedArray& array);
 }
 
 #endif

@@ -4,9 +4,9 @@
 #include "PLYRecords.h"
 #include "PLYValues.h"
 #include "RangeGrid.h"
+#include "TriangleStrips.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
@@ -43,74 +43,6 @@ bool hasRepeatedId(const std::int64_t* ids, std::size_t count)
   std::sort(sorted.begin(), sorted.end());
   return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
 }
-
-template <typename T>
-std::uint64_t replaceNonFinite(NamedArray& array)
-{
-  std::uint64_t replaced = 0;
-  const std::size_t count = array.Values.size() / sizeof(T);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    T value;
-    unsigned char* place = array.Values.data() + i * sizeof(T);
-    std::memcpy(&value, place, sizeof(T));
-    if (!std::isfinite(value))
-    {
-      value = T(0);
-      std::memcpy(place, &value, sizeof(T));
-      ++replaced;
-    }
-  }
-  return replaced;
-}
-
-std::uint64_t replaceNonFinite(std::vector<NamedArray>& arrays)
-{
-  std::uint64_t replaced = 0;
-  for (NamedArray& array : arrays)
-  {
-    replaced += array.Type == ScalarType::Float32 ? replaceNonFinite<float>(array)
-      : array.Type == ScalarType::Float64         ? replaceNonFinite<double>(array)
-                                                  : 0;
-  }
-  return replaced;
-}
-
-// Triangles of one strip after another.
-class StripTriangles
-{
-public:
-  explicit StripTriangles(PLYData& data)
-    : Data(data)
-  {
-  }
-
-  void endStrip() { this->Length = 0; }
-
-  void add(std::int64_t id)
-  {
-    const std::int64_t a = this->First;
-    const std::int64_t b = this->Second;
-    this->First = b;
-    this->Second = id;
-    ++this->Length;
-    if (this->Length < 3 || a == b || b == id || id == a)
-    {
-      return;
-    }
-    const bool isTurned = this->Length % 2 == 0;
-    this->Data.PolygonIds.push(isTurned ? b : a);
-    this->Data.PolygonIds.push(isTurned ? a : b);
-    this->Data.PolygonIds.push(id);
-    this->Data.PolygonOffsets.push(static_cast<std::int64_t>(this->Data.PolygonIds.size()));
-  }
-
-private:
-  PLYData& Data;
-  std::int64_t First = 0;
-  std::int64_t Second = 0;
-  std::uint64_t Length = 0;
-};
 
 class BodyReader
 {
@@ -342,7 +274,7 @@ private:
   void readStrips(Values& values, const PLYElement& element, std::size_t count)
   {
     const PLYProperty& list = this->idsOf(element);
-    StripTriangles triangles(this->Data);
+    TriangleStrips strips(this->Data.PolygonOffsets, this->Data.PolygonIds);
     this->HasStrips = true;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -355,14 +287,14 @@ private:
             {
               if (id == -1)
               {
-                triangles.endStrip();
+                strips.endStrip();
               }
               else
               {
-                triangles.add(this->checkedId(id));
+                strips.add(this->checkedId(id));
               }
             });
-          triangles.endStrip();
+          strips.endStrip();
         }
         else
         {
@@ -524,8 +456,13 @@ private:
     }
     this->Data.PolygonOffsets.shrink();
     this->Data.PolygonIds.shrink();
-    this->Data.ReplacedValues =
-      replaceNonFinite(this->Data.PointArrays) + replaceNonFinite(this->Data.PolygonArrays);
+    for (auto* arrays : { &this->Data.PointArrays, &this->Data.PolygonArrays })
+    {
+      for (NamedArray& array : *arrays)
+      {
+        this->Data.ReplacedValues += replaceNonFinite(array);
+      }
+    }
   }
 
   // Reports at every hundredth of the input.

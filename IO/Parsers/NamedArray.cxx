@@ -1,0 +1,45 @@
+#include "NamedArray.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace conformal
+{
+namespace
+{
+template <typename T>
+std::uint64_t replaceNonFiniteOf(NamedArray& array)
+{
+  std::uint64_t replaced = 0;
+  const std::size_t count = array.Values.size() / sizeof(T);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    T value;
+    unsigned char* place = array.Values.data() + i * sizeof(T);
+    std::memcpy(&value, place, sizeof(T));
+    if (!std::isfinite(value))
+    {
+      value = T(0);
+      std::memcpy(place, &value, sizeof(T));
+      ++replaced;
+    }
+  }
+  return replaced;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t replaceNonFinite(NamedArray& array)
+{
+  switch (array.Type)
+  {
+    case ScalarType::Float32:
+      return replaceNonFiniteOf<float>(array);
+    case ScalarType::Float64:
+      return replaceNonFiniteOf<double>(array);
+    default:
+      return 0;
+  }
+}
+}
