@@ -1,5 +1,6 @@
 #include "CurvedSeamlessSurface.h"
 
+#include "GenusZeroCheck.h"
 #include "MeshTopology.h"
 #include "SphereCoverage.h"
 
@@ -41,7 +42,12 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(
   {
     throw std::invalid_argument("the model needs one finite position for each sphere position");
   }
-  const SphereCoverage coverage = measureSphereCoverage(this->Sphere, faces);
+  SphereCoverage coverage = measureSphereCoverage(this->Sphere, this->Faces);
+  if (coverage.Degree < 0)
+  {
+    this->Faces.col(1).swap(this->Faces.col(2));
+    coverage = measureSphereCoverage(this->Sphere, this->Faces);
+  }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
     throw std::invalid_argument("the map must cover the sphere just once, but it covers it " +
@@ -49,10 +55,17 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(
       " triangles folded over");
   }
   const Vector3 mean = model.colwise().mean();
-  this->HeightUnit = (model.rowwise() - mean.transpose()).rowwise().stableNorm().maxCoeff();
-  this->Neighbors = triangleNeighbors(faces, model.rows());
-  this->Locator = SphereLocator(this->Sphere, faces);
-  this->Network = NetworkShapes(this->Sphere, faces, parallelFor);
+  Points centered = model.rowwise() - mean.transpose();
+  this->HeightUnit = centered.rowwise().stableNorm().maxCoeff();
+  if (this->HeightUnit > 0.0)
+  {
+    centered /= this->HeightUnit;
+  }
+  const double rounding = 1e-12;
+  const bool insideOut = signedVolume(centered, this->Faces) < -rounding;
+  this->Neighbors = triangleNeighbors(this->Faces, model.rows());
+  this->Locator = SphereLocator(this->Sphere, this->Faces);
+  this->Network = NetworkShapes(this->Sphere, this->Faces, parallelFor);
   this->Shapes.resize(faces.rows());
   this->Centers.resize(faces.rows(), 3);
   this->Normals.resize(faces.rows(), 3);
@@ -62,14 +75,15 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(
     {
       for (Index r = begin; r < end; ++r)
       {
-        const Vector3 i = model.row(faces(r, 0)), j = model.row(faces(r, 1)),
-                      k = model.row(faces(r, 2));
+        const auto ids = this->Faces.row(r);
+        const Vector3 i = model.row(ids[0]), j = model.row(ids[1]), k = model.row(ids[2]);
         this->Shapes[r] = TriangleShape(i, j, k);
         this->Normals.row(r).setZero();
         if (!this->Shapes[r].degenerate())
         {
-          this->Normals.row(r) =
+          const Vector3 normal =
             (j - i).stableNormalized().cross((k - i).stableNormalized()).normalized();
+          this->Normals.row(r) = insideOut ? -normal : normal;
         }
         this->Centers.row(r) =
           this->Network.toModel(r, this->Shapes[r], Vector3::Constant(1.0 / 3.0));
@@ -197,9 +211,10 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, con
   const Progress& progress)
 {
   report(progress, 0.0);
-  const Points units = unitVectors(directions, "direction");
-  const CurvedSeamlessSurface surface(sphere, model, faces, parallelFor);
   CurvedSeamlessSurfaceResult result;
+  result.Directions = unitVectors(directions, "direction");
+  const Points& units = result.Directions;
+  const CurvedSeamlessSurface surface(sphere, model, faces, parallelFor);
   result.NumberOfDegenerateTriangles =
     std::count(surface.degenerate().begin(), surface.degenerate().end(), 1);
   result.Positions.resize(units.rows(), 3);

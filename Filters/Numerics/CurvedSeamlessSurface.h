@@ -24,6 +24,9 @@ namespace conformal
 /// differently, so as a map the published construction jumps there; each direction by itself has
 /// one image.
 ///
+/// Implementation note: domes rise to the outside, where the model's volume is positive, whichever
+/// way the triangles run and even if the map mirrors.
+///
 /// Implementation note: where Eq. 11 leaves a choice. At a corner, 0/0, the quotient is 1; the
 /// height is 0 there. If the centre's image lies beyond an end of the edge, a_q' is the point
 /// where the perpendicular leaves the subtriangle on the side away from the edge. Neighbours that
@@ -40,7 +43,7 @@ public:
 
   /// @param[in] sphere  #N by 3, n_i; any length but 0
   /// @param[in] model   #N by 3, w_i
-  /// @param[in] faces   #R by 3 ids, a closed surface, counter-clockwise on the sphere
+  /// @param[in] faces   #R by 3 ids, a closed, consistently oriented surface
   /// @throws std::invalid_argument if positions are not finite, or if the sphere map has no
   ///   direction for a vertex or does not cover the sphere just once
   CurvedSeamlessSurface(const Points& sphere, const Points& model, const Triangles& faces,
@@ -79,6 +82,7 @@ private:
 
 struct CurvedSeamlessSurfaceResult
 {
+  Points Directions;                     ///< #P by 3, p as unit vectors
   Points Positions;                      ///< #P by 3, q
   Points Normals;                        ///< #P by 3, flat normal of each point's triangle, or zero
   std::vector<unsigned char> Degenerate; ///< #P, 1 in triangles where something is undefined
@@ -89,7 +93,7 @@ struct CurvedSeamlessSurfaceResult
 ///
 /// @param[in] sphere      #N by 3, n_i; any length but 0
 /// @param[in] model       #N by 3, w_i
-/// @param[in] faces       #R by 3 ids, a closed surface, counter-clockwise on the sphere
+/// @param[in] faces       #R by 3 ids, a closed, consistently oriented surface
 /// @param[in] directions  #P by 3, N^new; any length but 0
 /// @throws std::invalid_argument as CurvedSeamlessSurface does, or if a direction is none
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, const Points& model,

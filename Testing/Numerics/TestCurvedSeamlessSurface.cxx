@@ -367,6 +367,27 @@ TEST(CurvedSeamlessSurface, TurningTheSphereMapTurnsTheDirections)
   EXPECT_LT((images - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(CurvedSeamlessSurface, MirrorsAndTrianglesInsideOutChangeNothing)
+{
+  const GeodesicSphere network = makeGeodesicSphere(5);
+  const Points model = lumpyModel(network.Positions);
+  const Points directions = randomDirections(500);
+  const Points expected =
+    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions).Positions;
+  Triangles insideOut = network.Faces;
+  insideOut.col(0).swap(insideOut.col(1));
+  for (const Triangles& faces : { network.Faces, insideOut })
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      const Points images =
+        buildCurvedSeamlessSurface(sign * network.Positions, model, faces, sign * directions)
+          .Positions;
+      EXPECT_LT((images - expected).cwiseAbs().maxCoeff(), 1e-13);
+    }
+  }
+}
+
 TEST(CurvedSeamlessSurface, ThreadsAndCompanyChangeNothing)
 {
   const GeodesicSphere network = makeGeodesicSphere(9);
@@ -501,7 +522,8 @@ TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
   EXPECT_THROW(build(bad, sphere, directions), std::invalid_argument);
   bad = sphere.topRows(10);
   EXPECT_THROW(build(sphere, bad, directions), std::invalid_argument);
-  bad = -sphere; // a mirror
+  bad = sphere; // one side of the sphere only
+  bad.col(2) = bad.col(2).cwiseAbs();
   EXPECT_THROW(build(bad, sphere, directions), std::invalid_argument);
   bad = sphere;
   bad.row(0) = -bad.row(0); // folds
