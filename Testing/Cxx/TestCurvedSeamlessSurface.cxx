@@ -1,0 +1,559 @@
+#include "vtkCurvedSeamlessSurface.h"
+
+#include "FilterContract.h"
+#include "vtkGeodesicSphereSource.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFeatureEdges.h"
+#include "vtkMassProperties.h"
+#include "vtkMath.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+void SetSpherePosition(vtkPolyData* surface, vtkIdType id, double x, double y, double z)
+{
+  surface->GetPointData()->GetArray("SpherePosition")->SetTuple3(id, x, y, z);
+}
+
+/// An ellipsoid with its map to the sphere, to be broken.
+vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(frequency);
+  source->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(source->GetOutput());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    surface->GetPoints()->SetPoint(i, 3.0 * p[0] + 10.0, 2.0 * p[1], p[2]);
+  }
+  return surface;
+}
+
+/// Polygons written anew: change(cell, ids) returns whether to keep it.
+template <typename Change>
+void ChangePolygons(vtkPolyData* surface, Change change)
+{
+  vtkNew<vtkCellArray> changed;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(i, ids);
+    if (change(i, ids.Get()))
+    {
+      changed->InsertNextCell(ids);
+    }
+  }
+  surface->SetPolys(changed);
+}
+
+/// Points at the eight corners of a cube, cells as given, mapped radially.
+vtkNew<vtkPolyData> Cube(vtkCellArray* cells)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> positions;
+  positions->SetName("SpherePosition");
+  positions->SetNumberOfComponents(3);
+  for (int i = 0; i < 8; ++i)
+  {
+    const std::array<double, 3> p{ i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0 };
+    points->InsertNextPoint(p.data());
+    positions->InsertNextTuple(p.data()); // not of unit length, which is allowed
+  }
+  vtkNew<vtkPolyData> cube;
+  cube->SetPoints(points);
+  cube->SetPolys(cells);
+  cube->GetPointData()->AddArray(positions);
+  return cube;
+}
+
+double LargestDifference(vtkPolyData* a, vtkPolyData* b)
+{
+  if (a->GetNumberOfPoints() != b->GetNumberOfPoints())
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    double p[3], q[3];
+    a->GetPoint(i, p);
+    b->GetPoint(i, q);
+    largest = std::max(largest, std::sqrt(vtkMath::Distance2BetweenPoints(p, q)));
+  }
+  return largest;
+}
+
+class CurvedSeamlessSurface : public testing::Test
+{
+protected:
+  CurvedSeamlessSurface() { this->Filter->SetFrequency(10); }
+
+  vtkPolyData* Run(vtkPolyData* surface)
+  {
+    this->Filter->SetInputData(surface);
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  /// An error with this text, and nothing in the output.
+  void ExpectRefused(vtkPolyData* surface, const std::string& why)
+  {
+    this->Seen.Clear();
+    vtkPolyData* output = this->Run(surface);
+    EXPECT_TRUE(this->Seen.Error());
+    EXPECT_NE(this->Seen.ErrorMessage().find(why), std::string::npos) << this->Seen.ErrorMessage();
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_EQ(output->GetNumberOfCells(), 0);
+  }
+
+  /// The whole surface, with a warning of this text, or without one if it is empty.
+  vtkPolyData* ExpectDone(vtkPolyData* surface, const std::string& warning)
+  {
+    this->Seen.Clear();
+    vtkPolyData* output = this->Run(surface);
+    EXPECT_FALSE(this->Seen.Error()) << this->Seen.ErrorMessage();
+    EXPECT_EQ(this->Seen.Warning(), !warning.empty());
+    if (!warning.empty())
+    {
+      EXPECT_NE(this->Seen.WarningMessage().find(warning), std::string::npos)
+        << this->Seen.WarningMessage();
+    }
+    EXPECT_EQ(output->GetNumberOfPoints(), 1002);
+    contract::ExpectSpherePosition(output);
+    contract::ExpectArray(output->GetPointData(), "Normals", VTK_DOUBLE, 3, 1002);
+    return output;
+  }
+
+  vtkNew<vtkCurvedSeamlessSurface> Filter;
+  contract::Observed Seen{ this->Filter };
+};
+}
+
+TEST_F(CurvedSeamlessSurface, WritesTheContractsArrays)
+{
+  EXPECT_EQ(vtkNew<vtkCurvedSeamlessSurface>()->GetFrequency(), 80);
+  vtkPolyData* output = this->ExpectDone(Ellipsoid(), "");
+  EXPECT_EQ(output->GetNumberOfPolys(), 2000);
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_NE(output->GetPointData()->GetNormals(), nullptr);
+  contract::ExpectArray(output->GetCellData(), "Degenerate", VTK_UNSIGNED_CHAR, 1, 2000);
+  EXPECT_EQ(output->GetCellData()->GetArray("Degenerate")->GetRange()[1], 0.0);
+  contract::ExpectArray(output->GetFieldData(), "NumberOfDegenerateTriangles", VTK_ID_TYPE, 1, 1);
+  EXPECT_EQ(output->GetFieldData()->GetArray("NumberOfDegenerateTriangles")->GetTuple1(0), 0.0);
+}
+
+TEST_F(CurvedSeamlessSurface, ClosesRoundTheEllipsoid)
+{
+  this->Filter->SetFrequency(40);
+  vtkPolyData* output = this->Run(Ellipsoid(12));
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(output);
+  edges->FeatureEdgesOff();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0);
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(output);
+  mass->Update();
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 3.0 * 2.0;
+  EXPECT_NEAR(mass->GetVolume(), exact, 0.01 * exact);
+  // Normals look out of the ellipsoid, along its gradient.
+  double worst = 1.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    double gradient[3] = { (p[0] - 10.0) / 9.0, p[1] / 4.0, p[2] };
+    vtkMath::Normalize(gradient);
+    worst =
+      std::min(worst, vtkMath::Dot(gradient, output->GetPointData()->GetNormals()->GetTuple3(i)));
+  }
+  EXPECT_GT(worst, 0.98);
+}
+
+TEST_F(CurvedSeamlessSurface, TheSphereStaysASphere)
+{
+  vtkNew<vtkGeodesicSphereSource> network;
+  network->SetFrequency(6);
+  network->Update();
+  vtkPolyData* output = this->ExpectDone(network->GetOutput(), "");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(vtkMath::Norm(output->GetPoint(i)), 1.0, 1.6e-5);
+  }
+}
+
+TEST_F(CurvedSeamlessSurface, AGivenSphereSaysWhereAndHowConnected)
+{
+  vtkNew<vtkSphereSource> sphere; // of radius 0.5: only the directions count
+  sphere->SetThetaResolution(20);
+  sphere->SetPhiResolution(15);
+  sphere->Update();
+  this->Filter->SetSphereConnection(sphere->GetOutputPort());
+  vtkPolyData* output = this->Run(Ellipsoid());
+  ASSERT_EQ(output->GetNumberOfPoints(), sphere->GetOutput()->GetNumberOfPoints());
+  EXPECT_EQ(output->GetNumberOfPolys(), sphere->GetOutput()->GetNumberOfPolys());
+  contract::ExpectSpherePosition(output);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    sphere->GetOutput()->GetPoint(i, p);
+    vtkMath::Normalize(p);
+    const double* n = output->GetPointData()->GetArray("SpherePosition")->GetTuple3(i);
+    EXPECT_NEAR(vtkMath::Dot(p, n), 1.0, 1e-14);
+  }
+}
+
+TEST_F(CurvedSeamlessSurface, TheSpherePositionsOfAGivenSphereGoBeforeItsPoints)
+{
+  // At the positions of the mesh's own points the surface goes through the points.
+  const vtkNew<vtkPolyData> ellipsoid = Ellipsoid();
+  this->Filter->SetSphereData(ellipsoid);
+  EXPECT_EQ(LargestDifference(this->Run(ellipsoid), ellipsoid), 0.0);
+}
+
+TEST_F(CurvedSeamlessSurface, AGivenSphereMayHaveNoTriangles)
+{
+  const vtkNew<vtkPolyData> points = Ellipsoid();
+  points->SetPolys(vtkNew<vtkCellArray>());
+  this->Filter->SetSphereData(points);
+  vtkPolyData* output = this->Run(Ellipsoid());
+  EXPECT_FALSE(this->Seen.Error());
+  EXPECT_EQ(output->GetNumberOfCells(), 0);
+  contract::ExpectArray(
+    output->GetPointData(), "Normals", VTK_DOUBLE, 3, points->GetNumberOfPoints());
+  EXPECT_NEAR(vtkMath::Norm(output->GetPointData()->GetNormals()->GetTuple3(7)), 1.0, 1e-12);
+}
+
+TEST_F(CurvedSeamlessSurface, ThreadsChangeNoBit)
+{
+  const vtkNew<vtkPolyData> ellipsoid = Ellipsoid(9);
+  vtkSMPTools::Initialize(1);
+  vtkNew<vtkPolyData> alone;
+  alone->DeepCopy(this->Run(ellipsoid));
+  vtkSMPTools::Initialize(2);
+  this->Filter->Modified();
+  EXPECT_EQ(LargestDifference(this->Run(ellipsoid), alone), 0.0);
+  vtkSMPTools::Initialize();
+}
+
+TEST_F(CurvedSeamlessSurface, LeavesItsInputAlone)
+{
+  const vtkNew<vtkPolyData> ellipsoid = Ellipsoid();
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(ellipsoid);
+  this->Run(ellipsoid);
+  EXPECT_EQ(LargestDifference(ellipsoid, copy), 0.0);
+  EXPECT_EQ(ellipsoid->GetNumberOfCells(), copy->GetNumberOfCells());
+  EXPECT_EQ(
+    ellipsoid->GetPointData()->GetNumberOfArrays(), copy->GetPointData()->GetNumberOfArrays());
+  EXPECT_EQ(ellipsoid->GetCellData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(CurvedSeamlessSurface, RunsOnlyWhenModifiedAndPrints)
+{
+  this->Filter->SetInputData(Ellipsoid());
+  contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetFrequency(3); });
+  contract::ExpectPrints(this->Filter, "Frequency");
+  this->Filter->SetFrequency(0);
+  EXPECT_EQ(this->Filter->GetFrequency(), 1);
+  this->Filter->SetFrequency(1001);
+  EXPECT_EQ(this->Filter->GetFrequency(), 1000);
+}
+
+TEST_F(CurvedSeamlessSurface, WithoutInputTheExecutiveComplains)
+{
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST_F(CurvedSeamlessSurface, EmptyInputsGiveAWarningAndNothing)
+{
+  this->Run(vtkNew<vtkPolyData>());
+  EXPECT_FALSE(this->Seen.Error());
+  EXPECT_NE(this->Seen.WarningMessage().find("the surface is empty"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+
+  this->Seen.Clear();
+  this->Filter->SetSphereData(vtkNew<vtkPolyData>());
+  this->Run(Ellipsoid());
+  EXPECT_FALSE(this->Seen.Error());
+  EXPECT_NE(this->Seen.WarningMessage().find("the dense sphere is empty"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST_F(CurvedSeamlessSurface, StopsWhenAskedWithoutAWord)
+{
+  struct Abort : vtkCommand
+  {
+    static Abort* New() { return new Abort; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+      static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+    }
+  };
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, vtkNew<Abort>());
+  vtkPolyData* output = this->Run(Ellipsoid());
+  EXPECT_FALSE(this->Seen.Error());
+  EXPECT_FALSE(this->Seen.Warning());
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+}
+
+//------------------------------------------------------------------------------
+// What happens on bad input.
+
+TEST_F(CurvedSeamlessSurface, OpenSurfacesAreRefused)
+{
+  const vtkNew<vtkPolyData> open = Ellipsoid();
+  ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i != 17; });
+  this->ExpectRefused(open, "boundary");
+}
+
+TEST_F(CurvedSeamlessSurface, SurfacesWithAHandleAreRefused)
+{
+  // A torus of 8 by 8 quads.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkDoubleArray> positions;
+  positions->SetName("SpherePosition");
+  positions->SetNumberOfComponents(3);
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int j = 0; j < 8; ++j)
+    {
+      const double u = vtkMath::Pi() * i / 4.0, v = vtkMath::Pi() * j / 4.0;
+      points->InsertNextPoint(
+        (2.0 + std::cos(v)) * std::cos(u), (2.0 + std::cos(v)) * std::sin(u), std::sin(v));
+      positions->InsertNextTuple3(1.0, u, v);
+      const vtkIdType across = (i + 1) % 8, up = (j + 1) % 8;
+      const std::array<vtkIdType, 4> quad{ 8 * i + j, 8 * across + j, 8 * across + up, 8 * i + up };
+      quads->InsertNextCell(4, quad.data());
+    }
+  }
+  vtkNew<vtkPolyData> torus;
+  torus->SetPoints(points);
+  torus->SetPolys(quads);
+  torus->GetPointData()->AddArray(positions);
+  this->ExpectRefused(torus, "genus");
+}
+
+TEST_F(CurvedSeamlessSurface, SeveralPiecesAreRefused)
+{
+  const vtkNew<vtkPolyData> first = Ellipsoid(), second = Ellipsoid();
+  for (vtkIdType i = 0; i < second->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    second->GetPoint(i, p);
+    second->GetPoints()->SetPoint(i, p[0] + 20.0, p[1], p[2]);
+  }
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputData(first);
+  both->AddInputData(second);
+  both->Update();
+  this->ExpectRefused(both->GetOutput(), "one piece");
+}
+
+TEST_F(CurvedSeamlessSurface, NonManifoldSurfacesAreRefused)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkCellArray> cells;
+  cells->DeepCopy(surface->GetPolys());
+  vtkNew<vtkIdList> ids;
+  cells->GetCellAtId(3, ids);
+  cells->InsertNextCell(ids);
+  surface->SetPolys(cells);
+  this->ExpectRefused(surface, "manifold");
+}
+
+TEST_F(CurvedSeamlessSurface, PointsThatAreNotFiniteAreRefused)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  surface->GetPoints()->SetPoint(8, 1.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  this->ExpectRefused(surface, "1 of 162 points of the surface are not finite");
+}
+
+TEST_F(CurvedSeamlessSurface, SurfacesWithoutAMapAreRefused)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  surface->GetPointData()->RemoveArray("SpherePosition");
+  this->ExpectRefused(surface, "SpherePosition of 3 components");
+  vtkNew<vtkDoubleArray> odd;
+  odd->SetName("SpherePosition");
+  odd->SetNumberOfComponents(2);
+  odd->SetNumberOfTuples(surface->GetNumberOfPoints());
+  odd->Fill(1.0);
+  surface->GetPointData()->AddArray(odd);
+  this->ExpectRefused(surface, "SpherePosition of 3 components");
+}
+
+TEST_F(CurvedSeamlessSurface, MapsThatAreNoneAreRefused)
+{
+  vtkNew<vtkPolyData> surface = Ellipsoid();
+  SetSpherePosition(surface, 5, std::numeric_limits<double>::infinity(), 0.0, 0.0);
+  this->ExpectRefused(surface, "zero or not finite");
+  SetSpherePosition(surface, 5, 0.0, 0.0, 0.0);
+  surface->Modified();
+  this->ExpectRefused(surface, "zero or not finite");
+}
+
+TEST_F(CurvedSeamlessSurface, MapsThatDoNotCoverTheSphereOnceAreRefused)
+{
+  const vtkNew<vtkPolyData> bowl = Ellipsoid();
+  for (vtkIdType i = 0; i < bowl->GetNumberOfPoints(); ++i)
+  {
+    const double* n = bowl->GetPointData()->GetArray("SpherePosition")->GetTuple3(i);
+    SetSpherePosition(bowl, i, n[0], n[1], std::abs(n[2]));
+  }
+  this->ExpectRefused(bowl, "cover the sphere just once");
+
+  const vtkNew<vtkPolyData> folded = Ellipsoid();
+  const double* n = folded->GetPointData()->GetArray("SpherePosition")->GetTuple3(0);
+  SetSpherePosition(folded, 0, -n[0], -n[1], -n[2]);
+  this->ExpectRefused(folded, "triangles folded over");
+}
+
+TEST_F(CurvedSeamlessSurface, BadDenseSpheresAreRefused)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  const vtkNew<vtkPolyData> sphere = Ellipsoid();
+  SetSpherePosition(sphere, 5, std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0);
+  this->Filter->SetSphereData(sphere);
+  this->ExpectRefused(surface, "direction 5 is zero or not finite");
+
+  sphere->GetPointData()->RemoveArray("SpherePosition");
+  sphere->GetPoints()->SetPoint(9, 0.0, 0.0, 0.0);
+  sphere->Modified();
+  this->ExpectRefused(surface, "direction 9 is zero or not finite");
+}
+
+TEST_F(CurvedSeamlessSurface, TrianglesThatDisagreeAreTurned)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Run(surface));
+  ChangePolygons(surface,
+    [](vtkIdType i, vtkIdList* ids)
+    {
+      if (i % 50 == 0)
+      {
+        const vtkIdType first = ids->GetId(0);
+        ids->SetId(0, ids->GetId(1));
+        ids->SetId(1, first);
+      }
+      return true;
+    });
+  vtkPolyData* output = this->ExpectDone(surface, "7 triangles were turned");
+  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+}
+
+TEST_F(CurvedSeamlessSurface, TrianglesInsideOutAreFine)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Run(surface));
+  surface->GetPolys()->ReverseCellAtId(0); // all of them
+  for (vtkIdType i = 1; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->ReverseCellAtId(i);
+  }
+  surface->Modified();
+  EXPECT_LT(LargestDifference(this->ExpectDone(surface, ""), expected), 1e-12);
+}
+
+TEST_F(CurvedSeamlessSurface, PolygonSoupIsMerged)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Run(surface));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> positions;
+  positions->SetName("SpherePosition");
+  positions->SetNumberOfComponents(3);
+  vtkDataArray* old = surface->GetPointData()->GetArray("SpherePosition");
+  ChangePolygons(surface,
+    [&](vtkIdType, vtkIdList* ids)
+    {
+      for (vtkIdType k = 0; k < 3; ++k)
+      {
+        positions->InsertNextTuple(ids->GetId(k), old);
+        ids->SetId(k, points->InsertNextPoint(surface->GetPoint(ids->GetId(k))));
+      }
+      return true;
+    });
+  surface->SetPoints(points);
+  surface->GetPointData()->Initialize();
+  surface->GetPointData()->AddArray(positions);
+  vtkPolyData* output = this->ExpectDone(surface, "798 coincident points"); // 960 - 162
+  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+}
+
+TEST_F(CurvedSeamlessSurface, QuadsAndStripsAreCutSilently)
+{
+  vtkNew<vtkCellArray> quads;
+  for (const std::array<vtkIdType, 4>& quad : { std::array<vtkIdType, 4>{ 0, 2, 3, 1 },
+         { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } })
+  {
+    quads->InsertNextCell(4, quad.data());
+  }
+  this->ExpectDone(Cube(quads), "");
+
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(surface);
+  stripper->Update();
+  ASSERT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  // Away from edges, where it would matter which of two triangles comes first.
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(13);
+  sphere->SetStartTheta(7.0);
+  this->Filter->SetSphereConnection(sphere->GetOutputPort());
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Run(surface));
+  EXPECT_LT(LargestDifference(this->Run(stripper->GetOutput()), expected), 1e-12);
+  EXPECT_FALSE(this->Seen.Warning());
+}
+
+TEST_F(CurvedSeamlessSurface, TrianglesWithoutAreaAreMarked)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkIdList> ids;
+  surface->GetPolys()->GetCellAtId(40, ids);
+  surface->GetPoints()->SetPoint(ids->GetId(1), surface->GetPoint(ids->GetId(0)));
+  vtkPolyData* output = this->ExpectDone(surface, "2 triangles of the surface are degenerate");
+  EXPECT_EQ(output->GetFieldData()->GetArray("NumberOfDegenerateTriangles")->GetTuple1(0), 2.0);
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(output->GetCellData()->GetArray("Degenerate"));
+  const auto count = std::count(marks->GetPointer(0), marks->GetPointer(0) + 2000, 1);
+  EXPECT_GT(count, 10); // about two in 320 of the cells
+  EXPECT_LT(count, 100);
+}
+
+TEST_F(CurvedSeamlessSurface, IsolatedPointsAreDropped)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Run(surface));
+  surface->GetPoints()->InsertNextPoint(100.0, 0.0, 0.0);
+  surface->GetPointData()->GetArray("SpherePosition")->InsertNextTuple3(0.0, 0.0, 0.0);
+  surface->GetPointData()->RemoveArray("Normals");
+  surface->Modified();
+  vtkPolyData* output = this->ExpectDone(surface, "1 points of no triangle");
+  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+}
