@@ -29,30 +29,38 @@ Points unitVectors(const Points& vectors, const char* what)
   }
   return units;
 }
-}
 
-//------------------------------------------------------------------------------
-CurvedSeamlessSurface::CurvedSeamlessSurface(
-  const Points& sphere, const Points& model, const Triangles& faces, const ParallelFor& parallelFor)
-  : Sphere(unitVectors(sphere, "sphere position"))
-  , Model(model)
-  , Faces(faces)
+/// The faces turned to be counter-clockwise on the sphere, or an exception if it is not covered
+/// just once.
+Triangles facesOfMap(const Points& sphere, const Triangles& faces)
 {
-  if (sphere.rows() != model.rows() || !model.allFinite())
-  {
-    throw std::invalid_argument("the model needs one finite position for each sphere position");
-  }
-  SphereCoverage coverage = measureSphereCoverage(this->Sphere, this->Faces);
+  Triangles turned = faces;
+  SphereCoverage coverage = measureSphereCoverage(sphere, turned);
   if (coverage.Degree < 0)
   {
-    this->Faces.col(1).swap(this->Faces.col(2));
-    coverage = measureSphereCoverage(this->Sphere, this->Faces);
+    turned.col(1).swap(turned.col(2));
+    coverage = measureSphereCoverage(sphere, turned);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
     throw std::invalid_argument("the map must cover the sphere just once, but it covers it " +
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " triangles folded over");
+  }
+  return turned;
+}
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points& model,
+  const Triangles& faces, const ParallelFor& parallelFor, const Progress& progress)
+  : Sphere(unitVectors(sphere, "sphere position"))
+  , Model(model)
+  , Faces(facesOfMap(this->Sphere, faces))
+{
+  if (sphere.rows() != model.rows() || !model.allFinite())
+  {
+    throw std::invalid_argument("the model needs one finite position for each sphere position");
   }
   const Vector3 mean = model.colwise().mean();
   Points centered = model.rowwise() - mean.transpose();
@@ -63,9 +71,12 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(
   }
   const double rounding = 1e-12;
   const bool insideOut = signedVolume(centered, this->Faces) < -rounding;
+  report(progress, 0.2);
   this->Neighbors = triangleNeighbors(this->Faces, model.rows());
   this->Locator = SphereLocator(this->Sphere, this->Faces);
+  report(progress, 0.5);
   this->Network = NetworkShapes(this->Sphere, this->Faces, parallelFor);
+  report(progress, 0.6);
   this->Shapes.resize(faces.rows());
   this->Centers.resize(faces.rows(), 3);
   this->Normals.resize(faces.rows(), 3);
@@ -211,10 +222,16 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, con
   const Progress& progress)
 {
   report(progress, 0.0);
+  const double shareOfMesh = 0.5;
   CurvedSeamlessSurfaceResult result;
   result.Directions = unitVectors(directions, "direction");
   const Points& units = result.Directions;
-  const CurvedSeamlessSurface surface(sphere, model, faces, parallelFor);
+  const CurvedSeamlessSurface surface(sphere, model, faces, parallelFor,
+    [&](double fraction)
+    {
+      report(progress, shareOfMesh * fraction);
+      return true;
+    });
   result.NumberOfDegenerateTriangles =
     std::count(surface.degenerate().begin(), surface.degenerate().end(), 1);
   result.Positions.resize(units.rows(), 3);
@@ -223,7 +240,8 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, con
   const Index chunk = 256 * BlockSize;
   for (Index first = 0; first < units.rows(); first += chunk)
   {
-    report(progress, static_cast<double>(first) / static_cast<double>(units.rows()));
+    const double fraction = static_cast<double>(first) / static_cast<double>(units.rows());
+    report(progress, shareOfMesh + (1.0 - shareOfMesh) * fraction);
     forBlocks(parallelFor, std::min(chunk, units.rows() - first), BlockSize,
       [&](Index begin, Index end)
       {

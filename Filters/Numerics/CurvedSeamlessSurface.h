@@ -47,7 +47,7 @@ public:
   /// @throws std::invalid_argument if positions are not finite, or if the sphere map has no
   ///   direction for a vertex or does not cover the sphere just once
   CurvedSeamlessSurface(const Points& sphere, const Points& model, const Triangles& faces,
-    const ParallelFor& parallelFor = {});
+    const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// Image q of a direction p of the sphere, \cite Liou2008 Eqs. 9 to 12. About 0.5 us.
   /// @param[in] direction  p, a unit vector

@@ -284,7 +284,7 @@ HalfDiskPoint TriangleShape::solve(
     const Complex slope = 1.0 + sumSeries(series.Slope.data(), terms, s);
     const Complex residual = logS - logUniform + log1p(map - 1.0) / this->Angles[corner];
     const double size = std::norm(residual);
-    if (size > lastSize && size > 1e-24) // never seen to be needed, but then surely descends
+    if (size > lastSize && size > 1e-24) // rare, in needles; halving surely descends
     {
       step *= 0.5;
       logS -= step;
@@ -366,7 +366,8 @@ NetworkShapes::NetworkShapes(
   : Uses(faces.rows())
 {
   // Triangles are alike if their squared edges, as shares of the sum, are. Counted from the
-  // longest edge, so that turned triangles meet as well.
+  // longest edge, so that turned triangles meet as well. In flat triangles the edges say too little
+  // about the angles: each has a shape to itself.
   struct Key
   {
     std::int64_t First, Second;
@@ -395,13 +396,16 @@ NetworkShapes::NetworkShapes(
             (positions.row(faces(r, next(k))) - positions.row(faces(r, previous(k)))).squaredNorm();
         }
         int longest = 0;
-        const double sum = squares.sum();
         squares.maxCoeff(&longest);
+        squares /= squares.sum();
+        const double base = squares[longest], second = squares[next(longest)],
+                     third = squares[previous(longest)];
+        const double height2 = base * second - 0.25 * std::pow(base + second - third, 2);
+        const bool isFlat = !(height2 > 0.0025 * base * base);
         this->Uses[r].Rotation = longest;
-        keys[r] = sum > 0.0 && std::isfinite(sum)
-          ? Key{ std::llround(squares[longest] / sum * resolution),
-              std::llround(squares[next(longest)] / sum * resolution) }
-          : Key{ 0, 0 };
+        keys[r] = isFlat
+          ? Key{ -1 - r, 0 }
+          : Key{ std::llround(base * resolution), std::llround(second * resolution) };
       }
     });
 

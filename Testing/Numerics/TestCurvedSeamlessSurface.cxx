@@ -8,6 +8,7 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -538,10 +539,27 @@ TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
     std::invalid_argument);
 }
 
-TEST(CurvedSeamlessSurface, StopsWhenAsked)
+TEST(CurvedSeamlessSurface, ReportsProgressAndStopsWhenAsked)
 {
   const GeodesicSphere network = makeGeodesicSphere(3);
-  EXPECT_THROW(buildCurvedSeamlessSurface(network.Positions, network.Positions, network.Faces,
-                 network.Positions, {}, [](double) { return false; }),
-    conformal::Aborted);
+  const auto build = [&](const conformal::Progress& progress)
+  {
+    buildCurvedSeamlessSurface(network.Positions, network.Positions, network.Faces,
+      makeGeodesicSphere(120).Positions, {}, progress);
+  };
+  std::vector<double> fractions;
+  build(
+    [&](double fraction)
+    {
+      fractions.push_back(fraction);
+      return true;
+    });
+  EXPECT_EQ(fractions.front(), 0.0);
+  EXPECT_EQ(fractions.back(), 1.0);
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.size(), 6u); // stages of the mesh, then chunks of points
+  for (const double stopAt : fractions)
+  {
+    EXPECT_THROW(build([&](double fraction) { return fraction < stopAt; }), conformal::Aborted);
+  }
 }

@@ -378,6 +378,28 @@ TEST(SchwarzChristoffel, NetworksMayHaveAnyTriangles)
   }
 }
 
+// Their edges agree to 1e-12, their angles do not.
+TEST(SchwarzChristoffel, NeedlesOfANetworkShareNothing)
+{
+  Points positions(30, 3);
+  Triangles faces(10, 3);
+  for (int r = 0; r < 10; ++r)
+  {
+    positions.middleRows(3 * r, 3) << 0, 0, 0, 1, 0, 0, 0.4, 1e-6 * (1 + r), 0;
+    faces.row(r) << 3 * r, 3 * r + 1, 3 * r + 2;
+  }
+  const NetworkShapes shapes(positions, faces);
+  EXPECT_EQ(shapes.numberOfTables(), 0);
+  const TriangleShape model = fromAngles(0.31, 0.35).shape();
+  const Vector3 point(0.2, 0.3, 0.5);
+  for (int r = 0; r < 10; ++r)
+  {
+    const TriangleShape needle(
+      positions.row(3 * r), positions.row(3 * r + 1), positions.row(3 * r + 2));
+    EXPECT_LT(distance(shapes.toModel(r, model, point), mapBetween(needle, model, point)), 1e-9);
+  }
+}
+
 TEST(SchwarzChristoffel, NetworksMapAffinelyWhereATriangleIsDegenerate)
 {
   Points positions(4, 3);
