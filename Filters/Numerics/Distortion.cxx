@@ -1,5 +1,7 @@
 #include "Distortion.h"
 
+#include "UnitBox.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,29 +71,6 @@ double solidAngle(const Corners& n)
 {
   return 2.0 *
     std::atan2(n[0].dot(n[1].cross(n[2])), 1.0 + n[0].dot(n[1]) + n[1].dot(n[2]) + n[2].dot(n[0]));
-}
-
-// The points with the longest side of their bounding box as the unit, so that no square of a length
-// over- or underflows.
-Points inUnitBox(const PointView& points)
-{
-  Vector3 lower = points[0], upper = points[0];
-  for (Index i = 0; i < points.size(); ++i)
-  {
-    if (!points[i].allFinite())
-    {
-      throw std::invalid_argument("a point of the surface is not finite");
-    }
-    lower = lower.cwiseMin(points[i]);
-    upper = upper.cwiseMax(points[i]);
-  }
-  const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
-  Points moved(points.size(), 3);
-  for (Index i = 0; i < points.size(); ++i)
-  {
-    moved.row(i) = (0.5 * points[i] - 0.5 * lower) / (half > 0.0 ? half : 1.0);
-  }
-  return moved;
 }
 
 double sumOf(const std::vector<double>& values)
