@@ -1,0 +1,33 @@
+// Options of the core and properties of the filters have the same defaults.
+#include "SphericalTexture.h"
+#include "SurfaceMismatch.h"
+#include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceMismatch.h"
+
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+TEST(OptionsMirrorProperties, SphericalTexture)
+{
+  const conformal::SphericalTextureOptions options;
+  vtkNew<vtkSphericalTextureMap> filter;
+  EXPECT_EQ(conformal::Vector3(filter->GetViewDirection()), options.ViewDirection);
+  EXPECT_EQ(conformal::Vector3(filter->GetViewUp()), options.ViewUp);
+  EXPECT_EQ(filter->GetFieldOfView(), options.FieldOfView);
+  EXPECT_EQ(filter->GetFieldOfViewMinValue(), conformal::MinimumFieldOfView);
+  EXPECT_EQ(filter->GetFieldOfViewMaxValue(), conformal::MaximumFieldOfView);
+}
+
+TEST(OptionsMirrorProperties, SurfaceMismatch)
+{
+  const conformal::SurfaceMismatchOptions options;
+  vtkNew<vtkSurfaceMismatch> filter;
+  EXPECT_EQ(filter->GetLengthUnit(), static_cast<int>(options.LengthUnit));
+  EXPECT_EQ(filter->GetNumberOfSamples(), options.NumberOfSamples);
+  EXPECT_EQ(filter->GetRandomSeed(), options.RandomSeed);
+  using conformal::MismatchUnit;
+  EXPECT_EQ(vtkSurfaceMismatch::MAX_RADIUS, static_cast<int>(MismatchUnit::MaxRadius));
+  EXPECT_EQ(vtkSurfaceMismatch::HALF_DIAGONAL, static_cast<int>(MismatchUnit::HalfDiagonal));
+  EXPECT_EQ(vtkSurfaceMismatch::NONE, static_cast<int>(MismatchUnit::None));
+}
