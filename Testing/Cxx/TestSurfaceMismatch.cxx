@@ -39,6 +39,7 @@ protected:
     this->Reference->DeepCopy(fine->GetOutput());
     this->Filter->SetInputData(this->Model);
     this->Filter->SetReferenceData(this->Reference);
+    this->Filter->SetNumberOfSamples(2000);
   }
   double Figure(const char* name)
   {

@@ -22,6 +22,13 @@ using conformal::Vector3;
 
 namespace
 {
+SurfaceMismatchOptions fewSamples()
+{
+  SurfaceMismatchOptions options;
+  options.NumberOfSamples = 5000;
+  return options;
+}
+
 SurfaceMismatchOptions inUnit(MismatchUnit unit)
 {
   SurfaceMismatchOptions options;
@@ -62,15 +69,15 @@ TEST(SurfaceMismatch, KnowsParallelSquares)
 
 TEST(SurfaceMismatch, KnowsConcentricSpheres)
 {
-  const auto sphere = conformal::makeGeodesicSphere(40);
+  const auto sphere = conformal::makeGeodesicSphere(20);
   const Points outer = 1.25 * sphere.Positions;
   const SurfaceMismatch figures =
-    measureSurfaceMismatch(outer, sphere.Faces, sphere.Positions, sphere.Faces);
+    measureSurfaceMismatch(outer, sphere.Faces, sphere.Positions, sphere.Faces, fewSamples());
   EXPECT_NEAR(figures.LengthUnit, 1.0, 1e-12);
-  EXPECT_NEAR(std::sqrt(figures.MeanSquarePointToSurface), 0.25, 4e-4); // facets lie inside
+  EXPECT_NEAR(std::sqrt(figures.MeanSquarePointToSurface), 0.25, 1.6e-3); // facets lie inside
   EXPECT_NEAR(std::sqrt(figures.MeanSquarePointToVertex), 0.25, 1e-12);
-  EXPECT_NEAR(std::sqrt(figures.MeanSquareSurfaceToPoint), 0.25, 1e-3);
-  EXPECT_NEAR(figures.HausdorffDistance, 0.25, 1e-3);
+  EXPECT_NEAR(std::sqrt(figures.MeanSquareSurfaceToPoint), 0.25, 2e-3);
+  EXPECT_NEAR(figures.HausdorffDistance, 0.25, 2e-3);
 }
 
 // Divided by the unit, figures know no scale; distances of points keep the input's.
@@ -169,10 +176,10 @@ TEST(SurfaceMismatch, DoesNotDependOnThreads)
     }
     odd.join();
   };
-  const SurfaceMismatch one =
-    measureSurfaceMismatch(coarse.Positions, coarse.Faces, fine.Positions, fine.Faces);
+  const SurfaceMismatch one = measureSurfaceMismatch(
+    coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, fewSamples());
   const SurfaceMismatch two = measureSurfaceMismatch(
-    coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, {}, backwardsOnTwo);
+    coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, fewSamples(), backwardsOnTwo);
   EXPECT_EQ(one.MeanSquarePointToSurface, two.MeanSquarePointToSurface);
   EXPECT_EQ(one.MeanSquareSurfaceToPoint, two.MeanSquareSurfaceToPoint);
   EXPECT_EQ(one.ModelDistances, two.ModelDistances);
@@ -181,14 +188,14 @@ TEST(SurfaceMismatch, DoesNotDependOnThreads)
 TEST(SurfaceMismatch, SeedChangesTheSamplesOnly)
 {
   const auto coarse = conformal::makeGeodesicSphere(3), fine = conformal::makeGeodesicSphere(10);
-  SurfaceMismatchOptions options;
+  SurfaceMismatchOptions options = fewSamples();
   const SurfaceMismatch one =
     measureSurfaceMismatch(coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, options);
   options.RandomSeed = 2;
   const SurfaceMismatch two =
     measureSurfaceMismatch(coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, options);
   EXPECT_NE(one.MeanSquareSurfaceToPoint, two.MeanSquareSurfaceToPoint);
-  EXPECT_NEAR(one.MeanSquareSurfaceToPoint / two.MeanSquareSurfaceToPoint, 1.0, 5e-3);
+  EXPECT_NEAR(one.MeanSquareSurfaceToPoint / two.MeanSquareSurfaceToPoint, 1.0, 2e-2);
   EXPECT_EQ(one.MeanSquarePointToSurface, two.MeanSquarePointToSurface);
 }
 
@@ -223,7 +230,8 @@ TEST(SurfaceMismatch, ReportsProgressAndStops)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
   double last = 0.0;
-  measureSurfaceMismatch(sphere.Positions, sphere.Faces, sphere.Positions, sphere.Faces, {}, {},
+  measureSurfaceMismatch(sphere.Positions, sphere.Faces, sphere.Positions, sphere.Faces,
+    fewSamples(), {},
     [&](double fraction)
     {
       EXPECT_GE(fraction, last);
