@@ -7,6 +7,7 @@
 #include "vtkMeshConversions.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -23,6 +24,26 @@ vtkStandardNewMacro(vtkCurvedSeamlessSurface);
 
 namespace
 {
+// The array SpherePosition, if there is one; it has to be one vector for each point.
+bool ToSpherePositions(vtkPolyData* surface, conformal::Points& positions)
+{
+  vtkDataArray* array =
+    surface->GetPointData()->GetArray(vtkConformalConversions::SpherePositionName());
+  if (!array)
+  {
+    return false;
+  }
+  if (!vtkConformalConversions::ToVectors(array, positions) ||
+    positions.rows() != surface->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("the array SpherePosition has " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(array->GetNumberOfComponents()) + " components, but must have " +
+      std::to_string(surface->GetNumberOfPoints()) + " of 3");
+  }
+  return true;
+}
+
 // Directions and triangles in which the surface is wanted.
 conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
 {
@@ -32,33 +53,25 @@ conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
   }
   conformal::GeodesicSphere dense;
   dense.Faces = vtkConformalConversions::ToTriangles(sphere);
-  vtkDataArray* positions =
-    sphere->GetPointData()->GetArray(vtkConformalConversions::SpherePositionName());
-  if (!positions)
+  if (!ToSpherePositions(sphere, dense.Positions))
   {
     dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints());
-  }
-  else if (!vtkConformalConversions::ToVectors(positions, dense.Positions))
-  {
-    throw std::invalid_argument("the array SpherePosition of the dense sphere has " +
-      std::to_string(positions->GetNumberOfComponents()) + " components, not 3");
   }
   return dense;
 }
 
-conformal::Points SpherePositions(
-  vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
+conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
 {
-  conformal::Points all, positions(mesh.Points.rows(), 3);
-  if (!vtkConformalConversions::ToVectors(
-        surface->GetPointData()->GetArray(vtkConformalConversions::SpherePositionName()), all))
+  conformal::Points all;
+  if (!ToSpherePositions(surface, all))
   {
     throw std::invalid_argument(
-      "the surface needs a point array SpherePosition of 3 components: its map to the sphere");
+      "the surface needs a point array SpherePosition: its map to the sphere");
   }
+  conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
   for (conformal::Index v = 0; v < positions.rows(); ++v)
   {
-    positions.row(v) = all.row(mesh.PointIds[v]);
+    positions.row(v) = all.row(pointIds[v]);
   }
   return positions;
 }
@@ -145,7 +158,7 @@ int vtkCurvedSeamlessSurface::RequestData(
     [&]()
     {
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface);
-      const conformal::Points positions = SpherePositions(surface, mesh);
+      const conformal::Points positions = MapOf(surface, mesh.PointIds);
       const conformal::GeodesicSphere dense = DenseSphere(sphere, this->Frequency);
       const auto result = conformal::buildCurvedSeamlessSurface(positions, mesh.Points,
         mesh.Triangles, dense.Positions, vtkConformalConversions::SMPFor(),

@@ -54,13 +54,15 @@ public:
   vtkTypeMacro(vtkCurvedSeamlessSurface, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
    * The dense mesh of the sphere, N^new in the paper: input port 1.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
+
+  /**
+   * The dense mesh of the sphere without a pipeline.
+   */
   void SetSphereData(vtkPolyData* sphere);
-  ///@}
 
   ///@{
   /**

@@ -393,14 +393,22 @@ TEST_F(CurvedSeamlessSurface, SurfacesWithoutAMapAreRefused)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   surface->GetPointData()->RemoveArray("SpherePosition");
-  this->ExpectRefused(surface, "SpherePosition of 3 components");
+  this->ExpectRefused(surface, "needs a point array SpherePosition");
   vtkNew<vtkDoubleArray> odd;
   odd->SetName("SpherePosition");
   odd->SetNumberOfComponents(2);
-  odd->SetNumberOfTuples(surface->GetNumberOfPoints());
+  odd->SetNumberOfTuples(162);
   odd->Fill(1.0);
   surface->GetPointData()->AddArray(odd);
-  this->ExpectRefused(surface, "SpherePosition of 3 components");
+  this->ExpectRefused(surface, "162 tuples of 2 components, but must have 162 of 3");
+  odd->SetNumberOfComponents(3);
+  odd->SetNumberOfTuples(100);
+  odd->Fill(1.0);
+  surface->Modified();
+  this->ExpectRefused(surface, "100 tuples of 3 components, but must have 162 of 3");
+
+  this->Filter->SetSphereData(surface);
+  this->ExpectRefused(Ellipsoid(), "100 tuples of 3 components, but must have 162 of 3");
 }
 
 TEST_F(CurvedSeamlessSurface, MapsThatAreNoneAreRefused)
