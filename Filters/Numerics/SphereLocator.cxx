@@ -41,27 +41,19 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces)
   }
 }
 
-// Entry k is the volume spanned by the direction and the edge opposite to corner k, positive
-// inside. det(a, b, d) = det(a - d, b - d, d), whose differences are exact for small triangles.
-Vector3 SphereLocator::sides(const Corners& corners, const Vector3& direction)
+// The volume spanned by the direction and the edge opposite to a corner, positive inside.
+// det(a, b, d) = det(a - d, b - d, d), whose differences are exact for small triangles.
+double SphereLocator::side(const Corners& corners, int opposite, const Vector3& direction)
 {
-  const std::array<Vector3, 3> from{ corners.Positions[0] - direction,
-    corners.Positions[1] - direction, corners.Positions[2] - direction };
-  Vector3 volumes;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 &a = from[(k + 1) % 3], &b = from[(k + 2) % 3];
-    volumes[k] = corners.Ascending[k] ? a.cross(b).dot(direction) : -(b.cross(a).dot(direction));
-  }
-  return volumes;
+  const Vector3 a = corners.Positions[(opposite + 1) % 3] - direction,
+                b = corners.Positions[(opposite + 2) % 3] - direction;
+  return corners.Ascending[opposite] ? a.cross(b).dot(direction) : -b.cross(a).dot(direction);
 }
 
-SphereLocation SphereLocator::locate(const Vector3& direction) const
+// Visit the places of all triangles that may hold a direction.
+template <typename Visit>
+void SphereLocator::visitNear(const Vector3& direction, Visit visit) const
 {
-  SphereLocation location;
-  Vector3 volumes = Vector3::Zero();
-  int best = -1;
-  double leastMiss = -std::numeric_limits<double>::infinity(); // 0 means inside
   std::array<int, 64> stack; // the depth is the logarithm of an int
   int depth = 0;
   if (!this->Tree.Nodes.empty())
@@ -81,28 +73,66 @@ SphereLocation SphereLocator::locate(const Vector3& direction) const
     {
       stack[depth++] = node.Second;
       stack[depth++] = index + 1;
-      continue;
     }
     for (int place = node.First; place < node.First + node.Count; ++place)
     {
-      const Vector3 candidate = sides(this->Placed[place], direction);
-      const double smallest = candidate.minCoeff();
-      const double miss = smallest >= 0.0 ? 0.0 : smallest / candidate.cwiseAbs().sum();
-      const int triangle = this->Tree.Items[place];
-      if (miss > leastMiss || (miss == leastMiss && triangle < location.Triangle))
-      {
-        leastMiss = miss;
-        location.Triangle = triangle;
-        volumes = candidate;
-        best = place;
-      }
+      visit(place);
     }
+  }
+}
+
+SphereLocation SphereLocator::locate(const Vector3& direction) const
+{
+  SphereLocation location;
+  Vector3 sides = Vector3::Zero();
+  int best = -1;
+  const auto take = [&](int place, const Vector3& itsSides)
+  {
+    best = place;
+    sides = itsSides;
+    location.Triangle = this->Tree.Items[place];
+  };
+  this->visitNear(direction,
+    [&](int place)
+    {
+      Vector3 itsSides;
+      for (int k = 0; k < 3; ++k)
+      {
+        itsSides[k] = side(this->Placed[place], k, direction);
+        if (!(itsSides[k] >= 0.0))
+        {
+          return;
+        }
+      }
+      if (best < 0 || this->Tree.Items[place] < location.Triangle)
+      {
+        take(place, itsSides);
+      }
+    });
+  if (best < 0)
+  {
+    double leastMiss = std::numeric_limits<double>::infinity();
+    this->visitNear(direction,
+      [&](int place)
+      {
+        Vector3 itsSides;
+        for (int k = 0; k < 3; ++k)
+        {
+          itsSides[k] = side(this->Placed[place], k, direction);
+        }
+        const double miss = -itsSides.minCoeff() / itsSides.cwiseAbs().sum();
+        if (miss < leastMiss || (miss == leastMiss && this->Tree.Items[place] < location.Triangle))
+        {
+          leastMiss = miss;
+          take(place, itsSides);
+        }
+      });
   }
   if (best < 0)
   {
     return location;
   }
-  location.Barycentric = volumes.cwiseMax(0.0);
+  location.Barycentric = sides.cwiseMax(0.0);
   const double sum = location.Barycentric.sum();
   if (sum > 0.0)
   {

@@ -44,7 +44,9 @@ private:
     Vector3 Positions[3];
     bool Ascending[3] = {}; // edge k, opposite to corner k, runs from its lower to its higher id
   };
-  static Vector3 sides(const Corners& corners, const Vector3& direction);
+  static double side(const Corners& corners, int opposite, const Vector3& direction);
+  template <typename Visit>
+  void visitNear(const Vector3& direction, Visit visit) const;
 
   BoxTree Tree;
   std::vector<Corners> Placed; // of the triangle at each place of Tree.Items
