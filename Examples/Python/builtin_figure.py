@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 
-LOW, HIGH = np.array([-0.9, -1.0, -0.7]), np.array([0.9, 1.3, 0.8])  # a box around the bear
+LOW, HIGH = np.array([-0.9, -1.0, -0.75]), np.array([0.9, 1.25, 0.8])  # a box around the bear
 SPACING = 0.03
 
 
@@ -43,16 +43,16 @@ def on_both_sides(part):
 # Limbs are short: one that learns from points alone spans webs between long ones.
 # Each part with the width over which it melts into those before it.
 PARTS = [
-    (ellipsoid((0.0, -0.24, 0.0), (0.52, 0.58, 0.45)), 0.0),                            # belly
-    (ellipsoid((0.0, 0.20, 0.0), (0.41, 0.38, 0.38)), 0.20),                            # chest
-    (ellipsoid((0.0, 0.66, 0.04), (0.46, 0.40, 0.40)), 0.17),                           # head
-    (on_both_sides(ellipsoid((0.34, 0.98, 0.0), (0.18, 0.19, 0.14))), 0.08),            # ears
-    (ellipsoid((0.0, 0.56, 0.38), (0.20, 0.15, 0.15)), 0.08),                           # muzzle
-    (ellipsoid((0.0, 0.64, 0.52), (0.075, 0.055, 0.05)), 0.03),                         # nose
-    (on_both_sides(ellipsoid((0.17, 0.78, 0.39), (0.055, 0.065, 0.05))), 0.02),         # eyes
-    (on_both_sides(limb((0.32, 0.01, 0.10), (0.56, -0.01, 0.23), 0.18, 0.16)), 0.20),   # arms
-    (on_both_sides(limb((0.26, -0.60, 0.14), (0.37, -0.70, 0.42), 0.21, 0.20)), 0.16),  # legs
-    (ellipsoid((0.0, -0.50, -0.42), (0.13, 0.13, 0.13)), 0.08),                         # tail
+    (ellipsoid((0.0, -0.22, 0.0), (0.60, 0.55, 0.52)), 0.0),                            # belly
+    (ellipsoid((0.0, 0.15, 0.0), (0.50, 0.40, 0.45)), 0.20),                            # chest
+    (ellipsoid((0.0, 0.56, 0.04), (0.54, 0.46, 0.47)), 0.17),                           # head
+    (on_both_sides(ellipsoid((0.42, 0.93, 0.0), (0.19, 0.20, 0.15))), 0.08),            # ears
+    (ellipsoid((0.0, 0.44, 0.44), (0.22, 0.16, 0.16)), 0.08),                           # muzzle
+    (ellipsoid((0.0, 0.53, 0.59), (0.08, 0.06, 0.05)), 0.03),                           # nose
+    (on_both_sides(ellipsoid((0.20, 0.69, 0.445), (0.06, 0.07, 0.05))), 0.02),          # eyes
+    (on_both_sides(limb((0.42, 0.0, 0.10), (0.63, 0.0, 0.24), 0.19, 0.17)), 0.20),      # arms
+    (on_both_sides(limb((0.30, -0.54, 0.16), (0.39, -0.65, 0.46), 0.22, 0.21)), 0.16),  # legs
+    (ellipsoid((0.0, -0.45, -0.49), (0.14, 0.14, 0.14)), 0.08),                         # tail
 ]
 
 

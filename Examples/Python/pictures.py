@@ -24,6 +24,7 @@ def actor_of(data):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(CLAY)
+    actor.GetProperty().BackfaceCullingOn()  # surfaces are closed: none of their inside is seen
     actor.GetProperty().SetSpecular(0.15)
     actor.GetProperty().SetSpecularPower(20)
     return actor

@@ -2,7 +2,7 @@
 from conformalsom import vtkConformalDistortion, vtkSurfaceMismatch
 
 FIGURES = ("MeanSquarePointToSurface", "MeanSquarePointToVertex", "MeanSquareSurfaceToPoint",
-           "MeanAngleDistortion")
+           "WebFraction", "MeanAngleDistortion")
 
 
 def measured(steps, name, surface, scan):
@@ -23,13 +23,14 @@ def print_table(scan, mesh, surface, seconds):
     for step, time in seconds.items():
         print(f"  {step:<28}{time:8.2f}")
     print(f"  {'all of them':<28}{sum(seconds.values()):8.2f}")
-    print(f"\n{'':<16}{'points':>10}{'triangles':>11}{'p2s':>10}{'nv':>10}{'s2p':>10}{'angle':>8}")
+    print(f"\n{'':<16}{'points':>10}{'triangles':>11}{'p2s':>10}{'nv':>10}{'s2p':>10}{'web':>8}{'angle':>8}")
     print(f"{'scan':<16}{scan.GetNumberOfPoints():>10,}{scan.GetNumberOfPolys():>11,}")
     for name, model in (("learned mesh", mesh), ("smooth surface", surface)):
-        p2s, nv, s2p, angle = (model.GetFieldData().GetArray(figure).GetValue(0)
+        p2s, nv, s2p, web, angle = (model.GetFieldData().GetArray(figure).GetValue(0)
                                for figure in FIGURES)
         print(f"{name:<16}{model.GetNumberOfPoints():>10,}{model.GetNumberOfPolys():>11,}"
-              f"{p2s:>10.2e}{nv:>10.2e}{s2p:>10.2e}{angle:>8.2f}")
+              f"{p2s:>10.2e}{nv:>10.2e}{s2p:>10.2e}{web:>8.2%}{angle:>8.2f}")
     print("p2s, nv, s2p: mean square distance from the scan's points to the model, from them to its\n"
           "nearest vertex, and from the model to the scan; the scan's largest radius is 1.\n"
+          "web: share of the model's area that is farther than 0.02 from the scan.\n"
           "angle: mean change of an angle on the way to the sphere, in degrees.")

@@ -40,7 +40,7 @@ endforeach ()
 
 if (PYTHON)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${PYTHON_DESTINATION}" "${PYTHON}" -c
-    "import conformalsom; conformalsom.vtkConformalSOM(); print(conformalsom.__file__)")
+    "import conformalsom\nconformalsom.vtkConformalSOM()\nprint(conformalsom.__file__)")
   if (NOT output MATCHES "the prefix")
     message(FATAL_ERROR "Another package was imported: ${output}")
   endif ()
