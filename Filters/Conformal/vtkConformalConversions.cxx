@@ -89,33 +89,16 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
 }
 
 //------------------------------------------------------------------------------
-bool ViewPoints(vtkPoints* points, conformal::PointView& view)
-{
-  if (!points || points->GetNumberOfPoints() == 0)
-  {
-    view = conformal::PointView();
-    return true;
-  }
-  if (auto* floats = vtkFloatArray::SafeDownCast(points->GetData()))
-  {
-    view = conformal::PointView(floats->GetPointer(0), floats->GetNumberOfTuples());
-    return true;
-  }
-  if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
-  {
-    view = conformal::PointView(doubles->GetPointer(0), doubles->GetNumberOfTuples());
-    return true;
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
 {
-  conformal::PointView view;
-  if (ViewPoints(points, view))
+  vtkDataArray* data = points ? points->GetData() : nullptr;
+  if (auto* floats = vtkFloatArray::SafeDownCast(data))
   {
-    return view;
+    return { floats->GetPointer(0), floats->GetNumberOfTuples() };
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(data))
+  {
+    return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
   }
   copy = ToPoints(points);
   return copy;

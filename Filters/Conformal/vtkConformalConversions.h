@@ -38,10 +38,6 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
 /// Coordinates as doubles, #P by 3 (empty for a null pointer).
 conformal::Points ToPoints(vtkPoints* points);
 
-/// The coordinates where they lie. Null if they are neither floats nor doubles in a row, the one
-/// case in which a caller needs ToPoints.
-bool ViewPoints(vtkPoints* points, conformal::PointView& view);
-
 /// The coordinates where they lie, or else in the given copy, which must outlive the view.
 conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
 

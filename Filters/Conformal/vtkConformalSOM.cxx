@@ -139,13 +139,9 @@ int vtkConformalSOM::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
-      conformal::PointView points;
       conformal::Points copy;
-      if (!vtkConformalConversions::ViewPoints(input->GetPoints(), points))
-      {
-        copy = vtkConformalConversions::ToPoints(input->GetPoints());
-        points = copy;
-      }
+      const conformal::PointView points =
+        vtkConformalConversions::ViewPoints(input->GetPoints(), copy);
       std::vector<double> priorities;
       vtkIdType unusable = 0;
       if (this->PriorityArrayName && points.size() > 0)

@@ -182,7 +182,7 @@ public:
 
   ///@{
   /**
-   * Batch: least-squares rounds over all points after learning. At least 0. Default is 5.
+   * Batch: least-squares rounds over all points after learning. At least 0. Default is 8.
    */
   vtkSetClampMacro(NumberOfPolishRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfPolishRounds, int);
@@ -191,7 +191,7 @@ public:
   ///@{
   /**
    * Batch: weight of the Laplacian in the polish, for each point of a neuron. Not negative. Default
-   * is 0.02; larger values smooth noise.
+   * is 0.01; larger values smooth noise.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -231,8 +231,8 @@ private:
   double LearningRateTimeConstant = 60.0;
   int PassesPerLevel = 5;
   int SamplesPerNeuron = 12;
-  int NumberOfPolishRounds = 5;
-  double Smoothness = 0.02;
+  int NumberOfPolishRounds = 8;
+  double Smoothness = 0.01;
   bool GenerateErrorScalars = false;
 };
 

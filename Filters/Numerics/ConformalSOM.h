@@ -43,8 +43,8 @@ struct ConformalSOMOptions
   // Batch training.
   int PassesPerLevel = 5;       ///< learning passes on each lattice, from coarse to fine
   int SamplesPerNeuron = 12;    ///< patterns a pass takes for each neuron, at most all there are
-  int NumberOfPolishRounds = 5; ///< least-squares rounds on the finest lattice
-  double Smoothness = 0.02;     ///< weight of the polish's Laplacian, per pattern of a neuron
+  int NumberOfPolishRounds = 8; ///< least-squares rounds on the finest lattice
+  double Smoothness = 0.01;     ///< weight of the polish's Laplacian, per pattern of a neuron
 };
 
 /// What training saw in one epoch (Online) or pass (Batch).

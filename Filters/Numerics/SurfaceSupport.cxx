@@ -1,0 +1,55 @@
+#include "SurfaceSupport.h"
+
+namespace conformal
+{
+double unsupportedFraction(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses)
+{
+  constexpr double Enough = 100.0; // patterns: by chance, a quarter of them is never seen
+  constexpr double Share = 0.25;
+  const Index size = positions.rows();
+
+  // Column 0: patterns, column 1: area, a third of each triangle's for each corner.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> own =
+    Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(size, 2);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    for (int k = 0; k < 3; ++k)
+    {
+      own.row(faces(r, k)) += Eigen::RowVector2d(masses[r] / 3.0, area / 3.0);
+    }
+  }
+  const double patterns = own.col(0).sum(), area = own.col(1).sum();
+  if (!(patterns > 0.0 && area > 0.0))
+  {
+    return 0.0;
+  }
+  const double density = patterns / area;
+  const auto supported = [&](const auto& gathered, Index i)
+  { return gathered(i, 0) >= Share * density * gathered(i, 1); };
+
+  auto gathered = own;
+  for (int vertices = 1, ring = 1; vertices * patterns / size < Enough && vertices < size; ++ring)
+  {
+    auto wider = gathered;
+    for (Index i = 0; i < size; ++i)
+    {
+      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+      {
+        wider.row(i) += gathered.row(*j);
+      }
+    }
+    gathered.swap(wider);
+    vertices += 6 * ring;
+  }
+  double unsupported = 0.0;
+  for (Index i = 0; i < size; ++i)
+  {
+    unsupported += supported(gathered, i) ? 0.0 : own(i, 1);
+  }
+  return unsupported / area;
+}
+}

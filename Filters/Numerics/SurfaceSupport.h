@@ -1,0 +1,28 @@
+/// Which parts of a learned surface have patterns near them, and which span empty space.
+
+#ifndef ConformalSurfaceSupport_h
+#define ConformalSurfaceSupport_h
+
+#include "MeshTopology.h"
+#include "Types.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Share of the surface's area that has next to no patterns where its share of them would be due:
+/// webs between limbs, and lids over holes in the data. E_mis cannot see them.
+///
+/// Patterns and areas are gathered from around each vertex, as far as it takes to expect about
+/// a hundred patterns; a vertex is unsupported if there are less than a quarter of those expected.
+///
+/// @param[in] positions  #V by 3
+/// @param[in] faces      #F by 3
+/// @param[in] neighbors  vertexNeighbors of the faces
+/// @param[in] masses     #F, the patterns that have their foot points in each triangle
+/// @return in [0, 1]
+double unsupportedFraction(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses);
+}
+
+#endif

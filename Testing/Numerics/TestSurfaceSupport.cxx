@@ -1,0 +1,78 @@
+#include "SurfaceSupport.h"
+
+#include "GeodesicSphere.h"
+#include "Random.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using conformal::Index;
+
+namespace
+{
+struct Sphere
+{
+  explicit Sphere(int frequency)
+    : Mesh(conformal::makeGeodesicSphere(frequency))
+    , Neighbors(conformal::vertexNeighbors(this->Mesh.Faces, this->Mesh.Positions.rows()))
+  {
+  }
+  double unsupported(const std::vector<double>& masses) const
+  {
+    return conformal::unsupportedFraction(
+      this->Mesh.Positions, this->Mesh.Faces, this->Neighbors, masses);
+  }
+  double height(Index face) const
+  {
+    return (this->Mesh.Positions(this->Mesh.Faces(face, 0), 2) +
+             this->Mesh.Positions(this->Mesh.Faces(face, 1), 2) +
+             this->Mesh.Positions(this->Mesh.Faces(face, 2), 2)) /
+      3.0;
+  }
+  conformal::GeodesicSphere Mesh;
+  conformal::Adjacency Neighbors;
+};
+}
+
+// Patterns thrown at random, many or few to a triangle: chance leaves no part of a surface bare.
+TEST(SurfaceSupport, RandomPatternsSupportAll)
+{
+  const Sphere sphere(20);
+  for (int patterns : { 500, 4000, 100000 })
+  {
+    conformal::Random random(1);
+    std::vector<double> masses(sphere.Mesh.Faces.rows(), 0.0);
+    for (int i = 0; i < patterns; ++i)
+    {
+      masses[random.index(sphere.Mesh.Faces.rows())] += 1.0;
+    }
+    EXPECT_EQ(sphere.unsupported(masses), 0.0) << patterns;
+  }
+}
+
+TEST(SurfaceSupport, ABareCapIsFound)
+{
+  const Sphere sphere(36);
+  for (double height : { 0.5, 0.8 })
+  {
+    std::vector<double> masses(sphere.Mesh.Faces.rows());
+    for (std::size_t r = 0; r < masses.size(); ++r)
+    {
+      masses[r] = sphere.height(static_cast<Index>(r)) > height ? 0.0 : 2.0;
+    }
+    const double cap = 0.5 * (1.0 - height); // of the sphere's area, after Archimedes
+    EXPECT_GT(sphere.unsupported(masses), 0.6 * cap);
+    EXPECT_LT(sphere.unsupported(masses), cap);
+  }
+}
+
+TEST(SurfaceSupport, NoPatternsOrNoAreaIsNoFinding)
+{
+  const Sphere sphere(3);
+  EXPECT_EQ(sphere.unsupported(std::vector<double>(180, 0.0)), 0.0);
+  const conformal::Points point = conformal::Points::Zero(sphere.Mesh.Positions.rows(), 3);
+  EXPECT_EQ(conformal::unsupportedFraction(
+              point, sphere.Mesh.Faces, sphere.Neighbors, std::vector<double>(180, 1.0)),
+    0.0);
+}
