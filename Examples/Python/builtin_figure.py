@@ -67,7 +67,7 @@ def bear(p):
 
 
 def zero_set(distance):
-    """Corners, #T by 3 by 3, of triangles close to the surface where distance is zero."""
+    """Triangles close to the surface where distance is zero, as a vtkPolyData."""
     size = np.ceil((HIGH - LOW) / SPACING).astype(int) + 1
     x, y, z = (low + SPACING * np.arange(n) for low, n in zip(LOW, size))
     grid_z, grid_y, grid_x = np.meshgrid(z, y, x, indexing="ij")
@@ -84,14 +84,13 @@ def zero_set(distance):
     contour.ComputeNormalsOff()
     contour.ComputeScalarsOff()
     contour.Update()
-    mesh = contour.GetOutput()
-    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
-    return points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+    return contour.GetOutput()
 
 
-def even_samples(triangles, count, random):
+def even_samples(mesh, count, random):
     """Points spread over the triangles in proportion to area."""
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    a, b, c = points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3).T]
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     chosen = np.searchsorted(np.cumsum(area), random.random(count) * area.sum())
     u, v = random.random((2, count, 1))
@@ -111,6 +110,11 @@ def project(points, distance, steps=3):
     return points
 
 
+def figure_surface():
+    """The bear without noise, as triangles: what a perfect result would look like."""
+    return zero_set(bear)
+
+
 def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1):
     """The bear as a vtkPolyData of points only.
 
@@ -118,7 +122,7 @@ def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1):
     bear's height.
     """
     random = np.random.RandomState(random_seed)
-    points = project(even_samples(zero_set(bear), number_of_points, random), bear)
+    points = project(even_samples(figure_surface(), number_of_points, random), bear)
     height = np.ptp(points[:, 1])
     points = points + noise * height * random.standard_normal(points.shape)
     cloud, vtk_points = vtkPolyData(), vtkPoints()

@@ -1,4 +1,5 @@
-"""quickstart.py on a small cloud: every file it promises is there and can be read back."""
+"""quickstart.py: every file it promises is there and can be read back; its own picture is that of
+the README."""
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import builtin_figure
 import textures
+from baselines import expect_picture
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(builtin_figure.__file__)), "quickstart.py")
 TRIANGLES = 20 * 16**2
@@ -101,6 +103,16 @@ class TestQuickstart(unittest.TestCase):
                 self.assertIn(message, run.stderr)
                 self.assertNotIn("Traceback", run.stderr)
 
+    def test_picture_of_the_readme_is_what_it_draws(self):
+        run = quickstart(self.folder, "--output", "own scan")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        picture = vtkPNGReader()
+        picture.SetFileName(os.path.join(self.folder, "own scan", "quickstart.png"))
+        expect_picture(self, picture, "Quickstart")
+
 
 if __name__ == "__main__":
+    if not os.environ.get("DISPLAY"):
+        print("The quickstart draws: run ctest under xvfb-run")
+        sys.exit(125)
     unittest.main()
