@@ -360,6 +360,23 @@ std::vector<std::string> describe(const GenusZeroReport& mesh)
 }
 
 //------------------------------------------------------------------------------
+void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const Progress& progress)
+{
+  const GenusZeroReport mesh = checkGenusZero(triangles, numberOfVertices, {}, progress);
+  if (!mesh.isGenusZero() || !mesh.InconsistentEdges.empty() || !mesh.DegenerateTriangles.empty())
+  {
+    std::string message = "not a closed, oriented surface of genus zero: ";
+    const char* separator = "";
+    for (const std::string& line : describe(mesh))
+    {
+      message += separator + line;
+      separator = "; ";
+    }
+    throw std::invalid_argument(message);
+  }
+}
+
+//------------------------------------------------------------------------------
 double signedVolume(const PointView& points, const Triangles& triangles)
 {
   if (triangles.rows() == 0)

@@ -60,6 +60,12 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
 /// The report in words: one statement of what the mesh is, then one for each fault.
 std::vector<std::string> describe(const GenusZeroReport& report);
 
+/// Let only pass what a map to the sphere can be made of: a closed surface of genus zero, its
+/// triangles consistently oriented and without repeated vertices.
+/// @throws std::invalid_argument with the report in words otherwise
+void requireGenusZero(
+  const Triangles& triangles, Index numberOfVertices, const Progress& progress = {});
+
 /// Volume enclosed by a closed mesh, positive where triangles are counter-clockwise seen from
 /// outside.
 double signedVolume(const PointView& points, const Triangles& triangles);

@@ -1,0 +1,282 @@
+#include "ProgressiveSphereMap.h"
+
+#include "GenusZeroCheck.h"
+#include "ProgressiveMesh.h"
+#include "SphereStar.h"
+#include "UnitBox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+const double Pi = std::acos(-1.0);
+
+constexpr double LevelGrowth = 1.3; // of the number of vertices between sweeps over all
+constexpr int SweepsPerLevel = 8;
+
+SphereEnergy energyFor(double balance)
+{
+  SphereEnergy energy;
+  energy.AreaExponent = 0.7 * balance;
+  energy.AreaWeight = 0.005 * std::pow(2.0 * balance, 12.0);
+  return energy;
+}
+
+// Both exponents doubled: the same balance, but the worst triangles count for more.
+SphereEnergy smoothing(SphereEnergy energy)
+{
+  energy.AngleExponent *= 2;
+  energy.AreaExponent *= 2.0;
+  return energy;
+}
+
+// A triangle by its squared sides, opposite to each corner. Slightly rounded, so that needles and
+// points, too, have a shape to be mapped.
+class SurfaceShapes
+{
+public:
+  SurfaceShapes(const Points& points, const Triangles& triangles)
+    : Places(points)
+  {
+    double area = 0.0;
+    for (Index r = 0; r < triangles.rows(); ++r)
+    {
+      area += this->triangle(triangles(r, 0), triangles(r, 1), triangles(r, 2)).Area;
+    }
+    this->Scale = 4.0 * Pi / area;
+  }
+
+  SourceTriangle triangle(int a, int b, int c) const
+  {
+    const Vector3 p = this->Places.row(a), q = this->Places.row(b), r = this->Places.row(c);
+    Vector3 squares((q - r).squaredNorm(), (r - p).squaredNorm(), (p - q).squaredNorm());
+    constexpr double roundness = 1e-8, smallest = 1e-14;
+    squares.array() += roundness * squares.sum() + smallest;
+    const double sum = squares.sum();
+    const double twiceArea = 0.5 * std::sqrt(sum * sum - 2.0 * squares.squaredNorm());
+    SourceTriangle result;
+    result.Area = std::max(0.5 * this->Scale * twiceArea, SmallestArea);
+    for (int k = 0; k < 3; ++k)
+    {
+      result.Cotangents[k] = (sum - 2.0 * squares[k]) / (8.0 * twiceArea);
+    }
+    return result;
+  }
+
+private:
+  static constexpr double SmallestArea = 1e-11;
+  const Points& Places;
+  double Scale = 1.0;
+};
+
+class Mapper
+{
+public:
+  Mapper(const Points& places, const Triangles& triangles, const SphereEnergy& energy,
+    const Progress& progress)
+    : Shapes(places, triangles)
+    , Energy(energy)
+    , Mesh(makeProgressiveMesh(places, triangles,
+        progress ? [&progress](double f) { return progress(0.2 * f); } : Progress()))
+    , Positions(places.rows())
+    , Callback(progress)
+  {
+  }
+
+  ProgressiveSphereMapResult run(const ProgressiveSphereMapOptions& options)
+  {
+    this->WorkToDo = this->countWork(options);
+    this->layTetrahedron();
+    std::size_t level = this->Active.size();
+    for (const QuadricCollapse::Collapse& split : this->Mesh.Splits)
+    {
+      this->insert(split);
+      if (this->Active.size() >= LevelGrowth * level)
+      {
+        level = this->Active.size();
+        this->sweep(SweepsPerLevel, this->Energy);
+      }
+    }
+    this->sweep(options.NumberOfSweeps, this->Energy);
+    this->sweep(options.NumberOfSmoothingSweeps, smoothing(this->Energy));
+    ProgressiveSphereMapResult result;
+    result.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
+    for (std::size_t v = 0; v < this->Positions.size(); ++v)
+    {
+      result.Positions.row(static_cast<Index>(v)) = this->Positions[v];
+    }
+    result.NumberOfRelaxations = this->Relaxations;
+    return result;
+  }
+
+private:
+  // Relaxations of a vertex, but for those that make room.
+  double countWork(const ProgressiveSphereMapOptions& options) const
+  {
+    double count = 4.0, level = 4.0, work = 0.0;
+    for (const QuadricCollapse::Collapse& split : this->Mesh.Splits)
+    {
+      work += 1.0 + split.Neighbors.size();
+      ++count;
+      if (count >= LevelGrowth * level)
+      {
+        level = count;
+        work += SweepsPerLevel * count;
+      }
+    }
+    return work + (options.NumberOfSweeps + options.NumberOfSmoothingSweeps) * count;
+  }
+
+  void layTetrahedron()
+  {
+    int first = 0;
+    while (this->Mesh.Rings[first].empty())
+    {
+      ++first;
+    }
+    const Ring& ring = this->Mesh.Rings[first];
+    this->Active = { first, ring[0], ring[1], ring[2] };
+    const double s = std::sqrt(1.0 / 3.0);
+    this->Positions[first] = { s, s, s };
+    this->Positions[ring[0]] = { s, -s, -s };
+    this->Positions[ring[1]] = { -s, s, -s };
+    this->Positions[ring[2]] = { -s, -s, s };
+  }
+
+  void insert(const QuadricCollapse::Collapse& split)
+  {
+    std::optional<Vector3> place = kernelCentroid(this->Positions, split.Neighbors);
+    if (!place)
+    {
+      ++this->Relaxations;
+      place = this->makeRoom(split.Neighbors);
+    }
+    this->Mesh.Rings.split(split.Vertex, split.Neighbors);
+    this->Positions[split.Vertex] = *place;
+    this->Active.push_back(split.Vertex);
+    this->relax(split.Vertex, this->Energy);
+    for (int id : split.Neighbors)
+    {
+      this->relax(id, this->Energy);
+    }
+  }
+
+  // Areas give way to each other in ever larger surroundings, until the ring has some.
+  Vector3 makeRoom(const Ring& ring)
+  {
+    SphereEnergy even;
+    even.AreaExponent = 1.0;
+    even.AreaWeight = 1.0;
+    std::vector<int> around = ring;
+    for (;;)
+    {
+      for (int i = 0; i < 20; ++i)
+      {
+        for (int id : around)
+        {
+          this->relax(id, even);
+        }
+      }
+      if (const auto place = kernelCentroid(this->Positions, ring))
+      {
+        return *place;
+      }
+      const std::size_t size = around.size();
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        const Ring& next = this->Mesh.Rings[around[i]];
+        around.insert(around.end(), next.begin(), next.end());
+      }
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+      if (around.size() == size)
+      {
+        throw std::runtime_error("no room is left on the sphere for the triangles of a vertex");
+      }
+    }
+  }
+
+  void cornersOf(int v, std::vector<Corner>& corners) const
+  {
+    const Ring& ring = this->Mesh.Rings[v];
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      corners.push_back(
+        { ring[i], this->Shapes.triangle(v, ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]) });
+    }
+  }
+
+  void relax(int v, const SphereEnergy& energy)
+  {
+    this->Scratch.clear();
+    this->cornersOf(v, this->Scratch);
+    relaxVertex(
+      this->Positions, v, this->Scratch.data(), static_cast<int>(this->Scratch.size()), energy);
+    this->countVertex();
+  }
+
+  void sweep(int times, const SphereEnergy& energy)
+  {
+    std::vector<Corner> corners;
+    std::vector<std::size_t> offsets = { 0 };
+    for (int v : this->Active)
+    {
+      this->cornersOf(v, corners);
+      offsets.push_back(corners.size());
+    }
+    for (int i = 0; i < times; ++i)
+    {
+      for (std::size_t j = 0; j < this->Active.size(); ++j)
+      {
+        relaxVertex(this->Positions, this->Active[j], corners.data() + offsets[j],
+          static_cast<int>(offsets[j + 1] - offsets[j]), energy);
+        this->countVertex();
+      }
+    }
+  }
+
+  void countVertex()
+  {
+    if (++this->WorkDone % 1024 == 0)
+    {
+      report(this->Callback,
+        0.2 + 0.8 * std::min(1.0, static_cast<double>(this->WorkDone) / this->WorkToDo));
+    }
+  }
+
+  SurfaceShapes Shapes;
+  SphereEnergy Energy;
+  ProgressiveMesh Mesh;
+  std::vector<int> Active; // in order of insertion
+  std::vector<Vector3> Positions;
+  std::vector<Corner> Scratch;
+  const Progress& Callback;
+  Index Relaxations = 0;
+  Index WorkDone = 0;
+  double WorkToDo = 0.0;
+};
+}
+
+//------------------------------------------------------------------------------
+ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& triangles,
+  const ProgressiveSphereMapOptions& options, const Progress& progress)
+{
+  requireGenusZero(triangles, points.rows());
+  const Points places = inUnitBox(points);
+  Mapper mapper(places, triangles, energyFor(options.AreaBalance), progress);
+  ProgressiveSphereMapResult result = mapper.run(options);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const Vector3 a = result.Positions.row(triangles(r, 0));
+    result.NumberOfFlippedTriangles += !(determinant(a, result.Positions.row(triangles(r, 1)),
+                                           result.Positions.row(triangles(r, 2))) > 0.0);
+  }
+  report(progress, 1.0);
+  return result;
+}
+}
