@@ -2,9 +2,9 @@
 
 #include "FixedPointSums.h"
 #include "FootPoints.h"
-#include "LeastSquaresPolish.h"
 #include "MeshTopology.h"
 #include "Random.h"
+#include "Resampling.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -15,7 +15,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 4096;
 constexpr int CoarsestFrequency = 4;
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
 
@@ -107,25 +106,6 @@ Points means(const Shares& shares, const Adjacency& neighbors, const Points& wei
   return moved;
 }
 
-/// The weights of a finer lattice: the coarser surface at the finer lattice's directions.
-Points interpolate(const GeodesicSphere& coarse, const Points& weights, const Points& directions,
-  const ParallelFor& parallelFor)
-{
-  const TriangleTree sphere(coarse.Positions, coarse.Faces);
-  Points fine(directions.rows(), 3);
-  forBlocks(parallelFor, fine.rows(), BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        const FootPoint foot = sphere.closestPoint(directions.row(i));
-        const auto ids = coarse.Faces.row(foot.Triangle);
-        fine.row(i) = foot.Barycentric[0] * weights.row(ids[0]) +
-          foot.Barycentric[1] * weights.row(ids[1]) + foot.Barycentric[2] * weights.row(ids[2]);
-      }
-    });
-  return fine;
-}
 }
 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
@@ -133,16 +113,11 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   const auto passWork = [](int f) { return static_cast<double>(f) * f; };
-  double work = passWork(options.Frequency) * options.NumberOfPolishRounds, done = 0.0;
+  double work = 0.0, done = 0.0;
   for (int f : levels)
   {
     work += passWork(f) * options.PassesPerLevel;
   }
-  const auto progressOf = [&](double part) -> Progress
-  {
-    return [&, part](double fraction)
-    { return !progress || progress(std::min(1.0, (done + fraction * part) / work)); };
-  };
 
   ConformalSOMResult result;
   Rotation rotation(samples.size(), options.RandomSeed);
@@ -153,7 +128,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     const Points& positions = result.Network.Positions;
     const Triangles& faces = result.Network.Faces;
     result.Weights =
-      f == levels.front() ? positions : interpolate(coarse, result.Weights, positions, parallelFor);
+      f == levels.front() ? positions
+                          : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor);
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
     TriangleTree surface(result.Weights, faces);
 
@@ -178,7 +154,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
             }
           }
         },
-        parallelFor, progressOf(0.9 * passWork(f)));
+        parallelFor,
+        partOf(progress, done / work, (done + 0.9 * passWork(f)) / work));
       Shares shares(positions.rows(), 4);
       for (Index i = 0; i < shares.size(); ++i)
       {
@@ -205,7 +182,6 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
       report(progress, done / work);
     }
   }
-  polish(samples, options, parallelFor, progressOf(work - done), result);
   return result;
 }
 }

@@ -7,8 +7,8 @@
 
 namespace conformal
 {
-/// Batch learning on lattices of rising frequency up to options.Frequency, then least-squares
-/// rounds; weights in the samples' unit (max radius 1).
+/// Batch learning on lattices of rising frequency up to options.Frequency; weights in the samples'
+/// unit (max radius 1).
 ///
 /// Each pass is Eq. 3 of \cite Liou2008 summed over its patterns, the weights kept still meanwhile:
 /// w_i becomes the mean of the patterns, weighted by h. A pattern stands for the foot point of its

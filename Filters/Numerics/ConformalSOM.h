@@ -25,6 +25,14 @@ enum class ReferencePoint
   Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
 };
 
+/// A closed mesh with its map to the sphere, from which learning may start.
+struct MappedMesh
+{
+  Points Positions;       ///< #V by 3, in the points' own coordinates
+  Triangles Faces;        ///< #F by 3
+  Points SpherePositions; ///< #V by 3 unit vectors
+};
+
 struct ConformalSOMOptions
 {
   int Frequency = 36; ///< f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles
@@ -74,13 +82,15 @@ struct ConformalSOMResult
 /// difference it makes.
 ///
 /// @param[in] samples   at least one pattern
+/// @param[in] start     may be null: the surface learning starts from, resampled at the neurons'
+///                      positions. Batch training then goes straight to the polish.
 /// @throws std::invalid_argument if there are no samples or an option is out of range
 /// @throws Aborted
 /// @post the result depends only on the arguments: same input, same bits, any number of threads;
 ///       points scaled by a power of two give weights scaled by it, bit by bit
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
-  const ConformalSOMOptions& options = {}, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const ConformalSOMOptions& options = {}, const MappedMesh* start = nullptr,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// Root mean square distance between each neuron and the patterns it stands for: those in whose
 /// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.

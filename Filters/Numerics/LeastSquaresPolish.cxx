@@ -8,6 +8,8 @@
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace conformal
@@ -89,13 +91,30 @@ struct NormalEquations
     matrix.setFromTriplets(entries.begin(), entries.end());
   }
 
+  /// Sum over all products b_k b_l of a triangle, since its barycentric weights have sum 1.
+  void collectMasses(std::vector<double>& masses) const
+  {
+    for (std::size_t r = 0; r < masses.size(); ++r)
+    {
+      Index at = 15 * static_cast<Index>(r);
+      for (int k = 0; k < 3; ++k)
+      {
+        for (int l = k; l < 3; ++l)
+        {
+          masses[r] += (l > k ? 2.0 : 1.0) * this->Sums[at++];
+        }
+        at += 3;
+      }
+    }
+  }
+
   FixedPointSums Sums;
   double Weight = 0.0;
   double SquareError = 0.0;
 };
 }
 
-void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
+std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
 {
   const Triangles& faces = result.Network.Faces;
@@ -105,18 +124,22 @@ void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
   TriangleTree surface(result.Weights, faces);
   SparseMatrix matrix(size, size);
   Points right(size, 3);
-  for (int round = 0; round < options.NumberOfPolishRounds; ++round)
+  std::vector<double> masses(faces.rows(), 0.0);
+  const int frequency = static_cast<int>(std::lround(std::sqrt(faces.rows() / 20.0)));
+  for (int round = 0; round < options.NumberOfRounds; ++round)
   {
     NormalEquations equations(faces.rows());
-    const auto progressOfRound = [&](double fraction)
-    { return !progress || progress((round + 0.9 * fraction) / options.NumberOfPolishRounds); };
+    const double begin = static_cast<double>(round) / options.NumberOfRounds;
     forEachFoot(
       samples, surface, samples.size(), {},
       [&](Index id, const Vector3& x, const FootPoint& foot)
       { equations.add(foot, x, samples.weight(id)); },
-      parallelFor, progressOfRound);
+      parallelFor, partOf(progress, begin, begin + 0.9 / options.NumberOfRounds));
     equations.assemble(faces, matrix, right);
-    const double lambda = options.Smoothness * equations.Weight / size;
+    const double way = static_cast<double>(round) / std::max(1, options.NumberOfRounds - 1);
+    const double smoothness = std::pow(options.FirstSmoothness, 1.0 - way) *
+      std::pow(options.LastSmoothness, way);
+    const double lambda = smoothness * equations.Weight / size;
     const SparseMatrix system = matrix + lambda * bending;
     Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(system);
     solver.setMaxIterations(MaximumIterations);
@@ -124,16 +147,21 @@ void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
     forBlocks(parallelFor, 3, 1,
       [&](Index c, Index)
       { result.Weights.col(c) = solver.solveWithGuess(right.col(c), before.col(c)); });
-    const bool last = round + 1 == options.NumberOfPolishRounds;
+    const bool last = round + 1 == options.NumberOfRounds;
     result.Weights = before + (last ? 1.0 : Overrelaxation) * (result.Weights - before);
     surface.refit(result.Weights);
 
     TrainingRecord record;
-    record.Frequency = options.Frequency;
+    record.Frequency = frequency;
     record.LearningRate = 1.0;
     record.MeanSquareError = equations.SquareError / samples.size();
     record.MeanDisplacement = (result.Weights - before).rowwise().norm().mean();
     result.History.push_back(record);
+    if (last)
+    {
+      equations.collectMasses(masses);
+    }
   }
+  return masses;
 }
 }

@@ -7,13 +7,22 @@
 
 namespace conformal
 {
-/// options.NumberOfPolishRounds times: the foot point of every sample on the surface, then the
-/// weights w that minimise  sum |B w - x|^2 + lambda |L w|^2,  where B holds the feet's barycentric
-/// weights, L is the uniform Laplacian of the lattice and lambda is options.Smoothness times the
-/// mean weight of the samples of a neuron.
+struct PolishOptions
+{
+  int NumberOfRounds = 8;
+  double FirstSmoothness = 0.01; ///< in the first round, falling in equal ratios
+  double LastSmoothness = 0.01;  ///< in the last round
+};
+
+/// So many times: the foot point of every sample on the surface, then the weights w that minimise
+/// sum |B w - x|^2 + lambda |L w|^2,  where B holds the feet's barycentric weights, L is the
+/// uniform Laplacian of the lattice and lambda is the smoothness times the mean weight of the
+/// samples of a neuron.
 ///
 /// @param[in,out] result  weights in the samples' unit, and the history, one record a round
-void polish(const TrainingSamples& samples, const ConformalSOMOptions& options,
+/// @return for each triangle the weight of the samples that have their feet in it in the last
+///         round; zeros if there is none
+std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result);
 }
 

@@ -52,10 +52,10 @@ private:
 }
 
 ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSphere& network,
-  const ConformalSOMOptions& options, const Progress& progress)
+  const Points& start, const ConformalSOMOptions& options, const Progress& progress)
 {
   const Adjacency around = vertexTriangles(network.Faces, network.Positions.rows());
-  NeuronBlocks neurons(network.Positions, network.Positions); // step 1: w_i(0) = n_i
+  NeuronBlocks neurons(network.Positions, start); // step 1
   const NetworkShapes shapes(network.Positions, network.Faces);
   Sampler sampler(samples, options.RandomSeed);
 
@@ -79,7 +79,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
 
   ConformalSOMResult result;
   result.Network = network;
-  Points before = network.Positions;
+  Points before = start;
   const int reportEvery = std::max(1, options.SamplesPerEpoch / 16);
   for (int t = 0; t < options.NumberOfEpochs; ++t)
   {

@@ -7,10 +7,11 @@
 
 namespace conformal
 {
-/// Steps 1 to 5 of \cite Liou2008, section 2, on a network given; weights in the samples' unit
-/// (max radius 1).
+/// Steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (max radius 1).
+/// @param[in] network  n_i and triangles
+/// @param[in] start    w_i(0)
 ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSphere& network,
-  const ConformalSOMOptions& options, const Progress& progress);
+  const Points& start, const ConformalSOMOptions& options, const Progress& progress);
 }
 
 #endif

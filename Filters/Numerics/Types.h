@@ -37,6 +37,16 @@ inline void report(const Progress& progress, double fraction)
   }
 }
 
+/// A part of a longer task: its [0, 1] is [begin, end] of the whole.
+inline Progress partOf(const Progress& whole, double begin, double end)
+{
+  if (!whole)
+  {
+    return {};
+  }
+  return [=](double fraction) { return whole(begin + fraction * (end - begin)); };
+}
+
 /// Points that somebody else owns, as packed floats or doubles, so that ten million of them
 /// need no copy.
 class PointView

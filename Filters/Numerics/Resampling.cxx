@@ -1,0 +1,44 @@
+#include "Resampling.h"
+
+#include "SphereCoverage.h"
+#include "SphereLocator.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+Points resample(const Points& spherePositions, const Points& values, const Triangles& faces,
+  const Points& directions, const ParallelFor& parallelFor)
+{
+  constexpr Index BlockSize = 4096;
+  Points sphere = spherePositions;
+  SphereCoverage coverage = measureSphereCoverage(sphere, faces);
+  if (coverage.Degree == -1)
+  {
+    sphere.col(0) *= -1.0;
+    coverage = measureSphereCoverage(sphere, faces);
+  }
+  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
+  {
+    throw std::invalid_argument("the map to the sphere covers it " +
+      std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
+      " folded triangles, but must cover it once without folds");
+  }
+  const SphereLocator locator(sphere, faces);
+  Points resampled(directions.rows(), 3);
+  forBlocks(parallelFor, directions.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const SphereLocation location = locator.locate(directions.row(i));
+        const auto ids = faces.row(location.Triangle);
+        resampled.row(i) = location.Barycentric[0] * values.row(ids[0]) +
+          location.Barycentric[1] * values.row(ids[1]) +
+          location.Barycentric[2] * values.row(ids[2]);
+      }
+    });
+  return resampled;
+}
+}
