@@ -1,0 +1,280 @@
+#include "CloudDistance.h"
+
+#include "BoxTree.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index SamplesPerBlock = 1 << 12;
+constexpr int PlanesPerReport = 16;
+
+// A square distance above, an id below: as integers, these compare by distance, then by id.
+using Entry = std::uint64_t;
+constexpr Entry NoEntry = std::numeric_limits<Entry>::max();
+
+Entry makeEntry(float squareDistance, std::uint32_t id)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &squareDistance, sizeof(bits)); // in order, since not negative
+  return static_cast<Entry>(bits) << 32 | id;
+}
+
+float squareDistanceOf(Entry entry)
+{
+  const std::uint32_t bits = static_cast<std::uint32_t>(entry >> 32);
+  float squareDistance;
+  std::memcpy(&squareDistance, &bits, sizeof(bits));
+  return squareDistance;
+}
+
+// The nearest sample of every node, found in three steps.
+class NearestSamples
+{
+public:
+  NearestSamples(const FreudenthalLattice& lattice, const ParallelFor& parallelFor)
+    : Lattice(lattice)
+    , Threads(parallelFor)
+    , Entries(lattice.numberOfNodes())
+  {
+    forBlocks(this->Threads, lattice.numberOfNodes(), 1 << 16,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          this->Entries[node].store(NoEntry, std::memory_order_relaxed);
+        }
+      });
+  }
+
+  // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
+  void scatter(const TrainingSamples& samples, const Progress& progress)
+  {
+    const std::array<int, 8> steps = this->Lattice.cornerSteps();
+    forBlocks(this->Threads, samples.size(), SamplesPerBlock, progress,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          const Eigen::Vector3f x = this->Lattice.toLattice(samples[i]).cast<float>();
+          const Eigen::Vector3f low = x.array().floor(), f = x - low, g = f.array() - 1.0F;
+          const Eigen::Vector3f lower = f.cwiseAbs2(), upper = g.cwiseAbs2();
+          const Eigen::Vector3i cube = low.cast<int>();
+          const int node = this->Lattice.node(cube[0], cube[1], cube[2]);
+          for (int s = 0; s < 8; ++s)
+          {
+            const float square = ((s & 1) ? upper : lower)[0] + ((s & 2) ? upper : lower)[1] +
+              ((s & 4) ? upper : lower)[2];
+            this->offer(node + steps[s], makeEntry(square, static_cast<std::uint32_t>(i)));
+          }
+        }
+      });
+  }
+
+  // From now on ids name places in a small table: nodes share few samples of a large cloud.
+  void gatherSeeds(const TrainingSamples& samples, const Progress& progress)
+  {
+    forBlocks({}, this->Lattice.numberOfNodes(), 1 << 10, progress,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          const Entry entry = this->Entries[node].load(std::memory_order_relaxed);
+          if (entry != NoEntry)
+          {
+            const auto sample = static_cast<std::uint32_t>(entry);
+            this->Entries[node].store(
+              makeEntry(squareDistanceOf(entry), static_cast<std::uint32_t>(this->Seeds.size())),
+              std::memory_order_relaxed);
+            this->Seeds.push_back(this->Lattice.toLattice(samples[sample]).cast<float>());
+          }
+        }
+      });
+  }
+
+  // Hand seeds on, there and back, along all lines of an axis.
+  void sweep(int axis, const Progress& progress)
+  {
+    // Planes that hold the lines; within them, steps along the lines and across.
+    const std::array<int, 3>& size = this->Lattice.Size;
+    const int normal = axis == 2 ? 1 : 2;
+    const int groups = (size[normal] + PlanesPerReport - 1) / PlanesPerReport;
+    for (int group = 0; group < groups; ++group)
+    {
+      const int first = group * PlanesPerReport;
+      const int count = std::min(PlanesPerReport, size[normal] - first);
+      forBlocks(this->Threads, count, 1,
+        [&](Index begin, Index)
+        {
+          const int plane = first + static_cast<int>(begin);
+          if (axis == 0)
+          {
+            this->sweepRows(plane);
+          }
+          else
+          {
+            this->sweepPlane(axis, normal, plane);
+          }
+        });
+      report(progress, (group + 1.0) / groups);
+    }
+  }
+
+  std::vector<float> distances() const
+  {
+    std::vector<float> result(this->Entries.size());
+    forBlocks(this->Threads, static_cast<Index>(this->Entries.size()), 1 << 16,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          result[node] =
+            std::sqrt(squareDistanceOf(this->Entries[node].load(std::memory_order_relaxed)));
+        }
+      });
+    return result;
+  }
+
+private:
+  void offer(int node, Entry entry)
+  {
+    std::atomic<Entry>& held = this->Entries[node];
+    Entry best = held.load(std::memory_order_relaxed);
+    while (entry < best && !held.compare_exchange_weak(best, entry, std::memory_order_relaxed))
+    {
+    }
+  }
+
+  void sweepRows(int z)
+  {
+    const std::array<int, 3>& size = this->Lattice.Size;
+    for (int y = 0; y < size[1]; ++y)
+    {
+      const int row = this->Lattice.node(0, y, z);
+      for (int x = 1; x < size[0]; ++x)
+      {
+        this->handOn(row + x - 1, row + x, { x, y, z });
+      }
+      for (int x = size[0] - 2; x >= 0; --x)
+      {
+        this->handOn(row + x + 1, row + x, { x, y, z });
+      }
+    }
+  }
+
+  // Whole rows at a time, as they lie in memory.
+  void sweepPlane(int axis, int normal, int plane)
+  {
+    const std::array<int, 3>& size = this->Lattice.Size;
+    Eigen::Vector3i start = Eigen::Vector3i::Zero();
+    start[normal] = plane;
+    const auto handOnRow = [&](int from, int to)
+    {
+      Eigen::Vector3i source = start, place = start;
+      source[axis] = from;
+      place[axis] = to;
+      const int fromNode = this->Lattice.node(0, source[1], source[2]);
+      const int toNode = this->Lattice.node(0, place[1], place[2]);
+      for (int x = 0; x < size[0]; ++x)
+      {
+        this->handOn(fromNode + x, toNode + x, { x, place[1], place[2] });
+      }
+    };
+    for (int line = 1; line < size[axis]; ++line)
+    {
+      handOnRow(line - 1, line);
+    }
+    for (int line = size[axis] - 2; line >= 0; --line)
+    {
+      handOnRow(line + 1, line);
+    }
+  }
+
+  void handOn(int from, int to, const Eigen::Vector3i& place)
+  {
+    const Entry theirs = this->Entries[from].load(std::memory_order_relaxed);
+    const Entry ours = this->Entries[to].load(std::memory_order_relaxed);
+    const auto seed = static_cast<std::uint32_t>(theirs);
+    if (theirs == NoEntry || seed == static_cast<std::uint32_t>(ours))
+    {
+      return;
+    }
+    const float square = (this->Seeds[seed] - place.cast<float>()).squaredNorm();
+    this->Entries[to].store(std::min(ours, makeEntry(square, seed)), std::memory_order_relaxed);
+  }
+
+  const FreudenthalLattice& Lattice;
+  const ParallelFor& Threads;
+  std::vector<std::atomic<Entry>> Entries;
+  std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
+};
+}
+
+//------------------------------------------------------------------------------
+FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  std::vector<Box> boxes((samples.size() + SamplesPerBlock - 1) / SamplesPerBlock);
+  forBlocks(parallelFor, samples.size(), SamplesPerBlock, progress,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        boxes[begin / SamplesPerBlock].extend(samples[i]);
+      }
+    });
+  Box bounds;
+  for (const Box& box : boxes)
+  {
+    bounds.extend(box);
+  }
+  const Vector3 steps = ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
+  const double nodes = (steps.array() + 2.0 * margin).prod();
+  if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))
+  {
+    throw std::length_error("a lattice of spacing " + std::to_string(spacing) +
+      " times the largest radius has too many nodes; choose a larger spacing");
+  }
+  FreudenthalLattice lattice;
+  lattice.Spacing = spacing;
+  // The cloud in the middle, no sample on the last node of an axis.
+  lattice.Origin =
+    0.5 * (bounds.Lower + bounds.Upper) - spacing * (0.5 * (steps.array() - 1.0) + margin).matrix();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lattice.Size[axis] = static_cast<int>(steps[axis]) + 2 * margin;
+  }
+  return lattice;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
+  const TrainingSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const auto part = [&](double begin, double end) -> Progress
+  {
+    return [&progress, begin, end](double fraction)
+    {
+      report(progress, begin + fraction * (end - begin));
+      return true;
+    };
+  };
+  NearestSamples nearest(lattice, parallelFor);
+  nearest.scatter(samples, part(0.0, 0.3));
+  nearest.gatherSeeds(samples, part(0.3, 0.4));
+  // A second round brings seeds round corners that the first could not turn.
+  for (int i = 0; i < 6; ++i)
+  {
+    nearest.sweep(i % 3, part(0.4 + 0.1 * i, 0.5 + 0.1 * i));
+  }
+  return nearest.distances();
+}
+}
