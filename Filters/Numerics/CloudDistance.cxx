@@ -36,12 +36,40 @@ float squareDistanceOf(Entry entry)
   return squareDistance;
 }
 
-// The nearest sample of every node, found in three steps.
+// Samples of a cloud, spread over its order: one of each stretch, not always the same, since scans
+// have rhythms of their own.
+class Selection
+{
+public:
+  Selection(Index numberOfSamples, double spacing)
+  {
+    constexpr double samplesPerSquare = 128.0;
+    const double most = samplesPerSquare / (spacing * spacing);
+    this->Stretch = std::max<Index>(1, std::llround(static_cast<double>(numberOfSamples) / most));
+    this->Size = numberOfSamples / this->Stretch;
+  }
+  Index size() const { return this->Size; }
+  Index operator[](Index i) const
+  {
+    const std::uint64_t mixed = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U;
+    return i * this->Stretch +
+      static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(this->Stretch));
+  }
+
+private:
+  Index Stretch;
+  Index Size;
+};
+
+// The nearest sample of every node, found in steps.
 class NearestSamples
 {
 public:
-  NearestSamples(const FreudenthalLattice& lattice, const ParallelFor& parallelFor)
+  NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples,
+    const ParallelFor& parallelFor)
     : Lattice(lattice)
+    , Samples(samples)
+    , Taken(samples.size(), lattice.Spacing)
     , Threads(parallelFor)
     , Entries(lattice.numberOfNodes())
   {
@@ -56,45 +84,94 @@ public:
   }
 
   // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
-  void scatter(const TrainingSamples& samples, const Progress& progress)
+  void scatter(const Progress& progress)
   {
     const std::array<int, 8> steps = this->Lattice.cornerSteps();
-    forBlocks(this->Threads, samples.size(), SamplesPerBlock, progress,
+    forBlocks(this->Threads, this->Taken.size(), SamplesPerBlock, progress,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
         {
-          const Eigen::Vector3f x = this->Lattice.toLattice(samples[i]).cast<float>();
-          const Eigen::Vector3f low = x.array().floor(), f = x - low, g = f.array() - 1.0F;
+          const auto sample = static_cast<std::uint32_t>(this->Taken[i]);
+          const Eigen::Vector3f x = this->place(sample);
+          const Eigen::Vector3f f = x - x.array().floor().matrix(), g = f.array() - 1.0F;
           const Eigen::Vector3f lower = f.cwiseAbs2(), upper = g.cwiseAbs2();
-          const Eigen::Vector3i cube = low.cast<int>();
-          const int node = this->Lattice.node(cube[0], cube[1], cube[2]);
+          const int node = this->cubeOf(x);
           for (int s = 0; s < 8; ++s)
           {
             const float square = ((s & 1) ? upper : lower)[0] + ((s & 2) ? upper : lower)[1] +
               ((s & 4) ? upper : lower)[2];
-            this->offer(node + steps[s], makeEntry(square, static_cast<std::uint32_t>(i)));
+            this->offer(node + steps[s], makeEntry(square, sample));
           }
         }
       });
   }
 
+  // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few.
+  void dropIsolated(const Progress& progress)
+  {
+    constexpr std::uint8_t untouched = 0, touched = 1, large = 2, small = 3;
+    constexpr std::size_t largestIsolated = 32; // corners of four cubes that are apart
+    constexpr double largestShare = 0.05;
+    const Index size = this->Lattice.numberOfNodes();
+    std::vector<std::uint8_t> marks(size);
+    for (Index node = 0; node < size; ++node)
+    {
+      marks[node] = this->entry(node) == NoEntry ? untouched : touched;
+    }
+    std::vector<int> piece, isolated;
+    for (Index node = 0; node < size; ++node)
+    {
+      if (marks[node] == touched)
+      {
+        markPiece(this->Lattice, marks, static_cast<int>(node), large, piece, progress);
+        if (piece.size() <= largestIsolated)
+        {
+          isolated.insert(isolated.end(), piece.begin(), piece.end());
+        }
+      }
+    }
+    for (const int node : isolated)
+    {
+      marks[node] = small;
+    }
+    std::atomic<Index> count(0);
+    forBlocks(this->Threads, this->Taken.size(), SamplesPerBlock,
+      [&](Index begin, Index end)
+      {
+        Index found = 0;
+        for (Index i = begin; i < end && !isolated.empty(); ++i)
+        {
+          found += marks[this->cubeOf(this->place(this->Taken[i]))] == small;
+        }
+        count += found;
+      });
+    if (static_cast<double>(count) <= largestShare * static_cast<double>(this->Taken.size()))
+    {
+      for (const int node : isolated)
+      {
+        this->Entries[node].store(NoEntry, std::memory_order_relaxed);
+      }
+    }
+    report(progress, 1.0);
+  }
+
   // From now on ids name places in a small table: nodes share few samples of a large cloud.
-  void gatherSeeds(const TrainingSamples& samples, const Progress& progress)
+  void gatherSeeds(const Progress& progress)
   {
     forBlocks({}, this->Lattice.numberOfNodes(), 1 << 10, progress,
       [&](Index begin, Index end)
       {
         for (Index node = begin; node < end; ++node)
         {
-          const Entry entry = this->Entries[node].load(std::memory_order_relaxed);
+          const Entry entry = this->entry(node);
           if (entry != NoEntry)
           {
             const auto sample = static_cast<std::uint32_t>(entry);
             this->Entries[node].store(
               makeEntry(squareDistanceOf(entry), static_cast<std::uint32_t>(this->Seeds.size())),
               std::memory_order_relaxed);
-            this->Seeds.push_back(this->Lattice.toLattice(samples[sample]).cast<float>());
+            this->Seeds.push_back(this->place(sample));
           }
         }
       });
@@ -136,14 +213,25 @@ public:
       {
         for (Index node = begin; node < end; ++node)
         {
-          result[node] =
-            std::sqrt(squareDistanceOf(this->Entries[node].load(std::memory_order_relaxed)));
+          result[node] = std::sqrt(squareDistanceOf(this->entry(node)));
         }
       });
     return result;
   }
 
 private:
+  Entry entry(Index node) const { return this->Entries[node].load(std::memory_order_relaxed); }
+  Eigen::Vector3f place(Index sample) const
+  {
+    return this->Lattice.toLattice(this->Samples[sample]).cast<float>();
+  }
+  // The lowest corner of the cube a place is in.
+  int cubeOf(const Eigen::Vector3f& x) const
+  {
+    const Eigen::Vector3i low = x.array().floor().cast<int>();
+    return this->Lattice.node(low[0], low[1], low[2]);
+  }
+
   void offer(int node, Entry entry)
   {
     std::atomic<Entry>& held = this->Entries[node];
@@ -200,8 +288,8 @@ private:
 
   void handOn(int from, int to, const Eigen::Vector3i& place)
   {
-    const Entry theirs = this->Entries[from].load(std::memory_order_relaxed);
-    const Entry ours = this->Entries[to].load(std::memory_order_relaxed);
+    const Entry theirs = this->entry(from);
+    const Entry ours = this->entry(to);
     const auto seed = static_cast<std::uint32_t>(theirs);
     if (theirs == NoEntry || seed == static_cast<std::uint32_t>(ours))
     {
@@ -212,6 +300,8 @@ private:
   }
 
   const FreudenthalLattice& Lattice;
+  const TrainingSamples& Samples;
+  const Selection Taken;
   const ParallelFor& Threads;
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
@@ -267,9 +357,10 @@ std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
       return true;
     };
   };
-  NearestSamples nearest(lattice, parallelFor);
-  nearest.scatter(samples, part(0.0, 0.3));
-  nearest.gatherSeeds(samples, part(0.3, 0.4));
+  NearestSamples nearest(lattice, samples, parallelFor);
+  nearest.scatter(part(0.0, 0.2));
+  nearest.dropIsolated(part(0.2, 0.3));
+  nearest.gatherSeeds(part(0.3, 0.4));
   // A second round brings seeds round corners that the first could not turn.
   for (int i = 0; i < 6; ++i)
   {

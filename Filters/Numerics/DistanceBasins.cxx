@@ -1,5 +1,7 @@
 #include "DistanceBasins.h"
 
+#include "GeodesicSphere.h"
+
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
@@ -83,10 +85,19 @@ std::vector<int> climbOneStep(const FreudenthalLattice& lattice,
   return above;
 }
 
-// Replace steps up by the number of the basin at whose peak they end. Returns the basins' peaks.
-std::vector<float> numberBasins(
-  std::vector<int>& above, const std::vector<float>& distances, const Progress& progress)
+struct Basins
 {
+  std::vector<int> Of;      ///< of each node: its basin or NotBeyond
+  std::vector<int> Tops;    ///< of each basin: the node of its peak
+  std::vector<float> Peaks; ///< of each basin
+  std::vector<Index> Sizes; ///< of each basin, in nodes
+};
+
+// Basins from each node's step up. The first is that of the faces.
+Basins numberBasins(
+  std::vector<int> above, const std::vector<float>& distances, const Progress& progress)
+{
+  Basins basins;
   const int size = static_cast<int>(above.size());
   // Shorten the ways to the top, then number the tops.
   forBlocks({}, size, 1 << 10, progress,
@@ -111,16 +122,17 @@ std::vector<float> numberBasins(
         }
       }
     });
-  std::vector<float> peaks;
   std::unordered_map<int, int> numberOf;
   for (int node = 0; node < size; ++node)
   {
     if (above[node] == node)
     {
-      numberOf.emplace(node, static_cast<int>(peaks.size()));
-      peaks.push_back(distances[node]);
+      numberOf.emplace(node, static_cast<int>(basins.Tops.size()));
+      basins.Tops.push_back(node);
+      basins.Peaks.push_back(distances[node]);
     }
   }
+  basins.Sizes.resize(basins.Tops.size(), 0);
   int lastTop = 0, lastNumber = 0;
   for (int& top : above)
   {
@@ -132,9 +144,11 @@ std::vector<float> numberBasins(
         lastNumber = numberOf.at(top);
       }
       top = lastNumber;
+      ++basins.Sizes[lastNumber];
     }
   }
-  return peaks;
+  basins.Of = std::move(above);
+  return basins;
 }
 
 // The highest saddle between every two basins that touch, highest first.
@@ -178,22 +192,56 @@ std::vector<Saddle> findSaddles(const FreudenthalLattice& lattice, const std::ve
   return saddles;
 }
 
+// Of all directions, the share in which data are seen from a node.
+double enclosure(
+  const FreudenthalLattice& lattice, const std::vector<float>& distances, double offset, int node)
+{
+  static const Points directions = makeGeodesicSphere(4).Positions;
+  Index seen = 0;
+  for (Index i = 0; i < directions.rows(); ++i)
+  {
+    // No data are nearer than the distance; nodes are up to one spacing off the ray.
+    const Vector3 direction = directions.row(i);
+    Vector3 x = lattice.coordinates(node).cast<double>();
+    float distance = distances[node];
+    const auto within = [&](int axis) { return x[axis] > 0.0 && x[axis] < lattice.Size[axis] - 1; };
+    while (distance > offset && within(0) && within(1) && within(2))
+    {
+      x += std::max(0.5, distance - 1.0) * direction;
+      if (within(0) && within(1) && within(2))
+      {
+        const Eigen::Vector3i nearest = x.array().round().cast<int>();
+        distance = distances[lattice.node(nearest[0], nearest[1], nearest[2])];
+      }
+    }
+    seen += distance <= offset;
+  }
+  return static_cast<double>(seen) / static_cast<double>(directions.rows());
+}
+
+// A basin that was lost to the outside.
+struct LostBasin
+{
+  int Basin;
+  double Peak, Saddle;
+};
+
 struct Division
 {
   std::vector<bool> Outside; ///< of each basin
   DataHole LargestHole;
-  bool AnyInside = false;
-  int Candidate = -1; ///< basin whose peak rose highest above the saddle by which it was lost
+  Index NumberOfInsideNodes = 0;
+  std::vector<LostBasin> Lost; ///< whose peaks are higher than the saddles by at least a tenth
 };
 
 // Join basins from the highest saddle down.
 // @param[in] kept  basin that never joins the outside, or -1
 Division divide(
-  const std::vector<Saddle>& saddles, const std::vector<float>& peaks, double persistence, int kept)
+  const std::vector<Saddle>& saddles, const Basins& basins, double persistence, int kept)
 {
-  Joined joined(peaks);
+  constexpr double leastRise = 1.1;
+  Joined joined(basins.Peaks);
   Division result;
-  double bestRise = 0.0;
   for (const Saddle& saddle : saddles)
   {
     const int a = joined.find(saddle.BasinA), b = joined.find(saddle.BasinB);
@@ -205,7 +253,7 @@ Division divide(
     {
       const int basin = a + b;
       const double peak = joined.peak(basin), height = saddle.Height;
-      if ((kept >= 0 && joined.find(kept) == basin) || peak > persistence * height)
+      if (peak > persistence * height || (kept >= 0 && joined.find(kept) == basin))
       {
         if (height > result.LargestHole.Saddle)
         {
@@ -213,22 +261,39 @@ Division divide(
         }
         continue;
       }
-      constexpr double LeastRise = 1.1;
-      if (peak > LeastRise * height && peak - height > bestRise)
+      if (peak > leastRise * height)
       {
-        bestRise = peak - height;
-        result.Candidate = basin;
+        result.Lost.push_back({ basin, peak, height });
       }
     }
     joined.join(a, b);
   }
-  result.Outside.resize(peaks.size());
-  for (std::size_t i = 0; i < peaks.size(); ++i)
+  result.Outside.resize(basins.Peaks.size());
+  for (std::size_t i = 0; i < result.Outside.size(); ++i)
   {
     result.Outside[i] = joined.find(static_cast<int>(i)) == 0;
-    result.AnyInside = result.AnyInside || !result.Outside[i];
+    result.NumberOfInsideNodes += result.Outside[i] ? 0 : basins.Sizes[i];
   }
   return result;
+}
+
+// The basin that is most likely inside of a cloud that leaks, or -1.
+int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& distances,
+  double offset, const Basins& basins, const std::vector<LostBasin>& lost)
+{
+  constexpr double leastEnclosure = 2.0 / 3.0;
+  int best = -1;
+  double rise = 0.0;
+  for (const LostBasin& basin : lost)
+  {
+    if (basin.Peak - basin.Saddle > rise &&
+      enclosure(lattice, distances, offset, basins.Tops[basin.Basin]) >= leastEnclosure)
+    {
+      best = basin.Basin;
+      rise = basin.Peak - basin.Saddle;
+    }
+  }
+  return best;
 }
 }
 
@@ -256,26 +321,32 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
       }
     }
   }
-  std::vector<int> basins =
-    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, part(0.0, 0.4));
-  const std::vector<float> peaks = numberBasins(basins, distances, part(0.4, 0.6));
-  const std::vector<Saddle> saddles = findSaddles(lattice, basins, distances, part(0.6, 1.0));
+  const Basins basins = numberBasins(
+    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, part(0.0, 0.4)),
+    distances, part(0.4, 0.6));
+  const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, part(0.6, 1.0));
 
   OutsideNodes result;
-  Division division = divide(saddles, peaks, persistence, -1);
-  if (!division.AnyInside && division.Candidate >= 0)
+  Division division = divide(saddles, basins, persistence, -1);
+  constexpr double leastShare = 0.01; // of the nodes near the data
+  const Index near = std::count(basins.Of.begin(), basins.Of.end(), NotBeyond);
+  if (static_cast<double>(division.NumberOfInsideNodes) < leastShare * static_cast<double>(near))
   {
-    division = divide(saddles, peaks, persistence, division.Candidate);
-    result.Leaks = true;
+    const int likeliest = findLikeliest(lattice, distances, offset, basins, division.Lost);
+    if (likeliest >= 0)
+    {
+      division = divide(saddles, basins, persistence, likeliest);
+      result.Leaks = true;
+    }
   }
   result.LargestHole = division.LargestHole;
-  result.Outside.resize(basins.size());
-  forBlocks(parallelFor, static_cast<Index>(basins.size()), 1 << 16,
+  result.Outside.resize(basins.Of.size());
+  forBlocks(parallelFor, static_cast<Index>(basins.Of.size()), 1 << 16,
     [&](Index begin, Index end)
     {
       for (Index node = begin; node < end; ++node)
       {
-        result.Outside[node] = basins[node] != NotBeyond && division.Outside[basins[node]];
+        result.Outside[node] = basins.Of[node] != NotBeyond && division.Outside[basins.Of[node]];
       }
     });
   return result;

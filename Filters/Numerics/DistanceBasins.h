@@ -23,7 +23,7 @@ struct OutsideNodes
 {
   std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside
   DataHole LargestHole;              ///< that was closed
-  bool Leaks = false; ///< no basin passed the test of persistence; the most likely one was taken
+  bool Leaks = false; ///< next to nothing passed the test of persistence; the likeliest was taken
 };
 
 /// Tell the nodes outside of a cloud from those inside and those closer to it than an offset.
@@ -34,9 +34,10 @@ struct OutsideNodes
 /// `persistence` times as high as the saddle. So a hole in the data is closed though it is much
 /// wider than the offset, if what it opens into is wider still.
 ///
-/// Where nothing is inside by this rule, but some basin's peak is higher than its saddle to the
-/// outside by at least a tenth, the one that rises highest above is taken for inside and Leaks is
-/// set.
+/// Where next to nothing is inside by this rule, the cloud leaks: a hole is about as wide as what
+/// it opens into. Then the basin is taken for inside that rises highest above its saddle to the
+/// outside, among those that rise by a tenth and from whose peak data are seen in two thirds of all
+/// directions.
 ///
 /// @param[in,out] distances  of each node, in any unit; those of the lattice's faces are set to the
 ///                           largest float, since they are outside whatever they are

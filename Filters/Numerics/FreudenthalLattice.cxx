@@ -113,6 +113,33 @@ void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallel
 }
 
 //------------------------------------------------------------------------------
+void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
+  std::uint8_t mark, std::vector<int>& reached, const Progress& progress)
+{
+  constexpr std::size_t nodesPerReport = 1 << 18;
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::uint8_t old = marks[start];
+  reached.assign(1, start);
+  marks[start] = mark;
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    const int node = reached[next];
+    for (const int step : steps)
+    {
+      if (marks[node + step] == old)
+      {
+        marks[node + step] = mark;
+        reached.push_back(node + step);
+      }
+    }
+    if ((next + 1) % nodesPerReport == 0)
+    {
+      report(progress, static_cast<double>(next) / static_cast<double>(marks.size()));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
   const Progress& progress)
 {

@@ -54,6 +54,14 @@ struct FreudenthalLattice
 void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallelFor,
   const Progress& progress, const std::function<void(int first, int last)>& body);
 
+/// Mark all nodes that hang together with a node and bear the same mark.
+///
+/// @param[in,out] marks  of each node; those on the lattice's faces must differ from that of start
+/// @param[in] mark       the new one, other than the old
+/// @param[out] reached   the nodes marked, start first
+void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
+  std::uint8_t mark, std::vector<int>& reached, const Progress& progress = {});
+
 /// Euler number (vertices - edges + triangles - tetrahedra) of a set of nodes.
 /// @param[in] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
 Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,

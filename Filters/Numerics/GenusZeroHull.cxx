@@ -22,8 +22,8 @@ void requireRange(double value, double lowest, double highest, const char* name)
   }
 }
 
-// Samples that the solid does not contain.
-Index countOutside(const TrainingSamples& samples, const HullSolid& solid,
+// Samples that are not data of the hull.
+Index countOutside(const TrainingSamples& samples, const HullData& data,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr Index blockSize = 1 << 12;
@@ -33,7 +33,7 @@ Index countOutside(const TrainingSamples& samples, const HullSolid& solid,
     {
       for (Index i = begin; i < end; ++i)
       {
-        counts[begin / blockSize] += !solid.contains(samples[i]);
+        counts[begin / blockSize] += !data.contains(samples[i]);
       }
     });
   Index sum = 0;
@@ -86,9 +86,17 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     result.NumberOfCutNodes =
       cutHandles(lattice, inside, distances, options.Offset, part(0.72, 0.8));
   }
-  result.Solid = HullSolid(lattice, inside);
-  result.NumberOfSamplesOutside = countOutside(samples, result.Solid, parallelFor, part(0.8, 0.82));
-  if (result.NumberOfInsideNodes == 0 && 2 * result.NumberOfSamplesOutside > samples.size())
+  {
+    std::vector<std::uint8_t> nodes(inside.size());
+    for (std::size_t node = 0; node < inside.size(); ++node)
+    {
+      nodes[node] = inside[node] && distances[node] <= options.Offset;
+    }
+    result.Data = HullData(lattice, nodes);
+  }
+  result.NumberOfSamplesOutside = countOutside(samples, result.Data, parallelFor, part(0.8, 0.82));
+  if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
+    2 * result.NumberOfSamplesOutside > samples.size())
   {
     return result; // too coarse a cloud: no surface is asked for
   }
@@ -103,30 +111,40 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
 }
 
 //------------------------------------------------------------------------------
-HullSolid::HullSolid(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
+HullData::HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes)
   : Lattice(lattice)
-  , Inside(inside.begin(), inside.end())
+  , Nodes(nodes.begin(), nodes.end())
 {
 }
 
 //------------------------------------------------------------------------------
-bool HullSolid::contains(const Vector3& x) const
+bool HullData::contains(const Vector3& x) const
 {
-  const Vector3 low = this->Lattice.toLattice(x).array().floor();
+  // Corners of the sample's cube, most likely; or of the cubes around it.
+  const Eigen::Vector3i cube = this->Lattice.toLattice(x).array().floor().cast<int>();
+  return this->touches(cube, 0) || this->touches(cube, 1);
+}
+
+//------------------------------------------------------------------------------
+bool HullData::touches(const Eigen::Vector3i& cube, int around) const
+{
+  Eigen::Vector3i low = cube.array() - around, high = cube.array() + 1 + around;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(low[axis] >= 0.0 && low[axis] + 1.0 < this->Lattice.Size[axis]))
-    {
-      return false;
-    }
+    low[axis] = std::max(low[axis], 0);
+    high[axis] = std::min(high[axis], this->Lattice.Size[axis] - 1);
   }
-  const int node = this->Lattice.node(
-    static_cast<int>(low[0]), static_cast<int>(low[1]), static_cast<int>(low[2]));
-  for (const int step : this->Lattice.cornerSteps())
+  for (int z = low[2]; z <= high[2]; ++z)
   {
-    if (this->Inside[node + step])
+    for (int y = low[1]; y <= high[1]; ++y)
     {
-      return true;
+      for (int x = low[0]; x <= high[0]; ++x)
+      {
+        if (this->Nodes[this->Lattice.node(x, y, z)])
+        {
+          return true;
+        }
+      }
     }
   }
   return false;

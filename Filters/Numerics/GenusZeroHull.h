@@ -21,27 +21,31 @@ struct GenusZeroHullOptions
   int SmoothingPasses = 10; ///< of the surface; [0, 1000]
 };
 
-/// Which part of space a hull was made around.
-class HullSolid
+/// Where the data are that a hull was made of.
+class HullData
 {
 public:
-  HullSolid() = default;
-  HullSolid(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside);
+  HullData() = default;
 
-  /// Whether a sample, in the normalised frame, is data of the hull: false for outliers, for what
-  /// lies apart from the largest piece, and for what was cut away.
+  /// @param[in] nodes  1 for the nodes next to these data, else 0
+  HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes);
+
+  /// Whether a sample, in the normalised frame, is data of the hull, or within two spacings or so
+  /// of such. False for outliers and for what lies apart from the largest piece.
   bool contains(const Vector3& x) const;
 
 private:
+  bool touches(const Eigen::Vector3i& cube, int around) const;
+
   FreudenthalLattice Lattice;
-  std::vector<bool> Inside;
+  std::vector<bool> Nodes;
 };
 
 struct GenusZeroHullResult
 {
   conformal::Points Points;       ///< #V by 3, in the samples' normalised frame
   conformal::Triangles Triangles; ///< #F by 3, counter-clockwise seen from outside
-  HullSolid Solid;
+  HullData Data;
 
   double Spacing = 0.0;             ///< of the lattice: that of the options, or a multiple
   Index NumberOfInsideNodes = 0;    ///< farther inside than the offset; 0 where nothing is enclosed
@@ -49,7 +53,7 @@ struct GenusZeroHullResult
   Index NumberOfCutNodes = 0;       ///< where handles were cut
   DataHole LargestHole;             ///< closed in the data, in the normalised frame
   bool Leaks = false;               ///< see OutsideNodes
-  Index NumberOfSamplesOutside = 0; ///< samples that Solid does not contain
+  Index NumberOfSamplesOutside = 0; ///< samples that are not of Data
 };
 
 /// Wrap a cloud into one closed surface of genus zero, at about the offset from the data.
@@ -61,8 +65,8 @@ struct GenusZeroHullResult
 /// 4. Its surface is taken by marching tetrahedra and smoothed (LevelSetSurface.h).
 ///
 /// It is closed and of genus zero by construction, whatever the data. If the samples are too far
-/// apart for the lattice, nothing is inside and they fall to pieces; then, that is where no piece
-/// holds half of the samples, all is done again with twice the spacing.
+/// apart for the lattice, nothing is inside and they fall to pieces; then, that is where the
+/// largest piece holds less than half of the samples, all is done again with twice the spacing.
 ///
 /// Memory: at most 17 bytes a node while it runs; the lattice of spacing h has at most
 /// (2 / h + 2 Offset + 8)^3 nodes, 2.7 million by default. The samples are not copied.

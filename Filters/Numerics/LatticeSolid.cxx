@@ -8,7 +8,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index NodesPerReport = 1 << 18;
+constexpr Index NodesPerReport = 1 << 16;
 
 // A node that waits to be added; the lowest key first, then the lowest node.
 struct Waiting
@@ -26,64 +26,28 @@ struct Waiting
 Index keepLargestPiece(
   const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Progress& progress)
 {
-  enum : std::uint8_t
-  {
-    Elsewhere = 0,
-    Unseen = 1,
-    Seen = 2
-  };
-  const std::array<int, 14> steps = lattice.neighborSteps();
-  std::vector<int> todo;
-  // Visit the piece of a node that is marked `from`, and mark it `to`.
-  Index visited = 0;
-  const auto visit = [&](int start, std::uint8_t from, std::uint8_t to)
-  {
-    Index count = 0;
-    inside[start] = to;
-    todo.push_back(start);
-    while (!todo.empty())
-    {
-      const int node = todo.back();
-      todo.pop_back();
-      ++count;
-      if (++visited % NodesPerReport == 0)
-      {
-        report(progress, std::min(1.0, 0.5 * visited / static_cast<double>(inside.size())));
-      }
-      for (const int step : steps)
-      {
-        if (inside[node + step] == from)
-        {
-          inside[node + step] = to;
-          todo.push_back(node + step);
-        }
-      }
-    }
-    return count;
-  };
-  Index largest = 0;
-  int startOfLargest = 0;
+  constexpr std::uint8_t unseen = 1, seen = 2, kept = 3;
+  std::vector<int> piece, largest;
   for (int node = 0; node < static_cast<int>(inside.size()); ++node)
   {
-    if (inside[node] == Unseen)
+    if (inside[node] == unseen)
     {
-      const Index count = visit(node, Unseen, Seen);
-      if (count > largest)
+      markPiece(lattice, inside, node, seen, piece, progress);
+      if (piece.size() > largest.size())
       {
-        largest = count;
-        startOfLargest = node;
+        piece.swap(largest);
       }
     }
   }
-  if (largest > 0)
+  for (const int node : largest)
   {
-    visit(startOfLargest, Seen, Unseen);
+    inside[node] = kept;
   }
   for (std::uint8_t& mark : inside)
   {
-    mark = mark == Unseen;
+    mark = mark == kept;
   }
-  return largest;
+  return static_cast<Index>(largest.size());
 }
 
 //------------------------------------------------------------------------------
