@@ -2,6 +2,7 @@
 
 #include "ConformalSOM.h"
 #include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -65,6 +66,36 @@ std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input)
   };
 }
 
+// What learning saw that its user should know.
+void WarnAbout(
+  vtkConformalSOM* self, const conformal::ConformalSOMResult& result, vtkIdType samples)
+{
+  if (result.HullLeaks)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the points leave holes too large to tell inside from outside; the mesh may "
+               "follow their inner side too");
+  }
+  if (result.NumberOfCutNodes > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the hull of the points has handles, cut open at " << result.NumberOfCutNodes
+            << " places: the object is not of genus zero, or parts of it touch");
+  }
+  if (result.NumberOfSamplesOutside > samples / 1000)
+  {
+    vtkWarningWithObjectMacro(
+      self, << result.NumberOfSamplesOutside << " of " << samples
+            << " points lie apart from the object: outliers, or inner parts");
+  }
+  if (result.UnsupportedFraction > 0.002)
+  {
+    vtkWarningWithObjectMacro(
+      self, << 100.0 * result.UnsupportedFraction
+            << " % of the mesh has no points near: lids over holes, or webs");
+  }
+}
+
 void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& history)
 {
   const auto addColumn = [&](const char* name, auto value)
@@ -89,6 +120,7 @@ void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& 
 //------------------------------------------------------------------------------
 vtkConformalSOM::vtkConformalSOM()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -99,9 +131,10 @@ vtkConformalSOM::~vtkConformalSOM()
 }
 
 //------------------------------------------------------------------------------
-int vtkConformalSOM::FillInputPortInformation(int, vtkInformation* info)
+int vtkConformalSOM::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
   return 1;
 }
 
@@ -117,6 +150,7 @@ int vtkConformalSOM::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* start = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
 
@@ -135,6 +169,8 @@ int vtkConformalSOM::RequestData(
   options.SamplesPerNeuron = this->SamplesPerNeuron;
   options.NumberOfPolishRounds = this->NumberOfPolishRounds;
   options.Smoothness = this->Smoothness;
+  options.AutomaticPriority = this->AutomaticPriority;
+  options.StartingShape = static_cast<conformal::StartingShape>(this->StartingShape);
 
   return vtkConformalConversions::RunCore(this,
     [&]()
@@ -171,14 +207,24 @@ int vtkConformalSOM::RequestData(
                                                      : "all equal")
                         << ", and so is the mesh flat");
       }
-      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
-        samples, options, threads, vtkConformalConversions::ProgressOf(this));
+      conformal::MappedMesh mesh;
+      if (start)
+      {
+        mesh = vtkConformalConversions::ToMappedMesh(this, start);
+      }
+      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(samples, options,
+        start ? &mesh : nullptr, threads, vtkConformalConversions::ProgressOf(this));
+      WarnAbout(this, result, samples.size());
 
       vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
       vtkConformalConversions::AddVectors(output->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.Network.Positions);
       vtkConformalConversions::AddNumber(
         output->GetFieldData(), "Rank", static_cast<long long>(samples.rank()));
+      vtkConformalConversions::AddNumber(
+        output->GetFieldData(), "UnsupportedFraction", result.UnsupportedFraction);
+      vtkConformalConversions::AddNumber(
+        output->GetFieldData(), "StartedFromHull", static_cast<long long>(result.Hulled));
       if (this->GenerateErrorScalars)
       {
         vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",
@@ -210,5 +256,11 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerNeuron: " << this->SamplesPerNeuron << "\n";
   os << indent << "NumberOfPolishRounds: " << this->NumberOfPolishRounds << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
+  os << indent << "AutomaticPriority: " << (this->AutomaticPriority ? "On" : "Off") << "\n";
+  os << indent << "StartingShape: "
+     << (this->StartingShape == SPHERE    ? "Sphere"
+            : this->StartingShape == HULL ? "Hull"
+                                          : "Automatic")
+     << "\n";
   os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
 }

@@ -5,6 +5,9 @@
  * Input port 0: vtkPointSet, any points in any order; cells are ignored. Points that are not
  * finite are left out with a warning, hidden or duplicate ghost points silently.
  *
+ * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
+ * "SpherePosition", from which learning starts instead of the sphere or a hull.
+ *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates:
  * 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency, double precision.
  * - point array "SpherePosition" (double, 3 components): where each point lies on the unit sphere,
@@ -13,6 +16,9 @@
  *   square distance between a neuron and the input points it stands for.
  * - field data "Rank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
  *   equal points; below 3 the mesh is right but flat, and a warning says so.
+ * - field data "UnsupportedFraction" (1 value): share of the mesh's area that has no points where
+ *   some are due; a lid over a hole in the scan, or a web between limbs. 0 in Online mode.
+ * - field data "StartedFromHull" (1 value): whether Batch took the hull.
  *
  * Output port 1: vtkTable, one row for each epoch (Online) or pass (Batch): "Frequency" of the
  * lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t),
@@ -29,8 +35,9 @@
  * Implementation note: taken literally the paper's constants stop learning before the neighbourhood
  * is as small as a triangle; Documentation/Filters.md has the measurement.
  *
- * Implementation note: E_mis looks from the points to the mesh only. Between limbs that lie close
- * together the mesh may span webs; vtkSurfaceMismatch measures them.
+ * Implementation note: E_mis looks from the points to the mesh only, and a map learned from the
+ * sphere may span webs between limbs that E_mis does not see. Batch sees them and starts anew from
+ * a hull of the points; see StartingShape. Online does not.
  *
  * @sa
  * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkSphericalTextureMap vtkSurfaceMismatch
@@ -55,11 +62,28 @@ public:
     BATCH = 1
   };
 
+  enum StartingShapes
+  {
+    AUTOMATIC = 0,
+    SPHERE = 1,
+    HULL = 2
+  };
+
   enum ReferencePoints
   {
     CONFORMAL = 0,
     WINNER = 1
   };
+
+  /**
+   * The optional mesh to start from, input port 1.
+   */
+  void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+  /**
+   * The same, as data.
+   */
+  void SetStartData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   ///@{
   /**
@@ -199,6 +223,30 @@ public:
 
   ///@{
   /**
+   * Batch: whether points count in the polish in proportion to their distance from the mesh, within
+   * limits, so that tips and edges are met that a plain least-squares fit cuts off. Default is on.
+   */
+  vtkSetMacro(AutomaticPriority, bool);
+  vtkGetMacro(AutomaticPriority, bool);
+  vtkBooleanMacro(AutomaticPriority, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Batch: where learning starts if there is no mesh on input port 1. AUTOMATIC (default): from the
+   * unit sphere, as in the paper; where the mesh so learned has parts without points, webs between
+   * limbs or lids over holes, anew from a closed hull of the points that is mapped to the sphere.
+   * SPHERE or HULL: always from that.
+   */
+  vtkSetClampMacro(StartingShape, int, AUTOMATIC, HULL);
+  vtkGetMacro(StartingShape, int);
+  void SetStartingShapeToAutomatic() { this->SetStartingShape(AUTOMATIC); }
+  void SetStartingShapeToSphere() { this->SetStartingShape(SPHERE); }
+  void SetStartingShapeToHull() { this->SetStartingShape(HULL); }
+  ///@}
+
+  ///@{
+  /**
    * Whether to add the point array "QuantizationError". Default is off.
    */
   vtkSetMacro(GenerateErrorScalars, bool);
@@ -233,6 +281,8 @@ private:
   int SamplesPerNeuron = 12;
   int NumberOfPolishRounds = 8;
   double Smoothness = 0.01;
+  bool AutomaticPriority = true;
+  int StartingShape = AUTOMATIC;
   bool GenerateErrorScalars = false;
 };
 

@@ -224,4 +224,24 @@ ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface)
   }
   return mesh;
 }
+
+//------------------------------------------------------------------------------
+conformal::MappedMesh ToMappedMesh(vtkAlgorithm* self, vtkPolyData* surface)
+{
+  const ClosedMesh closed = ToClosedMesh(self, surface);
+  const conformal::Points map = ToSpherePositions(surface);
+  conformal::MappedMesh mesh;
+  mesh.Positions = closed.Points;
+  mesh.Faces = closed.Triangles;
+  if (closed.InsideOut)
+  {
+    mesh.Faces.col(1).swap(mesh.Faces.col(2));
+  }
+  mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    mesh.SpherePositions.row(v) = map.row(closed.PointIds[v]);
+  }
+  return mesh;
+}
 }

@@ -2,7 +2,8 @@
 #ifndef vtkMeshConversions_h
 #define vtkMeshConversions_h
 
-#include "Types.h" // for Points, Triangles
+#include "ConformalSOM.h" // for MappedMesh
+#include "Types.h"        // for Points, Triangles
 
 #include "vtkType.h" // for vtkIdType
 
@@ -37,6 +38,11 @@ struct ClosedMesh
 /// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
 ///   open, not manifold, in several pieces, or of another genus
 ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface);
+
+/// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
+/// array "SpherePosition".
+/// @throws std::invalid_argument also if that array cannot be used
+conformal::MappedMesh ToMappedMesh(vtkAlgorithm* self, vtkPolyData* surface);
 }
 
 #endif

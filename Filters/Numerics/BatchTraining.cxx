@@ -2,9 +2,12 @@
 
 #include "FixedPointSums.h"
 #include "FootPoints.h"
+#include "HullStart.h"
+#include "LeastSquaresPolish.h"
 #include "MeshTopology.h"
 #include "Random.h"
 #include "Resampling.h"
+#include "SurfaceSupport.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -106,10 +109,9 @@ Points means(const Shares& shares, const Adjacency& neighbors, const Points& wei
   return moved;
 }
 
-}
-
-ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+/// Learning passes from the unit sphere, coarse to fine.
+ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   const auto passWork = [](int f) { return static_cast<double>(f) * f; };
@@ -127,9 +129,9 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     result.Network = makeGeodesicSphere(f);
     const Points& positions = result.Network.Positions;
     const Triangles& faces = result.Network.Faces;
-    result.Weights =
-      f == levels.front() ? positions
-                          : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor);
+    result.Weights = f == levels.front()
+      ? positions
+      : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor);
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
     TriangleTree surface(result.Weights, faces);
 
@@ -154,8 +156,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
             }
           }
         },
-        parallelFor,
-        partOf(progress, done / work, (done + 0.9 * passWork(f)) / work));
+        parallelFor, partOf(progress, done / work, (done + 0.9 * passWork(f)) / work));
       Shares shares(positions.rows(), 4);
       for (Index i = 0; i < shares.size(); ++i)
       {
@@ -182,6 +183,68 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
       report(progress, done / work);
     }
   }
+  return result;
+}
+
+/// The polish, and how much of the surface then has no patterns.
+void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+{
+  const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
+  const Triangles& faces = result.Network.Faces;
+  result.UnsupportedFraction = unsupportedFraction(
+    result.Weights, faces, vertexNeighbors(faces, result.Weights.rows()), masses);
+}
+}
+
+ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  ConformalSOMResult result;
+  result.Network = makeGeodesicSphere(options.Frequency);
+  result.Weights = weights;
+  PolishOptions polish;
+  polish.NumberOfRounds = options.NumberOfPolishRounds + (options.NumberOfPolishRounds + 1) / 2;
+  polish.FirstSmoothness = std::max(options.Smoothness, 0.5);
+  polish.LastSmoothness = options.Smoothness;
+  polish.RelaxedRounds = options.NumberOfPolishRounds / 2;
+  polish.AutomaticPriority = options.AutomaticPriority;
+  polishAndCheck(samples, polish, parallelFor, progress, result);
+  return result;
+}
+
+ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  // A web of less than this share of the area is not worth another start.
+  constexpr double Tolerated = 0.002;
+  const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
+  ConformalSOMResult result;
+  if (options.StartingShape != StartingShape::Hull || !mayHull)
+  {
+    const double share = mayHull ? 0.4 : 1.0;
+    result = learnFromSphere(samples, options, parallelFor, partOf(progress, 0.0, 0.5 * share));
+    PolishOptions polish;
+    polish.NumberOfRounds = options.NumberOfPolishRounds;
+    polish.FirstSmoothness = polish.LastSmoothness = options.Smoothness;
+    polish.AutomaticPriority = options.AutomaticPriority;
+    polishAndCheck(samples, polish, parallelFor, partOf(progress, 0.5 * share, share), result);
+    if (!mayHull || result.UnsupportedFraction <= Tolerated)
+    {
+      return result;
+    }
+  }
+  const double begin = options.StartingShape == StartingShape::Hull ? 0.0 : 0.4;
+  const HullStart start = startFromHull(samples, makeGeodesicSphere(options.Frequency).Positions,
+    parallelFor, partOf(progress, begin, 0.7));
+  std::vector<TrainingRecord> history = std::move(result.History);
+  result = trainBatchFrom(start.Weights, samples, options, parallelFor, partOf(progress, 0.7, 1.0));
+  history.insert(history.end(), result.History.begin(), result.History.end());
+  result.History = std::move(history);
+  result.Hulled = true;
+  result.HullLeaks = start.Leaks;
+  result.NumberOfCutNodes = start.NumberOfCutNodes;
+  result.NumberOfSamplesOutside = start.NumberOfSamplesOutside;
   return result;
 }
 }

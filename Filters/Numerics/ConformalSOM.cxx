@@ -3,6 +3,7 @@
 #include "BatchTraining.h"
 #include "FootPoints.h"
 #include "OnlineTraining.h"
+#include "Resampling.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -47,14 +48,36 @@ void check(const ConformalSOMOptions& options)
 }
 
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+  const ConformalSOMOptions& options, const MappedMesh* start, const ParallelFor& parallelFor,
+  const Progress& progress)
 {
   require(!samples.empty(), "there is no point to learn from");
   check(options);
   report(progress, 0.0);
-  ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
-    ? trainOnline(samples, makeGeodesicSphere(options.Frequency), options, progress)
-    : trainBatch(samples, options, parallelFor, progress);
+  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
+  Points weights = network.Positions; // step 1
+  if (start)
+  {
+    weights =
+      resample(start->SpherePositions, start->Positions, start->Faces, weights, parallelFor);
+    for (Index i = 0; i < weights.rows(); ++i)
+    {
+      weights.row(i) = samples.normalize(weights.row(i));
+    }
+  }
+  ConformalSOMResult result;
+  if (options.TrainingMode == TrainingMode::Online)
+  {
+    result = trainOnline(samples, network, weights, options, progress);
+  }
+  else if (start)
+  {
+    result = trainBatchFrom(weights, samples, options, parallelFor, progress);
+  }
+  else
+  {
+    result = trainBatch(samples, options, parallelFor, progress);
+  }
   for (Index i = 0; i < result.Weights.rows(); ++i)
   {
     result.Weights.row(i) = samples.restore(result.Weights.row(i));

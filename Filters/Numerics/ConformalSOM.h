@@ -25,6 +25,14 @@ enum class ReferencePoint
   Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
 };
 
+/// Where batch learning may start, if no mesh is given.
+enum class StartingShape
+{
+  Automatic, ///< the sphere; if the surface then spans parts without patterns, the hull
+  Sphere,    ///< always the unit sphere, as in the paper
+  Hull       ///< always a closed hull of the points, mapped to the sphere
+};
+
 /// A closed mesh with its map to the sphere, from which learning may start.
 struct MappedMesh
 {
@@ -49,10 +57,12 @@ struct ConformalSOMOptions
   double LearningRateTimeConstant = 60.0; ///< tau_2, in epochs
 
   // Batch training.
-  int PassesPerLevel = 5;       ///< learning passes on each lattice, from coarse to fine
-  int SamplesPerNeuron = 12;    ///< patterns a pass takes for each neuron, at most all there are
-  int NumberOfPolishRounds = 8; ///< least-squares rounds on the finest lattice
-  double Smoothness = 0.01;     ///< weight of the polish's Laplacian, per pattern of a neuron
+  int PassesPerLevel = 5;        ///< learning passes on each lattice, from coarse to fine
+  int SamplesPerNeuron = 12;     ///< patterns a pass takes for each neuron, at most all there are
+  int NumberOfPolishRounds = 8;  ///< least-squares rounds on the finest lattice
+  double Smoothness = 0.01;      ///< weight of the polish's Laplacian, per pattern of a neuron
+  bool AutomaticPriority = true; ///< far patterns weigh more in the polish, so that tips are met
+  conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
 };
 
 /// What training saw in one epoch (Online) or pass (Batch).
@@ -70,6 +80,13 @@ struct ConformalSOMResult
   GeodesicSphere Network; ///< n_i and the triangles of S^Delta
   Points Weights;         ///< #N by 3, w_i: the vertices of M^Delta, in the points' own coordinates
   std::vector<TrainingRecord> History;
+
+  // Batch training: what it saw on its way.
+  bool Hulled = false;        ///< whether it started from a hull
+  bool HullLeaks = false;     ///< the points do not enclose anything at the hull's scale
+  Index NumberOfCutNodes = 0; ///< where handles of the hull were cut: genus, or limbs that touch
+  Index NumberOfSamplesOutside = 0; ///< patterns far from the hull: outliers, or inner parts
+  double UnsupportedFraction = 0.0; ///< see unsupportedFraction
 };
 
 /// Learn a closed surface through the samples, \cite Liou2008 section 2.

@@ -4,6 +4,7 @@
 #include "FootPoints.h"
 #include "MeshTopology.h"
 #include "TriangleTree.h"
+#include "VertexNormals.h"
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
@@ -46,22 +47,20 @@ struct NormalEquations
     : Sums(15 * triangles)
   {
   }
-  void add(const FootPoint& foot, const Vector3& x, double weight)
+  void add(const FootPoint& foot, const Vector3& x, double priority)
   {
     Index at = 15 * Index(foot.Triangle);
     for (int k = 0; k < 3; ++k)
     {
       for (int l = k; l < 3; ++l)
       {
-        this->Sums.add(at++, weight * foot.Barycentric[k] * foot.Barycentric[l]);
+        this->Sums.add(at++, priority * foot.Barycentric[k] * foot.Barycentric[l]);
       }
       for (int c = 0; c < 3; ++c)
       {
-        this->Sums.add(at++, weight * foot.Barycentric[k] * x[c]);
+        this->Sums.add(at++, priority * foot.Barycentric[k] * x[c]);
       }
     }
-    this->Weight += weight;
-    this->SquareError += foot.SquareDistance;
   }
   void assemble(const Triangles& faces, SparseMatrix& matrix, Points& right) const
   {
@@ -91,27 +90,32 @@ struct NormalEquations
     matrix.setFromTriplets(entries.begin(), entries.end());
   }
 
-  /// Sum over all products b_k b_l of a triangle, since its barycentric weights have sum 1.
-  void collectMasses(std::vector<double>& masses) const
-  {
-    for (std::size_t r = 0; r < masses.size(); ++r)
-    {
-      Index at = 15 * static_cast<Index>(r);
-      for (int k = 0; k < 3; ++k)
-      {
-        for (int l = k; l < 3; ++l)
-        {
-          masses[r] += (l > k ? 2.0 : 1.0) * this->Sums[at++];
-        }
-        at += 3;
-      }
-    }
-  }
-
   FixedPointSums Sums;
-  double Weight = 0.0;
-  double SquareError = 0.0;
 };
+
+/// Every neuron half-way to the middle of its neighbours, but along the surface only.
+Points relax(const Points& weights, const Triangles& faces, const Adjacency& neighbors)
+{
+  const Points normals = vertexNormals(weights, faces);
+  Points relaxed = weights;
+  for (Index i = 0; i < weights.rows(); ++i)
+  {
+    Vector3 step = -weights.row(i);
+    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+    {
+      step += Vector3(weights.row(*j)) / neighbors.size(i);
+    }
+    const Vector3 normal = normals.row(i);
+    relaxed.row(i) += 0.5 * (step - normal * normal.dot(step));
+  }
+  return relaxed;
+}
+
+/// See AutomaticPriority.
+double automaticPriority(double squareDistance, double meanSquare)
+{
+  return meanSquare > 0.0 ? std::sqrt(std::clamp(squareDistance / meanSquare, 0.1, 8.0)) : 1.0;
+}
 }
 
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
@@ -119,47 +123,66 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
 {
   const Triangles& faces = result.Network.Faces;
   const Index size = result.Weights.rows();
-  const SparseMatrix laplacian = uniformLaplacian(vertexNeighbors(faces, size), size);
+  const Adjacency neighbors = vertexNeighbors(faces, size);
+  const SparseMatrix laplacian = uniformLaplacian(neighbors, size);
   const SparseMatrix bending = laplacian.transpose() * laplacian;
+  const int frequency = static_cast<int>(std::lround(std::sqrt(faces.rows() / 20.0)));
   TriangleTree surface(result.Weights, faces);
   SparseMatrix matrix(size, size);
   Points right(size, 3);
   std::vector<double> masses(faces.rows(), 0.0);
-  const int frequency = static_cast<int>(std::lround(std::sqrt(faces.rows() / 20.0)));
+  double meanSquare = 0.0;
   for (int round = 0; round < options.NumberOfRounds; ++round)
   {
+    const Points before = result.Weights;
+    if (round < options.RelaxedRounds)
+    {
+      result.Weights = relax(result.Weights, faces, neighbors);
+      surface.refit(result.Weights);
+    }
     NormalEquations equations(faces.rows());
+    FixedPointSums counts(faces.rows());
+    double weights = 0.0, squares = 0.0;
     const double begin = static_cast<double>(round) / options.NumberOfRounds;
     forEachFoot(
       samples, surface, samples.size(), {},
       [&](Index id, const Vector3& x, const FootPoint& foot)
-      { equations.add(foot, x, samples.weight(id)); },
+      {
+        const double weight = samples.weight(id);
+        const double priority =
+          options.AutomaticPriority ? automaticPriority(foot.SquareDistance, meanSquare) : 1.0;
+        equations.add(foot, x, weight * priority);
+        counts.add(foot.Triangle, weight);
+        weights += weight;
+        squares += weight * foot.SquareDistance;
+      },
       parallelFor, partOf(progress, begin, begin + 0.9 / options.NumberOfRounds));
+    meanSquare = squares / weights;
+
     equations.assemble(faces, matrix, right);
     const double way = static_cast<double>(round) / std::max(1, options.NumberOfRounds - 1);
-    const double smoothness = std::pow(options.FirstSmoothness, 1.0 - way) *
-      std::pow(options.LastSmoothness, way);
-    const double lambda = smoothness * equations.Weight / size;
-    const SparseMatrix system = matrix + lambda * bending;
+    const double smoothness =
+      std::pow(options.FirstSmoothness, 1.0 - way) * std::pow(options.LastSmoothness, way);
+    const SparseMatrix system = matrix + smoothness * weights / size * bending;
     Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(system);
     solver.setMaxIterations(MaximumIterations);
-    const Points before = result.Weights;
+    const Points start = result.Weights;
     forBlocks(parallelFor, 3, 1,
       [&](Index c, Index)
-      { result.Weights.col(c) = solver.solveWithGuess(right.col(c), before.col(c)); });
+      { result.Weights.col(c) = solver.solveWithGuess(right.col(c), start.col(c)); });
     const bool last = round + 1 == options.NumberOfRounds;
-    result.Weights = before + (last ? 1.0 : Overrelaxation) * (result.Weights - before);
+    result.Weights = start + (last ? 1.0 : Overrelaxation) * (result.Weights - start);
     surface.refit(result.Weights);
 
     TrainingRecord record;
     record.Frequency = frequency;
     record.LearningRate = 1.0;
-    record.MeanSquareError = equations.SquareError / samples.size();
+    record.MeanSquareError = meanSquare;
     record.MeanDisplacement = (result.Weights - before).rowwise().norm().mean();
     result.History.push_back(record);
-    if (last)
+    for (std::size_t r = 0; r < masses.size(); ++r)
     {
-      equations.collectMasses(masses);
+      masses[r] = counts[static_cast<Index>(r)];
     }
   }
   return masses;

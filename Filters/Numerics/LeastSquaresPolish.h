@@ -5,19 +5,26 @@
 
 #include "ConformalSOM.h"
 
+#include <vector>
+
 namespace conformal
 {
 struct PolishOptions
 {
   int NumberOfRounds = 8;
-  double FirstSmoothness = 0.01; ///< in the first round, falling in equal ratios
+  double FirstSmoothness = 0.01; ///< in the first round, then falling in equal ratios
   double LastSmoothness = 0.01;  ///< in the last round
+  int RelaxedRounds = 0;         ///< rounds before which neurons move half-way to the middle of
+                                 ///< their neighbours, along the surface
+  bool AutomaticPriority = true; ///< samples count in proportion to their distance, within limits
 };
 
 /// So many times: the foot point of every sample on the surface, then the weights w that minimise
-/// sum |B w - x|^2 + lambda |L w|^2,  where B holds the feet's barycentric weights, L is the
+/// sum p |B w - x|^2 + lambda |L w|^2,  where B holds the feet's barycentric weights, L is the
 /// uniform Laplacian of the lattice and lambda is the smoothness times the mean weight of the
-/// samples of a neuron.
+/// samples of a neuron. The priority p of a sample is its weight and, with AutomaticPriority, its
+/// distance in units of the root mean square, between 0.3 and 2.8: tips that a least-squares fit
+/// would cut off have a say.
 ///
 /// @param[in,out] result  weights in the samples' unit, and the history, one record a round
 /// @return for each triangle the weight of the samples that have their feet in it in the last

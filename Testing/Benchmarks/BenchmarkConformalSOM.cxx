@@ -88,7 +88,7 @@ void batch(benchmark::State& state, Index size, int frequency, int threads)
   for (auto _ : state)
   {
     const TrainingSamples samples(points, {}, {}, parallelFor);
-    weights = trainConformalSOM(samples, options, parallelFor).Weights;
+    weights = trainConformalSOM(samples, options, nullptr, parallelFor).Weights;
   }
   const TrainingSamples samples(points);
   state.counters["PointToSurface"] =

@@ -146,7 +146,7 @@ TEST(ConformalSOM, SameInputSameBitsInAnyOrderOfBlocks)
   {
     const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), options);
     const ConformalSOMResult b =
-      trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, Backwards);
+      trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards);
     EXPECT_EQ(a.Weights, b.Weights);
     ConformalSOMOptions other = options;
     other.RandomSeed = 2;
@@ -275,7 +275,7 @@ TEST(ConformalSOM, StopsWhenToldTo)
   {
     int calls = 0;
     double last = -1.0;
-    trainConformalSOM(TrainingSamples(points), options, {},
+    trainConformalSOM(TrainingSamples(points), options, nullptr, {},
       [&](double fraction)
       {
         EXPECT_GE(fraction, last);
@@ -287,7 +287,7 @@ TEST(ConformalSOM, StopsWhenToldTo)
     EXPECT_GE(calls, 15);
     EXPECT_LE(calls, 2000);
     EXPECT_EQ(last, 1.0);
-    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), options, {},
+    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), options, nullptr, {},
                    [&](double fraction) { return fraction < 0.5; }),
       conformal::Aborted);
   }
