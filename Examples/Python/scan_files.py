@@ -1,12 +1,10 @@
 """Scans and pictures from files, by their extension."""
 import os
 
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkPTSReader, vtkSTLReader
 from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkSimplePointsReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-from vtkmodules.vtkIOGeometry import vtkPTSReader
-from vtkmodules.vtkIOLegacy import vtkSimplePointsReader
 
 from conformalsom import vtkConformalPLYReader
 

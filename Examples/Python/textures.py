@@ -85,10 +85,9 @@ def rosette(size=1024):
         if vein is not None:
             paint(canvas, distance + shape[3] * 0.55, vein)
 
-    for count, inner, outer in ((24, 0.70, 0.93),):
-        wreath(count, inner, outer, 0.052, color=COBALT, vein=CREAM)
-        paint(canvas, dots(radius, angle, count, 0.90, 0.020, np.pi / count), BRICK)
-        paint(canvas, dots(radius, angle, count, 0.80, 0.013, np.pi / count), LEAF)
+    wreath(24, 0.70, 0.93, 0.052, color=COBALT, vein=CREAM)
+    paint(canvas, dots(radius, angle, 24, 0.90, 0.020, np.pi / 24), BRICK)
+    paint(canvas, dots(radius, angle, 24, 0.80, 0.013, np.pi / 24), LEAF)
     ring(0.685, 0.035, COBALT)
     ring(0.645, 0.012, OCHRE)
     wreath(12, 0.30, 0.62, 0.085, color=OCHRE, turn=np.pi / 12, rim=COBALT, vein=CREAM)
