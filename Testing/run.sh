@@ -23,7 +23,8 @@ fi
 
 echo "Testing"
 status=0
-xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+# Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
+xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
   ctest --preset dev -j2 "$@" >build/dev/test.log 2>&1 || status=$?
 if [ "$status" -ne 0 ]; then
   cat build/dev/test.log
