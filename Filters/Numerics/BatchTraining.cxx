@@ -192,8 +192,9 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
 {
   const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
   const Triangles& faces = result.Network.Faces;
-  result.UnsupportedFraction = unsupportedFraction(
-    result.Weights, faces, vertexNeighbors(faces, result.Weights.rows()), masses);
+  const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
+  result.UnsupportedFraction = areaFraction(
+    result.Weights, faces, unsupportedVertices(result.Weights, faces, neighbors, masses));
 }
 }
 

@@ -86,7 +86,7 @@ struct ConformalSOMResult
   bool HullLeaks = false;     ///< the points do not enclose anything at the hull's scale
   Index NumberOfCutNodes = 0; ///< where handles of the hull were cut: genus, or limbs that touch
   Index NumberOfSamplesOutside = 0; ///< patterns far from the hull: outliers, or inner parts
-  double UnsupportedFraction = 0.0; ///< see unsupportedFraction
+  double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
 };
 
 /// Learn a closed surface through the samples, \cite Liou2008 section 2.

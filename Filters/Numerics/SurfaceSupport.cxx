@@ -2,7 +2,7 @@
 
 namespace conformal
 {
-double unsupportedFraction(const Points& positions, const Triangles& faces,
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
   const Adjacency& neighbors, const std::vector<double>& masses)
 {
   constexpr double Enough = 100.0; // patterns: by chance, a quarter of them is never seen
@@ -23,14 +23,12 @@ double unsupportedFraction(const Points& positions, const Triangles& faces,
     }
   }
   const double patterns = own.col(0).sum(), area = own.col(1).sum();
+  std::vector<bool> unsupported(size, false);
   if (!(patterns > 0.0 && area > 0.0))
   {
-    return 0.0;
+    return unsupported;
   }
   const double density = patterns / area;
-  const auto supported = [&](const auto& gathered, Index i)
-  { return gathered(i, 0) >= Share * density * gathered(i, 1); };
-
   auto gathered = own;
   for (int vertices = 1, ring = 1; vertices * patterns / size < Enough && vertices < size; ++ring)
   {
@@ -45,11 +43,28 @@ double unsupportedFraction(const Points& positions, const Triangles& faces,
     gathered.swap(wider);
     vertices += 6 * ring;
   }
-  double unsupported = 0.0;
   for (Index i = 0; i < size; ++i)
   {
-    unsupported += supported(gathered, i) ? 0.0 : own(i, 1);
+    unsupported[i] = gathered(i, 0) < Share * density * gathered(i, 1);
   }
-  return unsupported / area;
+  return unsupported;
+}
+
+double areaFraction(
+  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices)
+{
+  double part = 0.0, whole = 0.0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    const double third = (b - a).cross(c - a).norm() / 3.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      whole += third;
+      part += vertices[faces(r, k)] ? third : 0.0;
+    }
+  }
+  return whole > 0.0 ? part / whole : 0.0;
 }
 }

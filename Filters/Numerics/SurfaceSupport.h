@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Share of the surface's area that has next to no patterns where its share of them would be due:
-/// webs between limbs, and lids over holes in the data. E_mis cannot see them.
+/// Vertices that have next to no patterns near where their share of them would be due: on webs
+/// between limbs, and on lids over holes in the data. E_mis cannot see them.
 ///
 /// Patterns and areas are gathered from around each vertex, as far as it takes to expect about
 /// a hundred patterns; a vertex is unsupported if there are less than a quarter of those expected.
@@ -20,9 +20,13 @@ namespace conformal
 /// @param[in] faces      #F by 3
 /// @param[in] neighbors  vertexNeighbors of the faces
 /// @param[in] masses     #F, the patterns that have their foot points in each triangle
-/// @return in [0, 1]
-double unsupportedFraction(const Points& positions, const Triangles& faces,
+/// @return #V
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
   const Adjacency& neighbors, const std::vector<double>& masses);
+
+/// Their share of the surface's area, a third of each triangle's going to each corner; in [0, 1].
+double areaFraction(
+  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices);
 }
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 using conformal::Index;
@@ -20,8 +21,9 @@ struct Sphere
   }
   double unsupported(const std::vector<double>& masses) const
   {
-    return conformal::unsupportedFraction(
-      this->Mesh.Positions, this->Mesh.Faces, this->Neighbors, masses);
+    return conformal::areaFraction(this->Mesh.Positions, this->Mesh.Faces,
+      conformal::unsupportedVertices(
+        this->Mesh.Positions, this->Mesh.Faces, this->Neighbors, masses));
   }
   double height(Index face) const
   {
@@ -72,7 +74,8 @@ TEST(SurfaceSupport, NoPatternsOrNoAreaIsNoFinding)
   const Sphere sphere(3);
   EXPECT_EQ(sphere.unsupported(std::vector<double>(180, 0.0)), 0.0);
   const conformal::Points point = conformal::Points::Zero(sphere.Mesh.Positions.rows(), 3);
-  EXPECT_EQ(conformal::unsupportedFraction(
-              point, sphere.Mesh.Faces, sphere.Neighbors, std::vector<double>(180, 1.0)),
-    0.0);
+  const std::vector<bool> vertices = conformal::unsupportedVertices(
+    point, sphere.Mesh.Faces, sphere.Neighbors, std::vector<double>(180, 1.0));
+  EXPECT_EQ(std::count(vertices.begin(), vertices.end(), true), 0);
+  EXPECT_EQ(conformal::areaFraction(point, sphere.Mesh.Faces, vertices), 0.0);
 }
