@@ -107,17 +107,25 @@ public:
       });
   }
 
-  // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few.
+  // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few and
+  // the cloud is dense, so that there is a meaning in being alone.
   void dropIsolated(const Progress& progress)
   {
     constexpr std::uint8_t untouched = 0, touched = 1, large = 2, small = 3;
     constexpr std::size_t largestIsolated = 32; // corners of four cubes that are apart
-    constexpr double largestShare = 0.05;
+    constexpr Index nodesPerSample = 4;         // 8 for a cube alone, 1 or 2 for a sheet of cubes
+    constexpr Index leastRatio = 20;            // of all samples to those isolated
     const Index size = this->Lattice.numberOfNodes();
     std::vector<std::uint8_t> marks(size);
+    Index numberTouched = 0;
     for (Index node = 0; node < size; ++node)
     {
       marks[node] = this->entry(node) == NoEntry ? untouched : touched;
+      numberTouched += marks[node];
+    }
+    if (numberTouched > nodesPerSample * this->Taken.size())
+    {
+      return;
     }
     std::vector<int> piece, isolated;
     for (Index node = 0; node < size; ++node)
@@ -135,18 +143,12 @@ public:
     {
       marks[node] = small;
     }
-    std::atomic<Index> count(0);
-    forBlocks(this->Threads, this->Taken.size(), SamplesPerBlock,
-      [&](Index begin, Index end)
-      {
-        Index found = 0;
-        for (Index i = begin; i < end && !isolated.empty(); ++i)
-        {
-          found += marks[this->cubeOf(this->place(this->Taken[i]))] == small;
-        }
-        count += found;
-      });
-    if (static_cast<double>(count) <= largestShare * static_cast<double>(this->Taken.size()))
+    Index count = 0;
+    for (Index i = 0; i < this->Taken.size() && !isolated.empty(); ++i)
+    {
+      count += marks[this->cubeOf(this->place(this->Taken[i]))] == small;
+    }
+    if (leastRatio * count <= this->Taken.size())
     {
       for (const int node : isolated)
       {

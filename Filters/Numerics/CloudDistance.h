@@ -28,9 +28,9 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// would have ten for each square of the lattice), that many are taken, spread evenly over their
 /// order. It saves time, and leaves outliers far from each other.
 ///
-/// Implementation note: samples far from all others are left out, as outliers: up to a few of them,
-/// no nearer to the rest than two spacings. They are kept where they are more than a twentieth of
-/// all, since such a cloud is a sparse one.
+/// Implementation note: of a dense cloud, samples far from all others are left out as outliers: up
+/// to a few of them together, no nearer to the rest than two spacings, as long as they are not more
+/// than a twentieth of all.
 ///
 /// Takes 9 bytes a node while it runs.
 ///
