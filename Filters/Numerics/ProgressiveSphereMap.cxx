@@ -17,7 +17,14 @@ namespace
 const double Pi = std::acos(-1.0);
 
 constexpr double LevelGrowth = 1.3; // of the number of vertices between sweeps over all
-constexpr int SweepsPerLevel = 8;
+
+// Few vertices are swept often: what is badly shared out between them is hard to move later.
+int sweepsOfLevel(std::size_t numberOfVertices)
+{
+  return 8 + std::min(400, static_cast<int>(10000 / numberOfVertices));
+}
+
+constexpr int SweepsForRoom = 20;
 
 SphereEnergy energyFor(double balance)
 {
@@ -99,7 +106,7 @@ public:
       if (this->Active.size() >= LevelGrowth * level)
       {
         level = this->Active.size();
-        this->sweep(SweepsPerLevel, this->Energy);
+        this->sweep(sweepsOfLevel(level), this->Energy);
       }
     }
     this->sweep(options.NumberOfSweeps, this->Energy);
@@ -118,7 +125,8 @@ private:
   // Relaxations of a vertex, but for those that make room.
   double countWork(const ProgressiveSphereMapOptions& options) const
   {
-    double count = 4.0, level = 4.0, work = 0.0;
+    std::size_t count = 4, level = 4;
+    double work = 0.0;
     for (const QuadricCollapse::Collapse& split : this->Mesh.Splits)
     {
       work += 1.0 + split.Neighbors.size();
@@ -126,7 +134,7 @@ private:
       if (count >= LevelGrowth * level)
       {
         level = count;
-        work += SweepsPerLevel * count;
+        work += sweepsOfLevel(level) * count;
       }
     }
     return work + (options.NumberOfSweeps + options.NumberOfSmoothingSweeps) * count;
@@ -159,26 +167,32 @@ private:
     this->Mesh.Rings.split(split.Vertex, split.Neighbors);
     this->Positions[split.Vertex] = *place;
     this->Active.push_back(split.Vertex);
-    this->relax(split.Vertex, this->Energy);
+    this->relaxOnSurface(split.Vertex);
     for (int id : split.Neighbors)
     {
-      this->relax(id, this->Energy);
+      this->relaxOnSurface(id);
     }
   }
 
-  // Areas give way to each other in ever larger surroundings, until the ring has some.
+  // As if all triangles were equal and equilateral, in ever larger surroundings of the ring.
   Vector3 makeRoom(const Ring& ring)
   {
-    SphereEnergy even;
-    even.AreaExponent = 1.0;
-    even.AreaWeight = 1.0;
+    const double area = 4.0 * Pi / static_cast<double>(2 * this->Active.size() - 4);
+    const double cotangent = 0.25 / std::sqrt(3.0);
+    const SourceTriangle equal = { area, { cotangent, cotangent, cotangent } };
+    const SphereEnergy even = { 1.0, 1.0, 1 };
     std::vector<int> around = ring;
     for (;;)
     {
-      for (int i = 0; i < 20; ++i)
+      for (int i = 0; i < SweepsForRoom; ++i)
       {
         for (int id : around)
         {
+          this->Scratch.clear();
+          for (int neighbor : this->Mesh.Rings[id])
+          {
+            this->Scratch.push_back({ neighbor, equal });
+          }
           this->relax(id, even);
         }
       }
@@ -187,18 +201,24 @@ private:
         return *place;
       }
       const std::size_t size = around.size();
-      for (std::size_t i = 0; i < size; ++i)
-      {
-        const Ring& next = this->Mesh.Rings[around[i]];
-        around.insert(around.end(), next.begin(), next.end());
-      }
-      std::sort(around.begin(), around.end());
-      around.erase(std::unique(around.begin(), around.end()), around.end());
+      this->addNeighbors(around);
       if (around.size() == size)
       {
         throw std::runtime_error("no room is left on the sphere for the triangles of a vertex");
       }
     }
+  }
+
+  void addNeighbors(std::vector<int>& ids) const
+  {
+    const std::size_t size = ids.size();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const Ring& ring = this->Mesh.Rings[ids[i]];
+      ids.insert(ids.end(), ring.begin(), ring.end());
+    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
   void cornersOf(int v, std::vector<Corner>& corners) const
@@ -211,13 +231,19 @@ private:
     }
   }
 
+  // With the corners in Scratch.
   void relax(int v, const SphereEnergy& energy)
   {
-    this->Scratch.clear();
-    this->cornersOf(v, this->Scratch);
     relaxVertex(
       this->Positions, v, this->Scratch.data(), static_cast<int>(this->Scratch.size()), energy);
     this->countVertex();
+  }
+
+  void relaxOnSurface(int v)
+  {
+    this->Scratch.clear();
+    this->cornersOf(v, this->Scratch);
+    this->relax(v, this->Energy);
   }
 
   void sweep(int times, const SphereEnergy& energy)

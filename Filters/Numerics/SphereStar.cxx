@@ -91,16 +91,20 @@ double power(double base, int exponent)
   return exponent == 1 ? base : base * base;
 }
 
-// S/A to the exponent and the term that holds back triangles that get far too little.
+// (S/A)^AreaExponent and what holds back triangles that get far too little.
 struct AreaTerms
 {
   double Main, Guard;
 
-  AreaTerms(double ratio, const SphereEnergy& energy)
-    : Main(energy.AreaExponent == 0.0 ? 1.0 : std::pow(ratio, energy.AreaExponent))
-    , Guard(energy.AreaWeight * ratio * ratio)
+  AreaTerms(double source, double inverseArea, const SphereEnergy& energy)
+    : Main(energy.AreaExponent == 0.0 ? 1.0 : std::pow(source * inverseArea, energy.AreaExponent))
+    , Guard(
+        (energy.AreaWeight * source * source + SmallArea * SmallArea) * inverseArea * inverseArea)
   {
   }
+
+private:
+  static constexpr double SmallArea = 10.0 * SmallestDeterminant;
 };
 
 struct Derivatives
@@ -139,7 +143,7 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
     const double dirichlet =
       cotangents[0] * (q - p).squaredNorm() + cotangents[1] * lengthQ + cotangents[2] * lengthP;
     const double inverseDirichlet = 1.0 / dirichlet;
-    const AreaTerms terms(source.Area * inverseArea, energy);
+    const AreaTerms terms(source.Area, inverseArea, energy);
     const double angle = source.Area * power(dirichlet * inverseArea, energy.AngleExponent);
     const double main = angle * terms.Main, guard = angle * terms.Guard;
 
@@ -238,7 +242,7 @@ double starEnergy(const std::vector<Vector3>& positions, const Vector3& place,
     const double inverseArea = 2.0 / twiceArea;
     const double dirichlet =
       cotangents[0] * (q - p).squaredNorm() + cotangents[1] * lengthQ + cotangents[2] * lengthP;
-    const AreaTerms terms(source.Area * inverseArea, energy);
+    const AreaTerms terms(source.Area, inverseArea, energy);
     sum += source.Area * (terms.Main + terms.Guard) *
       power(dirichlet * inverseArea, energy.AngleExponent);
   }

@@ -18,7 +18,9 @@ namespace conformal
 /// energy of its map. D/A >= 1, and 1 is conformal; S/A = 1 everywhere is equal in area.
 ///
 /// Implementation note: A is half the determinant of the three unit vectors, a little less than the
-/// area, so that the energy grows beyond all bounds exactly where a triangle is about to flip.
+/// area, so that the energy grows beyond all bounds exactly where a triangle is about to flip. To
+/// AreaWeight S^2 a square of 10 SmallestDeterminant is added, which matters only where the map
+/// without it would be smaller than numbers can bear, as at the end of a long limb.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
