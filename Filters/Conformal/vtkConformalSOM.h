@@ -206,7 +206,7 @@ public:
 
   ///@{
   /**
-   * Batch: least-squares rounds over all points after learning. At least 0. Default is 8.
+   * Batch: least-squares rounds over all points after learning. At least 0. Default is 10.
    */
   vtkSetClampMacro(NumberOfPolishRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfPolishRounds, int);
@@ -235,8 +235,8 @@ public:
   /**
    * Batch: where learning starts if there is no mesh on input port 1. AUTOMATIC (default): from the
    * unit sphere, as in the paper; where the mesh so learned has parts without points, webs between
-   * limbs or lids over holes, anew from a closed hull of the points that is mapped to the sphere.
-   * SPHERE or HULL: always from that.
+   * limbs or lids over holes, or triangles stretched over limbs (a fifth of them obtuse), anew from
+   * a closed hull of the points that is mapped to the sphere. SPHERE or HULL: always from that.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, HULL);
   vtkGetMacro(StartingShape, int);
@@ -279,7 +279,7 @@ private:
   double LearningRateTimeConstant = 60.0;
   int PassesPerLevel = 5;
   int SamplesPerNeuron = 12;
-  int NumberOfPolishRounds = 8;
+  int NumberOfPolishRounds = 10;
   double Smoothness = 0.01;
   bool AutomaticPriority = true;
   int StartingShape = AUTOMATIC;

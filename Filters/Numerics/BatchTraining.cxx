@@ -217,35 +217,44 @@ ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  // A web of less than this share of the area is not worth another start.
-  constexpr double Tolerated = 0.002;
+  // Smaller webs are not worth another start; nor are fewer stretched triangles.
+  constexpr double ToleratedArea = 0.002, ToleratedTriangles = 0.2;
+  const auto stretched = [](const ConformalSOMResult& result)
+  { return obtuseFraction(result.Weights, result.Network.Faces); };
+
   const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
-  ConformalSOMResult result;
-  if (options.StartingShape != StartingShape::Hull || !mayHull)
+  const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
+  ConformalSOMResult fromSphere;
+  if (!mustHull)
   {
     const double share = mayHull ? 0.4 : 1.0;
-    result = learnFromSphere(samples, options, parallelFor, partOf(progress, 0.0, 0.5 * share));
+    fromSphere = learnFromSphere(samples, options, parallelFor, partOf(progress, 0.0, 0.5 * share));
     PolishOptions polish;
     polish.NumberOfRounds = options.NumberOfPolishRounds;
     polish.FirstSmoothness = polish.LastSmoothness = options.Smoothness;
     polish.AutomaticPriority = options.AutomaticPriority;
-    polishAndCheck(samples, polish, parallelFor, partOf(progress, 0.5 * share, share), result);
-    if (!mayHull || result.UnsupportedFraction <= Tolerated)
-    {
-      return result;
-    }
+    polishAndCheck(samples, polish, parallelFor, partOf(progress, 0.5 * share, share), fromSphere);
   }
-  const double begin = options.StartingShape == StartingShape::Hull ? 0.0 : 0.4;
+  const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
+  if (!mayHull || (!mustHull && !webs && stretched(fromSphere) <= ToleratedTriangles))
+  {
+    return fromSphere;
+  }
   const HullStart start = startFromHull(samples, makeGeodesicSphere(options.Frequency).Positions,
-    parallelFor, partOf(progress, begin, 0.7));
-  std::vector<TrainingRecord> history = std::move(result.History);
-  result = trainBatchFrom(start.Weights, samples, options, parallelFor, partOf(progress, 0.7, 1.0));
-  history.insert(history.end(), result.History.begin(), result.History.end());
-  result.History = std::move(history);
-  result.Hulled = true;
-  result.HullLeaks = start.Leaks;
-  result.NumberOfCutNodes = start.NumberOfCutNodes;
-  result.NumberOfSamplesOutside = start.NumberOfSamplesOutside;
-  return result;
+    parallelFor, partOf(progress, mustHull ? 0.0 : 0.4, 0.7));
+  ConformalSOMResult fromHull =
+    trainBatchFrom(start.Weights, samples, options, parallelFor, partOf(progress, 0.7, 1.0));
+  fromHull.History.insert(
+    fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
+  fromHull.Hulled = true;
+  fromHull.HullLeaks = start.Leaks;
+  fromHull.NumberOfCutNodes = start.NumberOfCutNodes;
+  fromHull.NumberOfSamplesOutside = start.NumberOfSamplesOutside;
+
+  // Where there was no web to be rid of, the hull has to be worth it.
+  const bool clean = !start.Leaks && fromHull.UnsupportedFraction <= ToleratedArea &&
+    stretched(fromHull) < stretched(fromSphere) &&
+    fromHull.History.back().MeanSquareError <= 2.0 * fromSphere.History.back().MeanSquareError;
+  return mustHull || webs || clean ? fromHull : fromSphere;
 }
 }

@@ -28,7 +28,8 @@ enum class ReferencePoint
 /// Where batch learning may start, if no mesh is given.
 enum class StartingShape
 {
-  Automatic, ///< the sphere; if the surface then spans parts without patterns, the hull
+  Automatic, ///< the sphere; if the surface then spans parts without patterns, or more than a
+             ///< fifth of its triangles is obtuse, the hull
   Sphere,    ///< always the unit sphere, as in the paper
   Hull       ///< always a closed hull of the points, mapped to the sphere
 };
@@ -59,7 +60,7 @@ struct ConformalSOMOptions
   // Batch training.
   int PassesPerLevel = 5;        ///< learning passes on each lattice, from coarse to fine
   int SamplesPerNeuron = 12;     ///< patterns a pass takes for each neuron, at most all there are
-  int NumberOfPolishRounds = 8;  ///< least-squares rounds on the finest lattice
+  int NumberOfPolishRounds = 10; ///< least-squares rounds on the finest lattice
   double Smoothness = 0.01;      ///< weight of the polish's Laplacian, per pattern of a neuron
   bool AutomaticPriority = true; ///< far patterns weigh more in the polish, so that tips are met
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;

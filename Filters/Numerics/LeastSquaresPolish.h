@@ -11,7 +11,7 @@ namespace conformal
 {
 struct PolishOptions
 {
-  int NumberOfRounds = 8;
+  int NumberOfRounds = 10;
   double FirstSmoothness = 0.01; ///< in the first round, then falling in equal ratios
   double LastSmoothness = 0.01;  ///< in the last round
   int RelaxedRounds = 0;         ///< rounds before which neurons move half-way to the middle of

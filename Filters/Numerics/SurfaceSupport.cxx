@@ -67,4 +67,16 @@ double areaFraction(
   }
   return whole > 0.0 ? part / whole : 0.0;
 }
+
+double obtuseFraction(const Points& positions, const Triangles& faces)
+{
+  Index obtuse = 0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    obtuse += (b - a).dot(c - a) < 0.0 || (c - b).dot(a - b) < 0.0 || (a - c).dot(b - c) < 0.0;
+  }
+  return faces.rows() > 0 ? static_cast<double>(obtuse) / static_cast<double>(faces.rows()) : 0.0;
+}
 }

@@ -27,6 +27,10 @@ std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& 
 /// Their share of the surface's area, a third of each triangle's going to each corner; in [0, 1].
 double areaFraction(
   const Points& positions, const Triangles& faces, const std::vector<bool>& vertices);
+
+/// Share of the triangles that have an angle of more than a right one: a lattice of nearly
+/// equilateral triangles that has been stretched over limbs and edges shows in it.
+double obtuseFraction(const Points& positions, const Triangles& faces);
 }
 
 #endif

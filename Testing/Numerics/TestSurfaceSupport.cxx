@@ -79,3 +79,11 @@ TEST(SurfaceSupport, NoPatternsOrNoAreaIsNoFinding)
   EXPECT_EQ(std::count(vertices.begin(), vertices.end(), true), 0);
   EXPECT_EQ(conformal::areaFraction(point, sphere.Mesh.Faces, vertices), 0.0);
 }
+
+TEST(SurfaceSupport, StretchingMakesTrianglesObtuse)
+{
+  Sphere sphere(10);
+  EXPECT_EQ(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Faces), 0.0);
+  sphere.Mesh.Positions.col(2) *= 4.0;
+  EXPECT_GT(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Faces), 0.3);
+}
