@@ -3,15 +3,18 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,6 +105,21 @@ conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
   }
   copy = ToPoints(points);
   return copy;
+}
+
+//------------------------------------------------------------------------------
+std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input)
+{
+  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
+  if (!ghosts)
+  {
+    return {};
+  }
+  return [ghosts](conformal::Index i)
+  {
+    return (ghosts->GetValue(i) &
+             (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) != 0;
+  };
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #include "Parallel.h" // for ParallelFor
 #include "Types.h"    // for Points, Triangles, PointView, Progress
 
-#include <functional> // for RunCore's argument
+#include <functional> // for RunCore's argument, GhostTest
 #include <vector>     // for AddNumbers' argument
 
 class vtkAlgorithm;
@@ -13,6 +13,7 @@ class vtkCellArray;
 class vtkDataArray;
 class vtkFieldData;
 class vtkPoints;
+class vtkPointSet;
 class vtkPolyData;
 
 namespace vtkConformalConversions
@@ -40,6 +41,10 @@ conformal::Points ToPoints(vtkPoints* points);
 
 /// The coordinates where they lie, or else in the given copy, which must outlive the view.
 conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
+
+/// Whether to leave a point out because it is a ghost, hidden or of another piece; empty where
+/// there are no ghosts.
+std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);

@@ -4,7 +4,6 @@
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -14,11 +13,9 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -50,20 +47,6 @@ std::vector<double> ReadPriorities(vtkPointSet* input, const char* name, vtkIdTy
       std::string("no point has a positive priority in the array \"") + name + "\"");
   }
   return priorities;
-}
-
-std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input)
-{
-  vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
-  if (!ghosts)
-  {
-    return {};
-  }
-  return [ghosts](conformal::Index i)
-  {
-    return (ghosts->GetValue(i) &
-             (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) != 0;
-  };
 }
 
 // What learning saw that its user should know.
@@ -185,7 +168,8 @@ int vtkConformalSOM::RequestData(
         priorities = ReadPriorities(input, this->PriorityArrayName, unusable);
       }
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
-      const conformal::TrainingSamples samples(points, priorities, GhostTest(input), threads);
+      const conformal::TrainingSamples samples(
+        points, priorities, vtkConformalConversions::GhostTest(input), threads);
       if (unusable > 0)
       {
         vtkWarningMacro(<< unusable << " priorities are negative or not finite and count as 0");

@@ -22,7 +22,7 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// Distance of each node to the nearest sample, in units of the lattice's spacing.
 ///
 /// Exact, to float precision, up to a distance of 1. Beyond, it is the distance to a sample that is
-/// nearest to some node nearby, rarely more than a few hundredths too large.
+/// nearest to some node nearby: too large by a few hundredths in the mean, by less than 1 at worst.
 ///
 /// Implementation note: of a cloud with more than 128 / h^2 samples (max radius 1, so a sphere
 /// would have ten for each square of the lattice), that many are taken, spread evenly over their

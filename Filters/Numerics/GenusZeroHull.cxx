@@ -158,10 +158,13 @@ GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   {
     throw std::invalid_argument("there are no samples to make a hull of");
   }
-  requireRange(options.Spacing, 0.002, 0.2, "spacing of the lattice");
-  requireRange(options.Offset, 0.9, 10.0, "offset");
-  requireRange(options.Persistence, 1.1, 10.0, "persistence");
-  requireRange(options.SmoothingPasses, 0, 1000, "number of smoothing passes");
+  using Limits = GenusZeroHullLimits;
+  requireRange(options.Spacing, Limits::LeastSpacing, Limits::LargestSpacing, "lattice's spacing");
+  requireRange(options.Offset, Limits::LeastOffset, Limits::LargestOffset, "offset");
+  requireRange(
+    options.Persistence, Limits::LeastPersistence, Limits::LargestPersistence, "persistence");
+  requireRange(
+    options.SmoothingPasses, 0, Limits::LargestSmoothingPasses, "number of smoothing passes");
 
   // Never falling, though attempts are repeated.
   double reached = 0.0;

@@ -15,10 +15,19 @@ namespace conformal
 {
 struct GenusZeroHullOptions
 {
-  double Spacing = 0.016;   ///< of the lattice, in units of the largest radius; [0.002, 0.2]
-  double Offset = 1.0;      ///< of the surface from the data, in spacings; [0.9, 10]
-  double Persistence = 1.5; ///< see DistanceBasins.h; [1.1, 10]
-  int SmoothingPasses = 10; ///< of the surface; [0, 1000]
+  double Spacing = 0.016;   ///< of the lattice, in units of the largest radius
+  double Offset = 1.0;      ///< of the surface from the data, in spacings
+  double Persistence = 1.5; ///< see DistanceBasins.h
+  int SmoothingPasses = 10; ///< of the surface
+};
+
+/// What the options may be. An offset below 0.87 would let samples slip between the nodes.
+struct GenusZeroHullLimits
+{
+  static constexpr double LeastSpacing = 0.002, LargestSpacing = 0.2;
+  static constexpr double LeastOffset = 0.9, LargestOffset = 10.0;
+  static constexpr double LeastPersistence = 1.1, LargestPersistence = 10.0;
+  static constexpr int LargestSmoothingPasses = 1000;
 };
 
 /// Where the data are that a hull was made of.

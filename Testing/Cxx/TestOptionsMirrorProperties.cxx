@@ -1,12 +1,32 @@
 // Options of the core and properties of the filters have the same defaults.
+#include "GenusZeroHull.h"
 #include "SphericalTexture.h"
 #include "SurfaceMismatch.h"
+#include "vtkGenusZeroHull.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkSurfaceMismatch.h"
 
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
+
+TEST(OptionsMirrorProperties, GenusZeroHull)
+{
+  const conformal::GenusZeroHullOptions options;
+  vtkNew<vtkGenusZeroHull> filter;
+  EXPECT_EQ(filter->GetSpacing(), options.Spacing);
+  EXPECT_EQ(filter->GetOffset(), options.Offset);
+  EXPECT_EQ(filter->GetPersistence(), options.Persistence);
+  EXPECT_EQ(filter->GetSmoothingPasses(), options.SmoothingPasses);
+  using Limits = conformal::GenusZeroHullLimits;
+  EXPECT_DOUBLE_EQ(filter->GetSpacingMinValue(), Limits::LeastSpacing);
+  EXPECT_DOUBLE_EQ(filter->GetSpacingMaxValue(), Limits::LargestSpacing);
+  EXPECT_DOUBLE_EQ(filter->GetOffsetMinValue(), Limits::LeastOffset);
+  EXPECT_DOUBLE_EQ(filter->GetOffsetMaxValue(), Limits::LargestOffset);
+  EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::LeastPersistence);
+  EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::LargestPersistence);
+  EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::LargestSmoothingPasses);
+}
 
 TEST(OptionsMirrorProperties, SphericalTexture)
 {

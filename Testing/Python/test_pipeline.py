@@ -11,7 +11,7 @@ import numpy as np
 from builtin_figure import bear, figure_cloud
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
-    vtkGeodesicSphereSource, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
@@ -39,7 +39,11 @@ def chain(frequency=18, surface_frequency=40):
     distortion.Update()
     sphere = vtkGeodesicSphereSource()
     sphere.Update()
-    stages = (network, surface, painted, mismatch, distortion, sphere)
+    hull = vtkGenusZeroHull()
+    hull.SetInputData(scan)
+    hull.SetSpacing(0.04)
+    hull.Update()
+    stages = (network, surface, painted, mismatch, distortion, sphere, hull)
     return {stage.GetClassName(): stage for stage in stages}
 
 
@@ -84,7 +88,7 @@ class TestPipeline(unittest.TestCase):
                     self.assertTrue(np.isfinite(vtk_to_numpy(array)).all())
 
     def test_every_stage_is_closed_and_of_genus_zero(self):
-        for name in ("vtkConformalSOM", "vtkCurvedSeamlessSurface"):
+        for name in ("vtkConformalSOM", "vtkCurvedSeamlessSurface", "vtkGenusZeroHull"):
             with self.subTest(name):
                 check = vtkGenusZeroCheck()
                 check.SetInputData(self.stages[name].GetOutput())

@@ -1,0 +1,109 @@
+#include "vtkGenusZeroHull.h"
+
+#include "GenusZeroHull.h"
+#include "vtkConformalConversions.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkGenusZeroHull);
+
+namespace
+{
+// Points of the normalised frame in that of the samples.
+conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::Points points)
+{
+  for (conformal::Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = samples.restore(points.row(i));
+  }
+  return points;
+}
+
+void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
+  const conformal::GenusZeroHullResult& hull)
+{
+  using vtkConformalConversions::AddNumber;
+  AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
+  AddNumber(data, "LatticeSpacing", hull.Spacing * samples.scale());
+  AddNumber(data, "NumberOfInsideNodes", static_cast<long long>(hull.NumberOfInsideNodes));
+  AddNumber(data, "SolidEulerNumber", static_cast<long long>(hull.EulerNumber));
+  AddNumber(data, "NumberOfCutNodes", static_cast<long long>(hull.NumberOfCutNodes));
+  AddNumber(data, "HoleWidth", hull.LargestHole.Saddle * samples.scale());
+  AddNumber(data, "HoleDepth", hull.LargestHole.Peak * samples.scale());
+  AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
+  AddNumber(data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside));
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkGenusZeroHull::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGenusZeroHull::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+
+  conformal::GenusZeroHullOptions options;
+  options.Spacing = this->Spacing;
+  options.Offset = this->Offset;
+  options.Persistence = this->Persistence;
+  options.SmoothingPasses = this->SmoothingPasses;
+
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      conformal::Points copy;
+      const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
+      const conformal::TrainingSamples samples(
+        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), {},
+        vtkConformalConversions::GhostTest(input), threads);
+      if (samples.numberOfNonFinite() > 0)
+      {
+        vtkWarningMacro(<< samples.numberOfNonFinite() << " points are not finite and left out");
+      }
+      if (samples.empty())
+      {
+        vtkWarningMacro(<< "there are no points to wrap; the output is empty");
+        return;
+      }
+      const conformal::GenusZeroHullResult hull = conformal::makeGenusZeroHull(
+        samples, options, threads, vtkConformalConversions::ProgressOf(this));
+      if (samples.rank() < 3)
+      {
+        vtkWarningMacro(<< "rank " << samples.rank()
+                        << " cloud: its points enclose nothing, the hull is a shell around them");
+      }
+      else if (hull.Leaks)
+      {
+        vtkWarningMacro(<< "the data have a hole nearly as wide as what is behind it; what is "
+                           "inside is a guess");
+      }
+      else if (hull.NumberOfInsideNodes == 0)
+      {
+        vtkWarningMacro(<< "the points enclose nothing, the hull is a shell around them");
+      }
+      vtkConformalConversions::SetSurface(output, Restore(samples, hull.Points), hull.Triangles);
+      AddFigures(output->GetFieldData(), samples, hull);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Spacing: " << this->Spacing << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "Persistence: " << this->Persistence << "\n";
+  os << indent << "SmoothingPasses: " << this->SmoothingPasses << "\n";
+}

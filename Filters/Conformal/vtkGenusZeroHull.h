@@ -1,0 +1,104 @@
+/**
+ * @class   vtkGenusZeroHull
+ * @brief   wrap scattered points into one closed surface without handles
+ *
+ * Input port 0: vtkPointSet, any points in any order; cells are ignored. Points that are not
+ * finite are left out with a warning, hidden or duplicate ghost points silently.
+ *
+ * Output port 0: vtkPolyData, a closed triangle mesh of genus zero around the points, in their
+ * coordinates, double precision; triangles are counter-clockwise seen from outside. Field data, one
+ * value each, lengths in units of the coordinates:
+ * - "Rank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for equal points.
+ * - "LatticeSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
+ * - "NumberOfInsideNodes" (idtype): lattice nodes inside, farther from the points than the offset.
+ *   0 means that the points enclose nothing.
+ * - "SolidEulerNumber" (idtype): of what the hull is the surface of, before handles were cut: 1
+ *   minus the number of handles.
+ * - "NumberOfCutNodes" (idtype): lattice nodes taken away to open the handles.
+ * - "HoleWidth", "HoleDepth" (double): of the largest hole in the data that was closed, the
+ * distance from its middle to the nearest point, and the largest such distance inside, behind the
+ * hole. 0 where there is none. The nearer they are, the less certain is what is inside.
+ * - "Leaks" (idtype): 1 if a hole was so wide that persistence did not tell inside from outside,
+ * and the most likely part was taken for inside.
+ * - "NumberOfPointsOutside" (idtype): points that the hull was not made around: outliers, and what
+ *   lies apart from the largest piece.
+ *
+ * No part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on
+ * curved seamless surface", Neurocomputing 71 (2008)), but of use to it: its method starts from a
+ * closed surface of genus zero, and this one has no webs between limbs.
+ *
+ * The distance to the points is found on a lattice and the surface taken at a small offset. Inside
+ * and outside are told apart by persistence: a hole in the data is closed if what lies behind it is
+ * wider than the hole by the factor Persistence. Limbs closer than twice the offset are joined by
+ * it, and parted again in the middle between them.
+ *
+ * @sa
+ * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
+ */
+
+#ifndef vtkGenusZeroHull_h
+#define vtkGenusZeroHull_h
+
+#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSCONFORMAL_EXPORT vtkGenusZeroHull : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkGenusZeroHull* New();
+  vtkTypeMacro(vtkGenusZeroHull, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Spacing of the lattice, as a fraction of the largest distance of a point from the centroid.
+   * Gaps of two spacings or less are closed. Time and memory grow with its inverse cubed. In
+   * [0.002, 0.2]. Default is 0.016.
+   */
+  vtkSetClampMacro(Spacing, double, 0.002, 0.2);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the surface from the points, in spacings. In [0.9, 10]. Default is 1.
+   */
+  vtkSetClampMacro(Offset, double, 0.9, 10.0);
+  vtkGetMacro(Offset, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many times wider than a hole in the data what lies behind it must be for the hole to be
+   * closed. In [1.1, 10]. Default is 1.5.
+   */
+  vtkSetClampMacro(Persistence, double, 1.1, 10.0);
+  vtkGetMacro(Persistence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Passes of smoothing that the surface gets at the end. In [0, 1000]. Default is 10.
+   */
+  vtkSetClampMacro(SmoothingPasses, int, 0, 1000);
+  vtkGetMacro(SmoothingPasses, int);
+  ///@}
+
+protected:
+  vtkGenusZeroHull() = default;
+  ~vtkGenusZeroHull() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkGenusZeroHull(const vtkGenusZeroHull&) = delete;
+  void operator=(const vtkGenusZeroHull&) = delete;
+
+  double Spacing = 0.016;
+  double Offset = 1.0;
+  double Persistence = 1.5;
+  int SmoothingPasses = 10;
+};
+
+#endif

@@ -1,0 +1,349 @@
+#include "vtkGenusZeroHull.h"
+
+#include "FilterContract.h"
+#include "vtkGenusZeroCheck.h"
+#include "vtkGeodesicSphereSource.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkMassProperties.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace
+{
+const char* const Counts[] = { "Rank", "NumberOfInsideNodes", "SolidEulerNumber",
+  "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside" };
+const char* const Lengths[] = { "LatticeSpacing", "HoleWidth", "HoleDepth" };
+constexpr double Pi = 3.14159265358979323846;
+
+class GenusZeroHull : public testing::Test
+{
+protected:
+  // A sphere's points, of radius 2 around (5, 0, 0).
+  void SetUp() override
+  {
+    vtkNew<vtkGeodesicSphereSource> sphere;
+    sphere->SetFrequency(48);
+    sphere->Update();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < sphere->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const double* n = sphere->GetOutput()->GetPoint(i);
+      points->InsertNextPoint(5.0 + 2.0 * n[0], 2.0 * n[1], 2.0 * n[2]);
+    }
+    this->Cloud->SetPoints(points);
+    this->Filter->SetInputData(this->Cloud);
+    this->Filter->SetSpacing(0.05);
+  }
+  double Figure(const char* name)
+  {
+    vtkDataArray* array = this->Filter->GetOutput()->GetFieldData()->GetArray(name);
+    return array ? array->GetTuple1(0) : std::numeric_limits<double>::quiet_NaN();
+  }
+  bool IsGenusZero()
+  {
+    vtkNew<vtkGenusZeroCheck> check;
+    check->SetInputConnection(this->Filter->GetOutputPort());
+    check->Update();
+    vtkFieldData* data = check->GetOutput()->GetFieldData();
+    return data->GetArray("IsGenusZero")->GetTuple1(0) == 1 &&
+      data->GetArray("NumberOfInconsistentEdges")->GetTuple1(0) == 0 &&
+      data->GetArray("IsInsideOut")->GetTuple1(0) == 0;
+  }
+  void ExpectEmpty()
+  {
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+  }
+
+  vtkNew<vtkPolyData> Cloud;
+  vtkNew<vtkGenusZeroHull> Filter;
+};
+}
+
+TEST_F(GenusZeroHull, WritesTheContractsArrays)
+{
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  vtkFieldData* data = this->Filter->GetOutput()->GetFieldData();
+  for (const char* name : Counts)
+  {
+    contract::ExpectArray(data, name, VTK_ID_TYPE, 1, 1);
+  }
+  for (const char* name : Lengths)
+  {
+    contract::ExpectArray(data, name, VTK_DOUBLE, 1, 1);
+  }
+  EXPECT_EQ(this->Filter->GetOutput()->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_TRUE(this->IsGenusZero());
+}
+
+TEST_F(GenusZeroHull, KnowsASphere)
+{
+  this->Filter->Update();
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputConnection(this->Filter->GetOutputPort());
+  EXPECT_NEAR(mass->GetVolume(), 4.0 / 3.0 * Pi * std::pow(2.1, 3), 0.4);
+  double center[3];
+  this->Filter->GetOutput()->GetCenter(center);
+  EXPECT_NEAR(center[0], 5.0, 0.01);
+  EXPECT_NEAR(center[1], 0.0, 0.01);
+  EXPECT_NEAR(this->Figure("LatticeSpacing"), 0.1, 1e-6);
+  EXPECT_EQ(this->Figure("Rank"), 3);
+  EXPECT_EQ(this->Figure("SolidEulerNumber"), 1);
+  EXPECT_EQ(this->Figure("NumberOfCutNodes"), 0);
+  EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
+  EXPECT_EQ(this->Figure("Leaks"), 0);
+  EXPECT_NEAR(this->Figure("NumberOfInsideNodes") * 1e-3, 4.0 / 3.0 * Pi * std::pow(1.9, 3), 0.5);
+}
+
+// Lengths are those of the coordinates: of a hole in the sphere, its rim's radius and the sphere's.
+TEST_F(GenusZeroHull, MeasuresHolesInTheInputsUnit)
+{
+  vtkNew<vtkPoints> kept;
+  const double rim = 0.8;
+  for (vtkIdType i = 0; i < this->Cloud->GetNumberOfPoints(); ++i)
+  {
+    const double* x = this->Cloud->GetPoint(i);
+    if (!(x[2] > 0.0 && std::hypot(x[0] - 5.0, x[1]) < rim))
+    {
+      kept->InsertNextPoint(x);
+    }
+  }
+  this->Cloud->SetPoints(kept);
+  this->Filter->Update();
+  EXPECT_NEAR(this->Figure("HoleWidth"), rim, 0.1);
+  EXPECT_NEAR(this->Figure("HoleDepth"), 2.0, 0.1);
+  EXPECT_TRUE(this->IsGenusZero());
+}
+
+TEST_F(GenusZeroHull, WarnsOfALeak)
+{
+  vtkNew<vtkPoints> kept;
+  for (vtkIdType i = 0; i < this->Cloud->GetNumberOfPoints(); ++i)
+  {
+    const double* x = this->Cloud->GetPoint(i);
+    if (x[2] < 1.2)
+    {
+      kept->InsertNextPoint(x);
+    }
+  }
+  this->Cloud->SetPoints(kept);
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_NE(observed.WarningMessage().find("nearly as wide"), std::string::npos);
+  EXPECT_EQ(this->Figure("Leaks"), 1);
+  EXPECT_TRUE(this->IsGenusZero());
+  // Told to be content with less, it sees no leak.
+  observed.Clear();
+  this->Filter->SetPersistence(1.15);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Warning());
+  EXPECT_EQ(this->Figure("Leaks"), 0);
+}
+
+TEST_F(GenusZeroHull, PropertiesChangeTheResult)
+{
+  this->Filter->SetSmoothingPasses(0);
+  this->Filter->Update();
+  double bounds[6], wider[6];
+  this->Filter->GetOutput()->GetBounds(bounds);
+  this->Filter->SetOffset(3.0);
+  this->Filter->Update();
+  this->Filter->GetOutput()->GetBounds(wider);
+  EXPECT_NEAR(wider[1] - bounds[1], 0.2, 0.03);
+  const vtkIdType points = this->Filter->GetOutput()->GetNumberOfPoints();
+  this->Filter->SetSpacing(0.1);
+  this->Filter->Update();
+  EXPECT_LT(2 * this->Filter->GetOutput()->GetNumberOfPoints(), points);
+}
+
+TEST_F(GenusZeroHull, LeavesTheInputAlone)
+{
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(this->Cloud);
+  this->Filter->Update();
+  EXPECT_EQ(this->Cloud->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(
+    std::memcmp(before->GetPoints()->GetVoidPointer(0), this->Cloud->GetPoints()->GetVoidPointer(0),
+      3 * sizeof(double) * before->GetNumberOfPoints()),
+    0);
+}
+
+TEST_F(GenusZeroHull, GivesTheSameBitsOnAnyThreads)
+{
+  vtkNew<vtkPolyData> expected;
+  for (const int threads : { 1, 2, 3 })
+  {
+    vtkSMPTools::Initialize(threads);
+    this->Filter->Modified();
+    this->Filter->Update();
+    vtkPolyData* output = this->Filter->GetOutput();
+    if (threads == 1)
+    {
+      expected->DeepCopy(output);
+    }
+    ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
+    EXPECT_EQ(
+      std::memcmp(expected->GetPoints()->GetVoidPointer(0), output->GetPoints()->GetVoidPointer(0),
+        3 * sizeof(double) * expected->GetNumberOfPoints()),
+      0);
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+TEST_F(GenusZeroHull, ScalesWithTheCloud)
+{
+  this->Filter->Update();
+  vtkNew<vtkPolyData> small;
+  small->DeepCopy(this->Filter->GetOutput());
+  const double factor = std::ldexp(1.0, 90); // 1e27
+  for (vtkIdType i = 0; i < this->Cloud->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    this->Cloud->GetPoint(i, x);
+    this->Cloud->GetPoints()->SetPoint(i, factor * x[0], factor * x[1], factor * x[2]);
+  }
+  this->Cloud->GetPoints()->Modified();
+  this->Filter->Update();
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), small->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < small->GetNumberOfPoints(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(this->Filter->GetOutput()->GetPoint(i)[axis], factor * small->GetPoint(i)[axis]);
+    }
+  }
+}
+
+TEST_F(GenusZeroHull, TakesAnyPointSet)
+{
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(static_cast<int>(this->Cloud->GetNumberOfPoints()), 1, 1);
+  grid->SetPoints(this->Cloud->GetPoints());
+  this->Filter->Update();
+  const vtkIdType points = this->Filter->GetOutput()->GetNumberOfPoints();
+  this->Filter->SetInputData(grid);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
+}
+
+TEST_F(GenusZeroHull, SkipsGhostPointsAndThoseNotFinite)
+{
+  this->Filter->Update();
+  const vtkIdType expected = this->Filter->GetOutput()->GetNumberOfPoints();
+  const vtkIdType size = this->Cloud->GetNumberOfPoints();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(size + 3);
+  ghosts->Fill(0);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  this->Cloud->GetPoints()->InsertNextPoint(100.0, 0.0, 0.0);
+  this->Cloud->GetPoints()->InsertNextPoint(0.0, nan, 0.0);
+  this->Cloud->GetPoints()->InsertNextPoint(-1.0 / 0.0, 0.0, 0.0);
+  ghosts->SetValue(size, vtkDataSetAttributes::DUPLICATEPOINT);
+  this->Cloud->GetPointData()->AddArray(ghosts);
+  this->Cloud->Modified();
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_NE(
+    observed.WarningMessage().find("2 points are not finite and left out"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), expected);
+}
+
+TEST_F(GenusZeroHull, WarnsOfNoPoints)
+{
+  contract::Observed observed(this->Filter);
+  vtkNew<vtkPolyData> nothing;
+  this->Filter->SetInputData(nothing);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Error());
+  EXPECT_NE(observed.WarningMessage().find("there are no points to wrap"), std::string::npos);
+  this->ExpectEmpty();
+}
+
+TEST_F(GenusZeroHull, WarnsOfFlatClouds)
+{
+  contract::Observed observed(this->Filter);
+  for (const int rank : { 2, 1, 0 })
+  {
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 400; ++i)
+    {
+      points->InsertNextPoint(rank > 0 ? i % 20 : 7.0, rank > 1 ? i / 20 : 7.0, 0.0);
+    }
+    this->Cloud->SetPoints(points);
+    observed.Clear();
+    this->Filter->Update();
+    EXPECT_FALSE(observed.Error());
+    EXPECT_NE(
+      observed.WarningMessage().find("rank " + std::to_string(rank) + " cloud"), std::string::npos);
+    EXPECT_EQ(this->Figure("Rank"), rank);
+    EXPECT_EQ(this->Figure("NumberOfInsideNodes"), 0);
+    EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
+    EXPECT_TRUE(this->IsGenusZero());
+  }
+}
+
+TEST_F(GenusZeroHull, RefusesParametersThatAreNoNumbers)
+{
+  contract::Observed observed(this->Filter);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  this->Filter->SetSpacing(nan);
+  this->Filter->Update();
+  EXPECT_NE(observed.ErrorMessage().find("lattice's spacing"), std::string::npos);
+  this->ExpectEmpty();
+  this->Filter->SetSpacing(0.1);
+  this->Filter->SetOffset(nan);
+  observed.Clear();
+  this->Filter->Update();
+  EXPECT_NE(observed.ErrorMessage().find("offset"), std::string::npos);
+  this->Filter->SetOffset(1.0);
+  this->Filter->SetPersistence(nan);
+  observed.Clear();
+  this->Filter->Update();
+  EXPECT_NE(observed.ErrorMessage().find("persistence"), std::string::npos);
+  // Out of range is clamped.
+  this->Filter->SetPersistence(0.0);
+  EXPECT_EQ(this->Filter->GetPersistence(), 1.1);
+}
+
+TEST_F(GenusZeroHull, AbortLeavesNothingAndSaysNothing)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.3);
+    });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  this->ExpectEmpty();
+}
+
+TEST_F(GenusZeroHull, RunsOnlyWhenModifiedAndPrints)
+{
+  contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetSpacing(0.08); });
+  contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetOffset(1.5); });
+  contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetPersistence(2.0); });
+  contract::ExpectRunsOnlyWhenModified(
+    this->Filter, [&]() { this->Filter->SetSmoothingPasses(5); });
+  for (const char* property : { "Spacing", "Offset", "Persistence", "SmoothingPasses" })
+  {
+    contract::ExpectPrints(this->Filter, property);
+  }
+}
