@@ -5,6 +5,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenusZeroCheck.h"
+#include "vtkGeodesicSphereSource.h"
 #include "vtkImageData.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkPoints.h"
@@ -13,7 +14,10 @@
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <cmath>
 #include <cstring>
@@ -109,6 +113,9 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
       filter->GetOutput()->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 362);
     contract::ExpectArray(filter->GetOutput()->GetFieldData(), "Rank", -1, 1, 1);
     EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Rank")->GetTuple1(0), 3.0);
+    contract::ExpectArray(
+      filter->GetOutput()->GetFieldData(), "UnsupportedFraction", VTK_DOUBLE, 1, 1);
+    contract::ExpectArray(filter->GetOutput()->GetFieldData(), "StartedFromHull", -1, 1, 1);
 
     vtkTable* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
     ASSERT_NE(history, nullptr);
@@ -120,6 +127,37 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
         history->GetRowData(), column, VTK_DOUBLE, 1, history->GetNumberOfRows());
     }
   }
+}
+
+TEST(ConformalSOM, StartsFromTheMeshOnPortOne)
+{
+  auto cloud = MakeCloud(5000);
+  vtkNew<vtkGeodesicSphereSource> sphere;
+  sphere->SetFrequency(9);
+  vtkNew<vtkTransform> transform;
+  transform->Translate(5.0, 0.0, 0.0);
+  transform->Scale(3.0, 2.0, 1.0);
+  vtkNew<vtkTransformPolyDataFilter> start;
+  start->SetTransform(transform);
+  start->SetInputConnection(sphere->GetOutputPort());
+  auto filter = MakeFilter(cloud);
+  filter->SetStartConnection(start->GetOutputPort());
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  ExpectMesh(filter);
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("StartedFromHull")->GetTuple1(0), 0.0);
+  EXPECT_EQ(
+    vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetValueByName(0, "Frequency").ToInt(),
+    6);
+
+  vtkNew<vtkPolyData> unmapped;
+  start->Update();
+  unmapped->CopyStructure(start->GetOutput());
+  filter->SetStartData(unmapped);
+  filter->Update();
+  EXPECT_NE(observed.ErrorMessage().find("SpherePosition"), std::string::npos);
+  ExpectEmpty(filter);
 }
 
 TEST(ConformalSOM, LearnsTheEllipsoidWhereItLies)
@@ -186,11 +224,11 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
   auto filter = MakeFilter(cloud);
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetRandomSeed(4); });
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetTrainingModeToOnline(); });
-  for (const char* property :
-    { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed", "ReferencePoint",
-      "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius", "NeighborhoodTimeConstant",
-      "InitialLearningRate", "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron",
-      "NumberOfPolishRounds", "Smoothness", "GenerateErrorScalars" })
+  for (const char* property : { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed",
+         "ReferencePoint", "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius",
+         "NeighborhoodTimeConstant", "InitialLearningRate", "LearningRateTimeConstant",
+         "PassesPerLevel", "SamplesPerNeuron", "NumberOfPolishRounds", "Smoothness",
+         "AutomaticPriority", "StartingShape", "GenerateErrorScalars" })
   {
     contract::ExpectPrints(filter, property);
   }

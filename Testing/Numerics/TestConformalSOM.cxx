@@ -2,11 +2,13 @@
 
 #include "FixedPointSums.h"
 #include "GenusZeroCheck.h"
+#include "PointTree.h"
 #include "Random.h"
 #include "TriangleTree.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -47,6 +49,45 @@ Points potato(Index size)
     points(i, 1) *= 0.7;
   }
   return points;
+}
+
+// A bent sausage that nearly bites its tail: the centre line runs over 5/6 of a circle of radius
+// 1, the tube's radius is 0.3, its ends are round. Learned from a sphere it spans a web.
+Points horseshoe(Index size)
+{
+  constexpr double Tube = 0.3;
+  const double pi = std::acos(-1.0), arc = 5.0 / 3.0 * pi;
+  conformal::Random random(17);
+  Points points(size, 3);
+  for (Index i = 0; i < size; ++i)
+  {
+    // Along the centre line, beyond whose ends the sphere's share of the tube's area begins.
+    const double along = (arc + 4.0 * Tube) * random.uniform() - 2.0 * Tube;
+    const double around = 2.0 * pi * random.uniform();
+    const double end = std::clamp(along, 0.0, arc);
+    const double cap = std::clamp((along - end) / (2.0 * Tube), -1.0, 1.0);
+    const double radius = Tube * std::sqrt(1.0 - cap * cap);
+    const Vector3 outwards(std::cos(end), std::sin(end), 0.0);
+    const Vector3 forwards(-std::sin(end), std::cos(end), 0.0);
+    points.row(i) = outwards * (1.0 + radius * std::cos(around)) +
+      Vector3(0, 0, radius * std::sin(around)) + forwards * Tube * cap;
+  }
+  return points;
+}
+
+// The longest way from a triangle's centre to the nearest point.
+double farthestFromData(const Points& points, const ConformalSOMResult& result)
+{
+  const conformal::PointTree data{ conformal::PointView(points) };
+  double farthest = 0.0;
+  for (Index r = 0; r < result.Network.Faces.rows(); ++r)
+  {
+    const auto ids = result.Network.Faces.row(r);
+    const Vector3 center =
+      (result.Weights.row(ids[0]) + result.Weights.row(ids[1]) + result.Weights.row(ids[2])) / 3.0;
+    farthest = std::max(farthest, data.nearest(center).SquareDistance);
+  }
+  return std::sqrt(farthest);
 }
 
 double pointToSurface(const TrainingSamples& samples, const ConformalSOMResult& result)
@@ -208,6 +249,92 @@ TEST(ConformalSOM, PlainMapUsesTheWinnersPosition)
   const Points plainMap = trainConformalSOM(TrainingSamples(points), options).Weights;
   EXPECT_NE(conformalMap, plainMap);
   EXPECT_LT((conformalMap - plainMap).rowwise().norm().mean(), 0.02);
+}
+
+// From the sphere the map spans the space between the ends; from the hull it does not.
+TEST(ConformalSOM, WebsAreSeenAndAvoided)
+{
+  const Points points = horseshoe(20000);
+  ConformalSOMOptions options = batch(16);
+  options.StartingShape = conformal::StartingShape::Sphere;
+  const ConformalSOMResult webbed = trainConformalSOM(TrainingSamples(points), options);
+  EXPECT_FALSE(webbed.Hulled);
+  EXPECT_GT(webbed.UnsupportedFraction, 0.02);
+  EXPECT_GT(farthestFromData(points, webbed), 0.2);
+
+  options.StartingShape = conformal::StartingShape::Automatic;
+  const ConformalSOMResult clean = trainConformalSOM(TrainingSamples(points), options);
+  EXPECT_TRUE(clean.Hulled);
+  EXPECT_LT(clean.UnsupportedFraction, 0.002);
+  EXPECT_LT(farthestFromData(points, clean), 0.08);
+  EXPECT_TRUE(conformal::checkGenusZero(clean.Network.Faces, clean.Weights.rows()).isGenusZero());
+  EXPECT_LT(pointToSurface(TrainingSamples(points), clean), 1e-4);
+  EXPECT_EQ(clean.Weights,
+    trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards)
+      .Weights);
+}
+
+TEST(ConformalSOM, SimpleObjectsNeedNoHull)
+{
+  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(potato(20000)), batch(16));
+  EXPECT_FALSE(result.Hulled);
+  EXPECT_EQ(result.UnsupportedFraction, 0.0);
+}
+
+TEST(ConformalSOM, StartsFromAMappedMesh)
+{
+  const Points points = potato(20000);
+  const conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(7);
+  conformal::MappedMesh start{ sphere.Positions, sphere.Faces, sphere.Positions };
+  start.Positions.col(1) *= 0.7;
+  const auto mirrored = [](Points p)
+  {
+    p.col(2) *= -1.0;
+    return p;
+  };
+  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), batch(12), &start);
+  EXPECT_FALSE(result.Hulled);
+  EXPECT_LT(pointToSurface(TrainingSamples(points), result), 2e-5);
+  // A map that mirrors the surface is turned round: the mesh does not come out inside out.
+  start.SpherePositions = mirrored(start.SpherePositions);
+  const ConformalSOMResult turned = trainConformalSOM(TrainingSamples(points), batch(12), &start);
+  EXPECT_LT(pointToSurface(TrainingSamples(points), turned), 2e-5);
+  EXPECT_GT(conformal::signedVolume(turned.Weights, turned.Network.Faces), 0.0);
+
+  start.SpherePositions.setConstant(0.5);
+  EXPECT_THROW(
+    trainConformalSOM(TrainingSamples(points), batch(12), &start), std::invalid_argument);
+
+  ConformalSOMOptions one = online(7);
+  one.NumberOfEpochs = 0;
+  start.SpherePositions = sphere.Positions;
+  EXPECT_LT((trainConformalSOM(TrainingSamples(points), one, &start).Weights - start.Positions)
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-12);
+}
+
+TEST(ConformalSOM, AutomaticPriorityReachesTips)
+{
+  Points points = sphereCloud(20000);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) *= 1.0 + std::exp(60.0 * (points(i, 2) - 1.0)); // a spike
+  }
+  const auto farthest = [&](bool automatic)
+  {
+    ConformalSOMOptions options = batch(12);
+    options.AutomaticPriority = automatic;
+    const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
+    const conformal::TriangleTree tree(result.Weights, result.Network.Faces);
+    double longest = 0.0;
+    for (Index i = 0; i < points.rows(); ++i)
+    {
+      longest = std::max(longest, tree.closestPoint(points.row(i)).SquareDistance);
+    }
+    return longest;
+  };
+  EXPECT_LT(farthest(true), 0.8 * farthest(false));
 }
 
 TEST(ConformalSOM, HistoryFollowsThePapersSchedules)
