@@ -19,6 +19,9 @@ namespace conformal
 namespace
 {
 constexpr int CoarsestFrequency = 4;
+// Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
+constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
+
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
 
 std::vector<int> frequencies(int finest)
@@ -109,6 +112,27 @@ Points means(const Shares& shares, const Adjacency& neighbors, const Points& wei
   return moved;
 }
 
+/// How much noise there is, from the errors on two lattices one of which is twice as fine. What a
+/// lattice is too coarse for falls sixfold (measured on scans; sixteenfold would be the limit of a
+/// smooth object), noise stays.
+double noiseToDetail(double coarseError, double fineError)
+{
+  constexpr double Fall = 6.0;
+  const double ratio = coarseError / fineError;
+  return ratio > 1.0 ? std::clamp((Fall - 1.0) / (ratio - 1.0) - 1.0, 0.0, MostNoise) : MostNoise;
+}
+
+/// What is to be smoothed more the more noise there is; far patterns are noise then, not tips.
+PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
+{
+  PolishOptions polish;
+  polish.NumberOfRounds = options.NumberOfPolishRounds;
+  polish.LastSmoothness = options.Smoothness + SmoothnessForNoise * noise * noise;
+  polish.FirstSmoothness = polish.LastSmoothness;
+  polish.AutomaticPriority = options.AutomaticPriority && noise < LittleNoise;
+  return polish;
+}
+
 /// Learning passes from the unit sphere, coarse to fine.
 ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
@@ -122,6 +146,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   }
 
   ConformalSOMResult result;
+  double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
   Rotation rotation(samples.size(), options.RandomSeed);
   for (int f : levels)
   {
@@ -139,12 +164,13 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     {
       rotation.turn(options.SamplesPerNeuron * positions.rows());
       FixedPointSums sums(4 * positions.rows());
-      double squareError = 0.0;
+      double squareError = 0.0, logError = 0.0;
       forEachFoot(
         samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
         [&](Index id, const Vector3& x, const FootPoint& foot)
         {
           squareError += foot.SquareDistance;
+          logError += std::log(std::max(foot.SquareDistance, 1e-16));
           for (int k = 0; k < 3; ++k)
           {
             const double share = samples.weight(id) * foot.Barycentric[k];
@@ -181,7 +207,14 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       surface.refit(result.Weights);
       done += passWork(f);
       report(progress, done / work);
+      // The geometric mean, which a few outliers do not change.
+      typicalErrors[1] = std::exp(logError / static_cast<double>(rotation.count()));
     }
+    if (f != levels.front() && options.PassesPerLevel > 0)
+    {
+      result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
+    }
+    typicalErrors[0] = typicalErrors[1];
   }
   return result;
 }
@@ -196,22 +229,30 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   result.UnsupportedFraction = areaFraction(
     result.Weights, faces, unsupportedVertices(result.Weights, faces, neighbors, masses));
 }
-}
 
-ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& samples,
+/// From a start that is rough, from smooth to fine.
+ConformalSOMResult polishFrom(const Points& weights, double noise,
+  const std::function<bool(const Vector3&)>& belongs, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   ConformalSOMResult result;
   result.Network = makeGeodesicSphere(options.Frequency);
   result.Weights = weights;
-  PolishOptions polish;
-  polish.NumberOfRounds = options.NumberOfPolishRounds + (options.NumberOfPolishRounds + 1) / 2;
-  polish.FirstSmoothness = std::max(options.Smoothness, 0.5);
-  polish.LastSmoothness = options.Smoothness;
+  result.NoiseToDetail = noise;
+  PolishOptions polish = polishFor(options, noise);
+  polish.NumberOfRounds += (polish.NumberOfRounds + 1) / 2;
+  polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.5);
   polish.RelaxedRounds = options.NumberOfPolishRounds / 2;
-  polish.AutomaticPriority = options.AutomaticPriority;
+  polish.Belongs = belongs;
   polishAndCheck(samples, polish, parallelFor, progress, result);
   return result;
+}
+}
+
+ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  return polishFrom(weights, 0.0, {}, samples, options, parallelFor, progress);
 }
 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
@@ -229,11 +270,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   {
     const double share = mayHull ? 0.4 : 1.0;
     fromSphere = learnFromSphere(samples, options, parallelFor, partOf(progress, 0.0, 0.5 * share));
-    PolishOptions polish;
-    polish.NumberOfRounds = options.NumberOfPolishRounds;
-    polish.FirstSmoothness = polish.LastSmoothness = options.Smoothness;
-    polish.AutomaticPriority = options.AutomaticPriority;
-    polishAndCheck(samples, polish, parallelFor, partOf(progress, 0.5 * share, share), fromSphere);
+    polishAndCheck(samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor,
+      partOf(progress, 0.5 * share, share), fromSphere);
   }
   const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
   if (!mayHull || (!mustHull && !webs && stretched(fromSphere) <= ToleratedTriangles))
@@ -242,8 +280,10 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   }
   const HullStart start = startFromHull(samples, makeGeodesicSphere(options.Frequency).Positions,
     parallelFor, partOf(progress, mustHull ? 0.0 : 0.4, 0.7));
-  ConformalSOMResult fromHull =
-    trainBatchFrom(start.Weights, samples, options, parallelFor, partOf(progress, 0.7, 1.0));
+  ConformalSOMResult fromHull = polishFrom(
+    start.Weights, fromSphere.NoiseToDetail,
+    [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,
+    partOf(progress, 0.7, 1.0));
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;

@@ -88,6 +88,8 @@ struct ConformalSOMResult
   Index NumberOfCutNodes = 0; ///< where handles of the hull were cut: genus, or limbs that touch
   Index NumberOfSamplesOutside = 0; ///< patterns far from the hull: outliers, or inner parts
   double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
+  double NoiseToDetail = 0.0;       ///< variance of the noise over that of what the lattice is too
+                                    ///< coarse for
 };
 
 /// Learn a closed surface through the samples, \cite Liou2008 section 2.

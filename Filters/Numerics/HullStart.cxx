@@ -1,6 +1,5 @@
 #include "HullStart.h"
 
-#include "GenusZeroHull.h"
 #include "MeshDecimation.h"
 #include "ProgressiveSphereMap.h"
 #include "Resampling.h"
@@ -44,6 +43,7 @@ HullStart startFromHull(const TrainingSamples& samples, const Points& directions
   HullStart start;
   start.Weights =
     resample(map.Positions, thinned.Points, thinned.Triangles, directions, parallelFor);
+  start.Data = hull.Data;
   start.Leaks = hull.Leaks;
   start.NumberOfCutNodes = hull.NumberOfCutNodes;
   start.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;

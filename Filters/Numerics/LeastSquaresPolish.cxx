@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace conformal
@@ -149,6 +150,74 @@ void stiffenFolds(const Points& weights, const Triangles& faces, const Triangles
   }
 }
 
+/// The root mean square distance of the samples around each neuron, over a few rings.
+class LocalScale
+{
+public:
+  explicit LocalScale(Index neurons)
+    : Squares(2 * neurons)
+    , Scale(neurons, std::numeric_limits<double>::infinity())
+  {
+  }
+
+  /// Whether a sample is so much farther from the surface than its like around it that it does not
+  /// belong to it: an outlier. A feature still to be learned has its samples together.
+  bool outlying(const FootPoint& foot, const Triangles& faces) const
+  {
+    double scale = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      scale += foot.Barycentric[k] * this->Scale[faces(foot.Triangle, k)];
+    }
+    return foot.SquareDistance > OutlierRatio * OutlierRatio * scale * scale;
+  }
+
+  void add(const FootPoint& foot, const Triangles& faces, double weight)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Index neuron = 2 * Index(faces(foot.Triangle, k));
+      this->Squares.add(neuron, weight * foot.Barycentric[k]);
+      this->Squares.add(neuron + 1, weight * foot.Barycentric[k] * foot.SquareDistance);
+    }
+  }
+
+  /// Ready for the next round.
+  void update(const Adjacency& neighbors)
+  {
+    const Index size = static_cast<Index>(this->Scale.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> sums(size, 2);
+    for (Index i = 0; i < sums.size(); ++i)
+    {
+      sums.data()[i] = this->Squares[i];
+    }
+    for (int ring = 0; ring < Rings; ++ring)
+    {
+      auto wider = sums;
+      for (Index i = 0; i < size; ++i)
+      {
+        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+        {
+          wider.row(i) += sums.row(*j);
+        }
+      }
+      sums.swap(wider);
+    }
+    for (Index i = 0; i < size; ++i)
+    {
+      this->Scale[i] = sums(i, 0) > 0.0 ? std::sqrt(sums(i, 1) / sums(i, 0))
+                                        : std::numeric_limits<double>::infinity();
+    }
+    this->Squares = FixedPointSums(2 * size);
+  }
+
+private:
+  static constexpr int Rings = 2;
+  static constexpr double OutlierRatio = 6.0;
+  FixedPointSums Squares;
+  std::vector<double> Scale;
+};
+
 /// See AutomaticPriority.
 double automaticPriority(double squareDistance, double meanSquare)
 {
@@ -172,6 +241,18 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
   Points right(size, 3);
   std::vector<double> masses(faces.rows(), 0.0);
   double meanSquare = 0.0;
+  LocalScale scale(size);
+  const auto belongs = [&](const Vector3& x) { return !options.Belongs || options.Belongs(x); };
+  if (options.NumberOfRounds > 0)
+  {
+    // Before anything moves: outliers must not pull even once.
+    forEachFoot(
+      samples, surface, samples.size(), {},
+      [&](Index id, const Vector3& x, const FootPoint& foot)
+      { scale.add(foot, faces, belongs(x) ? samples.weight(id) : 0.0); },
+      parallelFor, partOf(progress, 0.0, 0.05));
+    scale.update(neighbors);
+  }
   for (int round = 0; round < options.NumberOfRounds; ++round)
   {
     const Points before = result.Weights;
@@ -183,12 +264,18 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
     NormalEquations equations(faces.rows());
     FixedPointSums counts(faces.rows());
     double weights = 0.0, squares = 0.0;
-    const double begin = static_cast<double>(round) / options.NumberOfRounds;
+    const LocalScale outlying = scale; // as the last round left it
+    const double begin = 0.05 + 0.95 * round / options.NumberOfRounds;
     forEachFoot(
       samples, surface, samples.size(), {},
       [&](Index id, const Vector3& x, const FootPoint& foot)
       {
-        const double weight = samples.weight(id);
+        const double weight = belongs(x) ? samples.weight(id) : 0.0;
+        scale.add(foot, faces, weight);
+        if (weight == 0.0 || outlying.outlying(foot, faces))
+        {
+          return;
+        }
         const double priority =
           options.AutomaticPriority ? automaticPriority(foot.SquareDistance, meanSquare) : 1.0;
         equations.add(foot, x, weight * priority);
@@ -196,8 +283,9 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
         weights += weight;
         squares += weight * foot.SquareDistance;
       },
-      parallelFor, partOf(progress, begin, begin + 0.9 / options.NumberOfRounds));
-    meanSquare = squares / weights;
+      parallelFor, partOf(progress, begin, begin + 0.85 / options.NumberOfRounds));
+    scale.update(neighbors);
+    meanSquare = weights > 0.0 ? squares / weights : 0.0;
 
     equations.assemble(faces, matrix, right);
     const double way = static_cast<double>(round) / std::max(1, options.NumberOfRounds - 1);
