@@ -23,6 +23,28 @@ vtkStandardNewMacro(vtkConformalSOM);
 
 namespace
 {
+conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
+{
+  conformal::ConformalSOMOptions options;
+  options.Frequency = self->GetFrequency();
+  options.TrainingMode = static_cast<conformal::TrainingMode>(self->GetTrainingMode());
+  options.RandomSeed = static_cast<unsigned int>(self->GetRandomSeed());
+  options.ReferencePoint = static_cast<conformal::ReferencePoint>(self->GetReferencePoint());
+  options.NumberOfEpochs = self->GetNumberOfEpochs();
+  options.SamplesPerEpoch = self->GetSamplesPerEpoch();
+  options.InitialNeighborhoodRadius = self->GetInitialNeighborhoodRadius();
+  options.NeighborhoodTimeConstant = self->GetNeighborhoodTimeConstant();
+  options.InitialLearningRate = self->GetInitialLearningRate();
+  options.LearningRateTimeConstant = self->GetLearningRateTimeConstant();
+  options.PassesPerLevel = self->GetPassesPerLevel();
+  options.SamplesPerNeuron = self->GetSamplesPerNeuron();
+  options.NumberOfPolishRounds = self->GetNumberOfPolishRounds();
+  options.Smoothness = self->GetSmoothness();
+  options.AutomaticPriority = self->GetAutomaticPriority();
+  options.StartingShape = static_cast<conformal::StartingShape>(self->GetStartingShape());
+  return options;
+}
+
 // The priorities, those that are no use as weights set to 0 and counted.
 std::vector<double> ReadPriorities(vtkPointSet* input, const char* name, vtkIdType& unusable)
 {
@@ -137,24 +159,6 @@ int vtkConformalSOM::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
 
-  conformal::ConformalSOMOptions options;
-  options.Frequency = this->Frequency;
-  options.TrainingMode = static_cast<conformal::TrainingMode>(this->TrainingMode);
-  options.RandomSeed = static_cast<unsigned int>(this->RandomSeed);
-  options.ReferencePoint = static_cast<conformal::ReferencePoint>(this->ReferencePoint);
-  options.NumberOfEpochs = this->NumberOfEpochs;
-  options.SamplesPerEpoch = this->SamplesPerEpoch;
-  options.InitialNeighborhoodRadius = this->InitialNeighborhoodRadius;
-  options.NeighborhoodTimeConstant = this->NeighborhoodTimeConstant;
-  options.InitialLearningRate = this->InitialLearningRate;
-  options.LearningRateTimeConstant = this->LearningRateTimeConstant;
-  options.PassesPerLevel = this->PassesPerLevel;
-  options.SamplesPerNeuron = this->SamplesPerNeuron;
-  options.NumberOfPolishRounds = this->NumberOfPolishRounds;
-  options.Smoothness = this->Smoothness;
-  options.AutomaticPriority = this->AutomaticPriority;
-  options.StartingShape = static_cast<conformal::StartingShape>(this->StartingShape);
-
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
@@ -196,8 +200,9 @@ int vtkConformalSOM::RequestData(
       {
         mesh = vtkConformalConversions::ToMappedMesh(this, start);
       }
-      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(samples, options,
-        start ? &mesh : nullptr, threads, vtkConformalConversions::ProgressOf(this));
+      const conformal::ConformalSOMResult result =
+        conformal::trainConformalSOM(samples, OptionsOf(this), start ? &mesh : nullptr, threads,
+          vtkConformalConversions::ProgressOf(this));
       WarnAbout(this, result, samples.size());
 
       vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
