@@ -292,6 +292,14 @@ private:
 ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& triangles,
   const ProgressiveSphereMapOptions& options, const Progress& progress)
 {
+  if (!(options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0))
+  {
+    throw std::invalid_argument("AreaBalance must lie in [0, 1]");
+  }
+  if (options.NumberOfSweeps < 0 || options.NumberOfSmoothingSweeps < 0)
+  {
+    throw std::invalid_argument("there cannot be less than no sweeps");
+  }
   requireGenusZero(triangles, points.rows());
   const Points places = inUnitBox(points);
   Mapper mapper(places, triangles, energyFor(options.AreaBalance), progress);
