@@ -1,6 +1,7 @@
 #include "vtkCurvedSeamlessSurface.h"
 
 #include "FilterContract.h"
+#include "MeshFixtures.h"
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkAppendPolyData.h"
@@ -44,23 +45,6 @@ vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
     surface->GetPoints()->SetPoint(i, 3.0 * p[0] + 10.0, 2.0 * p[1], p[2]);
   }
   return surface;
-}
-
-/// Polygons written anew: change(cell, ids) returns whether to keep it.
-template <typename Change>
-void ChangePolygons(vtkPolyData* surface, Change change)
-{
-  vtkNew<vtkCellArray> changed;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(i, ids);
-    if (change(i, ids.Get()))
-    {
-      changed->InsertNextCell(ids);
-    }
-  }
-  surface->SetPolys(changed);
 }
 
 /// Points at the eight corners of a cube, cells as given, mapped radially.
@@ -322,7 +306,7 @@ TEST_F(CurvedSeamlessSurface, StopsWhenAskedWithoutAWord)
 TEST_F(CurvedSeamlessSurface, OpenSurfacesAreRefused)
 {
   const vtkNew<vtkPolyData> open = Ellipsoid();
-  ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i != 17; });
+  fixtures::ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i != 17; });
   this->ExpectRefused(open, "boundary");
 }
 
@@ -456,7 +440,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesThatDisagreeAreTurned)
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  ChangePolygons(surface,
+  fixtures::ChangePolygons(surface,
     [](vtkIdType i, vtkIdList* ids)
     {
       if (i % 50 == 0)
@@ -496,7 +480,7 @@ TEST_F(CurvedSeamlessSurface, PolygonSoupIsMerged)
   positions->SetName("SpherePosition");
   positions->SetNumberOfComponents(3);
   vtkDataArray* old = surface->GetPointData()->GetArray("SpherePosition");
-  ChangePolygons(surface,
+  fixtures::ChangePolygons(surface,
     [&](vtkIdType, vtkIdList* ids)
     {
       for (vtkIdType k = 0; k < 3; ++k)

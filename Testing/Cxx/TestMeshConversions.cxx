@@ -3,6 +3,7 @@
 
 #include "FilterContract.h"
 #include "GenusZeroCheck.h"
+#include "MeshFixtures.h"
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkAppendPolyData.h"
@@ -32,23 +33,6 @@ vtkNew<vtkPolyData> Sphere(int frequency = 3)
   vtkNew<vtkPolyData> surface;
   surface->DeepCopy(source->GetOutput());
   return surface;
-}
-
-// Polygons written anew, changed one by one: change(cell, ids) returns whether to keep it.
-template <typename Change>
-void ChangePolygons(vtkPolyData* surface, Change change)
-{
-  vtkNew<vtkCellArray> changed;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->GetCellAtId(i, ids);
-    if (change(i, ids.Get()))
-    {
-      changed->InsertNextCell(ids);
-    }
-  }
-  surface->SetPolys(changed);
 }
 
 class MeshConversions : public testing::Test
@@ -103,7 +87,7 @@ TEST_F(MeshConversions, TakesAGoodSurfaceAsItIs)
 TEST_F(MeshConversions, RefusesOpenSurfacesWithFigures)
 {
   const auto surface = Sphere();
-  ChangePolygons(surface, [](vtkIdType i, vtkIdList*) { return i != 0; });
+  fixtures::ChangePolygons(surface, [](vtkIdType i, vtkIdList*) { return i != 0; });
   EXPECT_NE(this->WhyNot(surface).find("3 boundary edges in 1 loop (first: "), std::string::npos);
   EXPECT_FALSE(this->Observed.Warning());
 }
@@ -151,7 +135,7 @@ TEST_F(MeshConversions, RefusesCoordinatesThatAreNotFinite)
 TEST_F(MeshConversions, TurnsTrianglesAndWarns)
 {
   const auto surface = Sphere();
-  ChangePolygons(surface,
+  fixtures::ChangePolygons(surface,
     [](vtkIdType i, vtkIdList* ids)
     {
       if (i % 50 == 7)
@@ -173,7 +157,7 @@ TEST_F(MeshConversions, WeldsASoupAndWarns)
   const auto sphere = Sphere();
   vtkNew<vtkPoints> corners;
   vtkNew<vtkCellArray> polygons;
-  ChangePolygons(sphere,
+  fixtures::ChangePolygons(sphere,
     [&](vtkIdType, vtkIdList* ids)
     {
       polygons->InsertNextCell(3);
@@ -236,7 +220,7 @@ TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
 TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)
 {
   const auto surface = Sphere();
-  ChangePolygons(surface,
+  fixtures::ChangePolygons(surface,
     [](vtkIdType, vtkIdList* ids)
     {
       std::swap(*ids->GetPointer(1), *ids->GetPointer(2));
