@@ -43,7 +43,7 @@ class Selection
 public:
   Selection(Index numberOfSamples, double spacing)
   {
-    constexpr double samplesPerSquare = 128.0;
+    constexpr double samplesPerSquare = 32.0;
     const double most = samplesPerSquare / (spacing * spacing);
     this->Stretch = std::max<Index>(1, std::llround(static_cast<double>(numberOfSamples) / most));
     this->Size = numberOfSamples / this->Stretch;

@@ -24,9 +24,9 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// Exact, to float precision, up to a distance of 1. Beyond, it is the distance to a sample that is
 /// nearest to some node nearby: too large by a few hundredths in the mean, by less than 1 at worst.
 ///
-/// Implementation note: of a cloud with more than 128 / h^2 samples (max radius 1, so a sphere
-/// would have ten for each square of the lattice), that many are taken, spread evenly over their
-/// order. It saves time, and leaves outliers far from each other.
+/// Implementation note: of a cloud with many more than 32 / h^2 samples (max radius 1, so a sphere
+/// would have two or three for each square of the lattice), about that many are taken, spread
+/// evenly over their order. It saves time, and leaves outliers far from each other.
 ///
 /// Implementation note: of a dense cloud, samples far from all others are left out as outliers: up
 /// to a few of them together, no nearer to the rest than two spacings, as long as they are not more
