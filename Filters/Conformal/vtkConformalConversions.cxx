@@ -58,9 +58,16 @@ conformal::ParallelFor SMPFor()
 //------------------------------------------------------------------------------
 conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
 {
-  return [=](double fraction)
+  constexpr double LeastStep = 1.0 / 1000.0; // no user sees less, and observers may draw
+  double next = 0.0;
+  return [=](double fraction) mutable
   {
-    self->UpdateProgress(begin + fraction * (end - begin));
+    const double reached = begin + fraction * (end - begin);
+    if (reached >= next || fraction == 1.0)
+    {
+      next = reached + LeastStep;
+      self->UpdateProgress(reached);
+    }
     return self->GetAbortExecute() == 0;
   };
 }
@@ -104,6 +111,25 @@ conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
     return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
   }
   copy = ToPoints(points);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy)
+{
+  if (auto* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    return { floats->GetPointer(0), floats->GetNumberOfTuples() };
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
+  }
+  copy.resize(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < copy.size(); ++i)
+  {
+    copy[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
   return copy;
 }
 

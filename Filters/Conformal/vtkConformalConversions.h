@@ -42,6 +42,9 @@ conformal::Points ToPoints(vtkPoints* points);
 /// The coordinates where they lie, or else in the given copy, which must outlive the view.
 conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
 
+/// The numbers of an array with one component, likewise.
+conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy);
+
 /// Whether to leave a point out because it is a ghost, hidden or of another piece; empty where
 /// there are no ghosts.
 std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);

@@ -14,7 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -45,8 +44,9 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
   return options;
 }
 
-// The priorities, those that are no use as weights set to 0 and counted.
-std::vector<double> ReadPriorities(vtkPointSet* input, const char* name, vtkIdType& unusable)
+// The priorities, and how many of them are no use as weights.
+conformal::NumberView ReadPriorities(
+  vtkPointSet* input, const char* name, std::vector<double>& copy, vtkIdType& unusable)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(name);
   if (!array || array->GetNumberOfComponents() != 1 ||
@@ -55,15 +55,15 @@ std::vector<double> ReadPriorities(vtkPointSet* input, const char* name, vtkIdTy
     throw std::invalid_argument(std::string("the input has no point array \"") + name +
       "\" with 1 component and a value for each point");
   }
-  std::vector<double> priorities(array->GetNumberOfTuples());
+  const conformal::NumberView priorities = vtkConformalConversions::ViewNumbers(array, copy);
+  bool positive = false;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    const double value = array->GetComponent(i, 0);
-    const bool usable = std::isfinite(value) && value >= 0.0;
-    priorities[i] = usable ? value : 0.0;
+    const bool usable = std::isfinite(priorities[i]) && priorities[i] >= 0.0;
     unusable += !usable;
+    positive = positive || (usable && priorities[i] > 0.0);
   }
-  if (std::all_of(priorities.begin(), priorities.end(), [](double p) { return p == 0.0; }))
+  if (!positive)
   {
     throw std::invalid_argument(
       std::string("no point has a positive priority in the array \"") + name + "\"");
@@ -165,11 +165,12 @@ int vtkConformalSOM::RequestData(
       conformal::Points copy;
       const conformal::PointView points =
         vtkConformalConversions::ViewPoints(input->GetPoints(), copy);
-      std::vector<double> priorities;
+      std::vector<double> priorityCopy;
+      conformal::NumberView priorities;
       vtkIdType unusable = 0;
       if (this->PriorityArrayName && points.size() > 0)
       {
-        priorities = ReadPriorities(input, this->PriorityArrayName, unusable);
+        priorities = ReadPriorities(input, this->PriorityArrayName, priorityCopy, unusable);
       }
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const conformal::TrainingSamples samples(

@@ -5,8 +5,8 @@
 #include "HullStart.h"
 #include "LeastSquaresPolish.h"
 #include "MeshTopology.h"
-#include "Random.h"
 #include "Resampling.h"
+#include "SampleRotation.h"
 #include "SurfaceSupport.h"
 #include "TriangleTree.h"
 
@@ -22,6 +22,10 @@ constexpr int CoarsestFrequency = 4;
 // Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
 constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
 
+/// Learning leaves the lattice well spread, and evening it further costs little fit. Over the hollows
+/// of a hull it would leave lids.
+constexpr double EvennessFromSphere = 3.0;
+
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
 
 std::vector<int> frequencies(int finest)
@@ -34,37 +38,6 @@ std::vector<int> frequencies(int finest)
   std::reverse(levels.begin(), levels.end());
   return levels;
 }
-
-/// Which patterns a pass takes: all where they are few, else evenly spaced ones in the scan's own
-/// order, from a start that moves from pass to pass so that all have their turn.
-class Rotation
-{
-public:
-  Rotation(Index size, unsigned int seed)
-    : Size(size)
-    , Start(Random(seed).uniform())
-  {
-  }
-
-  void turn(Index wanted)
-  {
-    this->Count = std::min(wanted, this->Size);
-    constexpr double GoldenSection = 0.6180339887498949; // its multiples spread evenly
-    this->Start = std::fmod(this->Start + GoldenSection, 1.0);
-  }
-  Index count() const { return this->Count; }
-  Index id(Index i) const
-  {
-    const double spacing = static_cast<double>(this->Size) / static_cast<double>(this->Count);
-    return std::min(
-      static_cast<Index>((static_cast<double>(i) + this->Start) * spacing), this->Size - 1);
-  }
-
-private:
-  Index Size;
-  Index Count = 0;
-  double Start;
-};
 
 /// For each neuron the mass C of its patterns, then their sum S.
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
@@ -125,11 +98,15 @@ double noiseToDetail(double coarseError, double fineError)
 /// What is to be smoothed more the more noise there is; far patterns are noise then, not tips.
 PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
 {
+  const Index numberOfNeurons = 10 * Index(options.Frequency) * options.Frequency + 2;
   PolishOptions polish;
   polish.NumberOfRounds = options.NumberOfPolishRounds;
   polish.LastSmoothness = options.Smoothness + SmoothnessForNoise * noise * noise;
   polish.FirstSmoothness = polish.LastSmoothness;
+  polish.Evenness = EvennessFromSphere;
   polish.AutomaticPriority = options.AutomaticPriority && noise < LittleNoise;
+  polish.SamplesPerRound = options.SamplesPerNeuron * numberOfNeurons;
+  polish.RandomSeed = options.RandomSeed;
   return polish;
 }
 
@@ -147,7 +124,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
 
   ConformalSOMResult result;
   double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
-  Rotation rotation(samples.size(), options.RandomSeed);
+  SampleRotation rotation(samples, options.RandomSeed);
   for (int f : levels)
   {
     const GeodesicSphere coarse = std::move(result.Network);
@@ -164,13 +141,14 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     {
       rotation.turn(options.SamplesPerNeuron * positions.rows());
       FixedPointSums sums(4 * positions.rows());
-      double squareError = 0.0, logError = 0.0;
+      constexpr double LogUnit = 64.0; // no logarithm of a square distance is larger
+      FixedPointSums errors(2);        // square distances, and their logarithms
       forEachFoot(
         samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
         [&](Index id, const Vector3& x, const FootPoint& foot)
         {
-          squareError += foot.SquareDistance;
-          logError += std::log(std::max(foot.SquareDistance, 1e-16));
+          errors.add(0, foot.SquareDistance);
+          errors.add(1, std::log(std::max(foot.SquareDistance, 1e-16)) / LogUnit);
           for (int k = 0; k < 3; ++k)
           {
             const double share = samples.weight(id) * foot.Barycentric[k];
@@ -183,6 +161,9 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
           }
         },
         parallelFor, partOf(progress, done / work, (done + 0.9 * passWork(f)) / work));
+      sums.reduce(samples.reduce());
+      errors.reduce(samples.reduce());
+      const double count = static_cast<double>(rotation.totalCount());
       Shares shares(positions.rows(), 4);
       for (Index i = 0; i < shares.size(); ++i)
       {
@@ -200,7 +181,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       record.Frequency = f;
       record.NeighborhoodRadius = diffusionRadius(steps, faces.rows());
       record.LearningRate = 1.0;
-      record.MeanSquareError = squareError / static_cast<double>(rotation.count());
+      record.MeanSquareError = errors[0] / count;
       record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
       result.History.push_back(record);
       result.Weights = moved;
@@ -208,7 +189,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       done += passWork(f);
       report(progress, done / work);
       // The geometric mean, which a few outliers do not change.
-      typicalErrors[1] = std::exp(logError / static_cast<double>(rotation.count()));
+      typicalErrors[1] = std::exp(LogUnit * errors[1] / count);
     }
     if (f != levels.front() && options.PassesPerLevel > 0)
     {
@@ -240,9 +221,10 @@ ConformalSOMResult polishFrom(const Points& weights, double noise,
   result.Weights = weights;
   result.NoiseToDetail = noise;
   PolishOptions polish = polishFor(options, noise);
-  polish.NumberOfRounds += (polish.NumberOfRounds + 1) / 2;
+  polish.NumberOfRounds *= 2;
+  polish.Evenness = 1.0;
+  polish.OutlierRatio = 4.0; // the hull is near all of the surface, and at first at one distance
   polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.5);
-  polish.RelaxedRounds = options.NumberOfPolishRounds / 2;
   polish.Belongs = belongs;
   polishAndCheck(samples, polish, parallelFor, progress, result);
   return result;

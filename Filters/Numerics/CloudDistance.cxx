@@ -1,6 +1,7 @@
 #include "CloudDistance.h"
 
 #include "BoxTree.h"
+#include "StrayPoints.h"
 
 #include <algorithm>
 #include <atomic>
@@ -83,6 +84,17 @@ public:
       });
   }
 
+  // Forget samples beside the surface, which would be bumps on it.
+  void dropStray(const Progress& progress)
+  {
+    Points taken(this->Taken.size(), 3);
+    for (Index i = 0; i < taken.rows(); ++i)
+    {
+      taken.row(i) = this->Samples[this->Taken[i]];
+    }
+    this->Stray = strayPoints(taken, this->Threads, progress);
+  }
+
   // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
   void scatter(const Progress& progress)
   {
@@ -92,6 +104,10 @@ public:
       {
         for (Index i = begin; i < end; ++i)
         {
+          if (this->Stray[i])
+          {
+            continue;
+          }
           const auto sample = static_cast<std::uint32_t>(this->Taken[i]);
           const Eigen::Vector3f x = this->place(sample);
           const Eigen::Vector3f f = x - x.array().floor().matrix(), g = f.array() - 1.0F;
@@ -305,6 +321,7 @@ private:
   const TrainingSamples& Samples;
   const Selection Taken;
   const ParallelFor& Threads;
+  std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
 };
@@ -360,7 +377,8 @@ std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
     };
   };
   NearestSamples nearest(lattice, samples, parallelFor);
-  nearest.scatter(part(0.0, 0.2));
+  nearest.dropStray(part(0.0, 0.1));
+  nearest.scatter(part(0.1, 0.2));
   nearest.dropIsolated(part(0.2, 0.3));
   nearest.gatherSeeds(part(0.3, 0.4));
   // A second round brings seeds round corners that the first could not turn.

@@ -3,8 +3,10 @@
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h
 
+#include "Parallel.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -17,12 +19,21 @@ namespace conformal
 class FixedPointSums
 {
 public:
-  explicit FixedPointSums(Index size)
+  explicit FixedPointSums(Index size = 0)
     : Steps(size, 0)
   {
   }
   void add(Index i, double value) { this->Steps[i] += std::llrint(value * Unit); }
   double operator[](Index i) const { return static_cast<double>(this->Steps[i]) / Unit; }
+
+  /// All sums back to zero.
+  void clear() { std::fill(this->Steps.begin(), this->Steps.end(), 0); }
+
+  /// Add what the other processes have.
+  void reduce(const Reduce& reduce)
+  {
+    reduce.sum(this->Steps.data(), static_cast<Index>(this->Steps.size()));
+  }
 
 private:
   static constexpr double Unit = 0x1p38;

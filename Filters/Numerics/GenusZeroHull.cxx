@@ -118,22 +118,14 @@ HullData::HullData(const FreudenthalLattice& lattice, const std::vector<std::uin
 }
 
 //------------------------------------------------------------------------------
-bool HullData::contains(const Vector3& x) const
+bool HullData::contains(const Vector3& sample) const
 {
-  // Corners of the sample's cube, most likely; or of the cubes around it.
-  const Eigen::Vector3i cube = this->Lattice.toLattice(x).array().floor().cast<int>();
-  return this->touches(cube, 0) || this->touches(cube, 1);
-}
-
-//------------------------------------------------------------------------------
-bool HullData::touches(const Eigen::Vector3i& cube, int around) const
-{
-  Eigen::Vector3i low = cube.array() - around, high = cube.array() + 1 + around;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[axis] = std::max(low[axis], 0);
-    high[axis] = std::min(high[axis], this->Lattice.Size[axis] - 1);
-  }
+  // A corner of the sample's cube.
+  const Eigen::Vector3i cube = this->Lattice.toLattice(sample).array().floor().cast<int>();
+  const Eigen::Vector3i low = cube.cwiseMax(0);
+  const Eigen::Vector3i high =
+    (cube.array() + 1).matrix().cwiseMin(Eigen::Map<const Eigen::Vector3i>(this->Lattice.Size.data()) -
+      Eigen::Vector3i::Ones());
   for (int z = low[2]; z <= high[2]; ++z)
   {
     for (int y = low[1]; y <= high[1]; ++y)

@@ -39,13 +39,11 @@ public:
   /// @param[in] nodes  1 for the nodes next to these data, else 0
   HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes);
 
-  /// Whether a sample, in the normalised frame, is data of the hull, or within two spacings or so
-  /// of such. False for outliers and for what lies apart from the largest piece.
-  bool contains(const Vector3& x) const;
+  /// Whether a sample, in the normalised frame, is data of the hull, or within a spacing or two of
+  /// such. False for outliers and for what lies apart from the largest piece.
+  bool contains(const Vector3& sample) const;
 
 private:
-  bool touches(const Eigen::Vector3i& cube, int around) const;
-
   FreudenthalLattice Lattice;
   std::vector<bool> Nodes;
 };

@@ -2,328 +2,320 @@
 
 #include "FixedPointSums.h"
 #include "FootPoints.h"
+#include "LocalScale.h"
 #include "MeshTopology.h"
+#include "PointTree.h"
+#include "SampleRotation.h"
+#include "SurfaceEquations.h"
 #include "SurfaceSupport.h"
 #include "TriangleTree.h"
 #include "VertexNormals.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/Sparse>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace conformal
 {
 namespace
 {
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-constexpr int MaximumIterations = 25;
-
-/// Feet slide along the surface slowly, round by round, always the same way; longer steps get them
-/// there sooner. Measured: 1.7 saves a third of the rounds, 3 and more diverges.
-constexpr double Overrelaxation = 1.7;
-
 /// Where there are no patterns the surface shall be drawn straight across, not carry on bending.
 constexpr double BareStiffness = 30.0;
 
 /// Folds are pressed flat in the last rounds only; earlier it would cost fit without need.
 constexpr int FoldRounds = 5;
-constexpr double FoldStiffening = 3.0;
+constexpr double FoldStiffening = 3.0, MostFoldStiffness = 30.0;
 
-SparseMatrix uniformLaplacian(const Adjacency& neighbors, Index size)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index i = 0; i < size; ++i)
-  {
-    entries.emplace_back(i, i, 1.0);
-    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-    {
-      entries.emplace_back(i, *j, -1.0 / neighbors.size(i));
-    }
-  }
-  SparseMatrix laplacian(size, size);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  return laplacian;
-}
+/// Neurons that have less than this share of a neuron's patterns are idle. They are drawn in the
+/// second half of the rounds, when outliers are known, half as hard as patterns draw.
+constexpr double IdleShare = 0.05, IdleWeight = 0.5;
+constexpr Index TargetsPerNeuron = 4; // patterns kept for them to look for
 
-/// B^T B and B^T x, gathered triangle by triangle.
-struct NormalEquations
-{
-  explicit NormalEquations(Index triangles)
-    : Sums(15 * triangles)
-  {
-  }
-  void add(const FootPoint& foot, const Vector3& x, double priority)
-  {
-    Index at = 15 * Index(foot.Triangle);
-    for (int k = 0; k < 3; ++k)
-    {
-      for (int l = k; l < 3; ++l)
-      {
-        this->Sums.add(at++, priority * foot.Barycentric[k] * foot.Barycentric[l]);
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Sums.add(at++, priority * foot.Barycentric[k] * x[c]);
-      }
-    }
-  }
-  void assemble(const Triangles& faces, SparseMatrix& matrix, Points& right) const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(9 * faces.rows());
-    right.setZero();
-    for (Index r = 0; r < faces.rows(); ++r)
-    {
-      Index at = 15 * r;
-      for (int k = 0; k < 3; ++k)
-      {
-        for (int l = k; l < 3; ++l)
-        {
-          const double value = this->Sums[at++];
-          entries.emplace_back(faces(r, k), faces(r, l), value);
-          if (l > k)
-          {
-            entries.emplace_back(faces(r, l), faces(r, k), value);
-          }
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          right(faces(r, k), c) += this->Sums[at++];
-        }
-      }
-    }
-    matrix.setFromTriplets(entries.begin(), entries.end());
-  }
-
-  FixedPointSums Sums;
-};
-
-/// Every neuron half-way to the middle of its neighbours, but along the surface only.
-Points relax(const Points& weights, const Triangles& faces, const Adjacency& neighbors)
-{
-  const Points normals = vertexNormals(weights, faces);
-  Points relaxed = weights;
-  for (Index i = 0; i < weights.rows(); ++i)
-  {
-    Vector3 step = -weights.row(i);
-    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-    {
-      step += Vector3(weights.row(*j)) / neighbors.size(i);
-    }
-    const Vector3 normal = normals.row(i);
-    relaxed.row(i) += 0.5 * (step - normal * normal.dot(step));
-  }
-  return relaxed;
-}
-
-/// Stiffen the neurons at edges whose triangles are folded on to each other.
-void stiffenFolds(const Points& weights, const Triangles& faces, const Triangles& across,
-  Eigen::VectorXd& stiffness)
-{
-  const auto normal = [&](Index r)
-  {
-    const Vector3 a = weights.row(faces(r, 0)), b = weights.row(faces(r, 1)),
-                  c = weights.row(faces(r, 2));
-    return Vector3((b - a).cross(c - a));
-  };
-  std::vector<bool> folded(weights.rows(), false);
-  for (Index r = 0; r < faces.rows(); ++r)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (across(r, k) > r && normal(r).dot(normal(across(r, k))) < 0.0)
-      {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          folded[faces(r, corner)] = folded[faces(across(r, k), corner)] = true;
-        }
-      }
-    }
-  }
-  for (Index i = 0; i < weights.rows(); ++i)
-  {
-    stiffness[i] = folded[i] ? std::min(stiffness[i] * FoldStiffening, 30.0) : stiffness[i];
-  }
-}
-
-/// The root mean square distance of the samples around each neuron, over a few rings.
-class LocalScale
-{
-public:
-  explicit LocalScale(Index neurons)
-    : Squares(2 * neurons)
-    , Scale(neurons, std::numeric_limits<double>::infinity())
-  {
-  }
-
-  /// Whether a sample is so much farther from the surface than its like around it that it does not
-  /// belong to it: an outlier. A feature still to be learned has its samples together.
-  bool outlying(const FootPoint& foot, const Triangles& faces) const
-  {
-    double scale = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      scale += foot.Barycentric[k] * this->Scale[faces(foot.Triangle, k)];
-    }
-    return foot.SquareDistance > OutlierRatio * OutlierRatio * scale * scale;
-  }
-
-  void add(const FootPoint& foot, const Triangles& faces, double weight)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index neuron = 2 * Index(faces(foot.Triangle, k));
-      this->Squares.add(neuron, weight * foot.Barycentric[k]);
-      this->Squares.add(neuron + 1, weight * foot.Barycentric[k] * foot.SquareDistance);
-    }
-  }
-
-  /// Ready for the next round.
-  void update(const Adjacency& neighbors)
-  {
-    const Index size = static_cast<Index>(this->Scale.size());
-    Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> sums(size, 2);
-    for (Index i = 0; i < sums.size(); ++i)
-    {
-      sums.data()[i] = this->Squares[i];
-    }
-    for (int ring = 0; ring < Rings; ++ring)
-    {
-      auto wider = sums;
-      for (Index i = 0; i < size; ++i)
-      {
-        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-        {
-          wider.row(i) += sums.row(*j);
-        }
-      }
-      sums.swap(wider);
-    }
-    for (Index i = 0; i < size; ++i)
-    {
-      this->Scale[i] = sums(i, 0) > 0.0 ? std::sqrt(sums(i, 1) / sums(i, 0))
-                                        : std::numeric_limits<double>::infinity();
-    }
-    this->Squares = FixedPointSums(2 * size);
-  }
-
-private:
-  static constexpr int Rings = 2;
-  static constexpr double OutlierRatio = 6.0;
-  FixedPointSums Squares;
-  std::vector<double> Scale;
-};
-
-/// See AutomaticPriority.
+/// See PolishOptions.
 double automaticPriority(double squareDistance, double meanSquare)
 {
   return meanSquare > 0.0 ? std::sqrt(std::clamp(squareDistance / meanSquare, 0.1, 8.0)) : 1.0;
 }
+
+class Polish
+{
+public:
+  Polish(const TrainingSamples& samples, const PolishOptions& options,
+    const ParallelFor& parallelFor, ConformalSOMResult& result)
+    : Samples(samples)
+    , Options(options)
+    , Threads(parallelFor)
+    , Weights(result.Weights)
+    , Faces(result.Network.Faces)
+    , Neighbors(vertexNeighbors(Faces, Weights.rows()))
+    , Across(triangleNeighbors(Faces, Weights.rows()))
+    , Surface(Weights, Faces)
+    , Equations(Faces, Neighbors)
+    , Scale(Weights.rows(), options.OutlierRatio)
+    , Rotation(samples, options.RandomSeed)
+    , Bareness(Eigen::VectorXd::Ones(Weights.rows()))
+    , Folds(Eigen::VectorXd::Ones(Weights.rows()))
+    , Masses(Faces.rows(), 0.0)
+  {
+  }
+
+  /// Before anything moves: outliers must not pull even once.
+  void measureScale(const Progress& progress)
+  {
+    this->Rotation.turn(this->Options.SamplesPerRound);
+    this->forEachFoot(
+      [&](Index, const Vector3&, const FootPoint& foot, double weight)
+      { this->Scale.add(foot, this->Faces, weight); },
+      progress);
+    this->Scale.update(this->Neighbors, this->Samples.reduce());
+  }
+
+  TrainingRecord round(int number, const Progress& progress)
+  {
+    const Points before = this->Weights;
+    const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
+    this->draw(number + 1 == firstIdle, partOf(progress, 0.0, 0.7));
+    if (this->Options.AutomaticPriority && number >= firstIdle)
+    {
+      this->drawIdle();
+    }
+    const double way = static_cast<double>(number) / std::max(1, this->Options.NumberOfRounds - 1);
+    const double smoothness = std::pow(this->Options.FirstSmoothness, 1.0 - way) *
+      std::pow(this->Options.LastSmoothness, way);
+    const Eigen::VectorXd stiffness =
+      smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
+    this->Weights +=
+      this->Equations.solve(this->Weights, stiffness, this->Options.Evenness, this->Threads,
+        partOf(progress, 0.7, 0.95));
+    this->Surface.refit(this->Weights);
+
+    const std::vector<bool> bare = this->bareVertices();
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
+    }
+    if (number >= this->Options.NumberOfRounds - FoldRounds)
+    {
+      this->stiffenFolds();
+    }
+    TrainingRecord record;
+    record.Frequency = static_cast<int>(std::lround(std::sqrt(this->Faces.rows() / 20.0)));
+    record.LearningRate = 1.0;
+    record.MeanSquareError = this->MeanSquare;
+    record.MeanDisplacement = (this->Weights - before).rowwise().norm().mean();
+    report(progress, 1.0);
+    return record;
+  }
+
+  /// For each triangle the weight of its patterns in the last round.
+  const std::vector<double>& masses() const { return this->Masses; }
+
+private:
+  /// The body gets the place of a pattern in its turn, itself, its foot and its weight.
+  void forEachFoot(const std::function<void(Index, const Vector3&, const FootPoint&, double)>& body,
+    const Progress& progress) const
+  {
+    Index place = this->Rotation.begin();
+    conformal::forEachFoot(
+      this->Samples, this->Surface, this->Rotation.count(),
+      [&](Index i) { return this->Rotation.id(i); },
+      [&](Index id, const Vector3& x, const FootPoint& foot)
+      {
+        if (!this->Options.Belongs || this->Options.Belongs(x))
+        {
+          body(place, x, foot, this->Samples.weight(id));
+        }
+        ++place;
+      },
+      this->Threads, progress);
+  }
+
+  /// The patterns' part of the equations.
+  void draw(bool keepTargets, const Progress& progress)
+  {
+    this->Rotation.turn(this->Options.SamplesPerRound);
+    const Index stride =
+      std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Weights.rows()));
+    std::vector<double> targets;
+    this->Equations.clear();
+    FixedPointSums masses(this->Faces.rows()), squares(1);
+    this->forEachFoot(
+      [&](Index place, const Vector3& x, const FootPoint& foot, double weight)
+      {
+        this->Scale.add(foot, this->Faces, weight);
+        if (this->Scale.outlying(foot, this->Faces))
+        {
+          return;
+        }
+        const double priority = this->Options.AutomaticPriority
+          ? automaticPriority(foot.SquareDistance, this->MeanSquare)
+          : 1.0;
+        this->Equations.add(foot, x, weight * priority);
+        masses.add(foot.Triangle, weight);
+        squares.add(0, weight * foot.SquareDistance);
+        if (keepTargets && place % stride == 0)
+        {
+          targets.insert(targets.end(), x.data(), x.data() + 3);
+        }
+      },
+      progress);
+    const Reduce& reduce = this->Samples.reduce();
+    this->Scale.update(this->Neighbors, reduce);
+    this->Equations.reduce(reduce);
+    masses.reduce(reduce);
+    squares.reduce(reduce);
+    this->Mass = 0.0;
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      this->Mass += this->Masses[r] = masses[r];
+    }
+    this->MeanSquare = this->Mass > 0.0 ? squares[0] / this->Mass : 0.0;
+    if (keepTargets)
+    {
+      targets = gather(reduce, targets);
+      this->Targets = Eigen::Map<const Points>(
+        targets.data(), static_cast<Index>(targets.size() / 3), 3);
+      this->TargetTree = PointTree(this->Targets);
+    }
+  }
+
+  double meanMass() const { return this->Mass / static_cast<double>(this->Weights.rows()); }
+
+  std::vector<bool> idleVertices() const
+  {
+    std::vector<double> around(this->Weights.rows(), 0.0);
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        around[this->Faces(r, k)] += this->Masses[r];
+      }
+    }
+    std::vector<bool> idle(this->Weights.rows());
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      idle[i] = around[i] < IdleShare * 3.0 * this->meanMass();
+    }
+    return idle;
+  }
+
+  /// Unsupported vertices, and the idle ones that reach from them to the rim of the data.
+  std::vector<bool> bareVertices() const
+  {
+    std::vector<bool> bare =
+      unsupportedVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
+    const std::vector<bool> idle = this->idleVertices();
+    std::vector<int> front;
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      if (bare[i])
+      {
+        front.push_back(static_cast<int>(i));
+      }
+    }
+    while (!front.empty())
+    {
+      const int i = front.back();
+      front.pop_back();
+      for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
+      {
+        if (idle[*j] && !bare[*j])
+        {
+          bare[*j] = true;
+          front.push_back(*j);
+        }
+      }
+    }
+    return bare;
+  }
+
+  void drawIdle()
+  {
+    const Points normals = vertexNormals(this->Weights, this->Faces);
+    const std::vector<bool> idle = this->idleVertices();
+    for (Index i = 0; i < this->Weights.rows() && this->Targets.rows() > 0; ++i)
+    {
+      if (idle[i])
+      {
+        const Vector3 place = this->Weights.row(i), normal = normals.row(i);
+        const Vector3 way = Vector3(this->Targets.row(this->TargetTree.nearest(place).Id)) - place;
+        const double along = normal.dot(way);
+        // Over a hole in the data the nearest pattern is at the rim, beside the neuron.
+        if (2.0 * along * along > way.squaredNorm())
+        {
+          this->Equations.pull(
+            static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
+        }
+      }
+    }
+  }
+
+  /// Stiffen the neurons at edges whose triangles are folded on to each other.
+  void stiffenFolds()
+  {
+    const auto normal = [&](Index r)
+    {
+      const Vector3 a = this->Weights.row(this->Faces(r, 0)),
+                    b = this->Weights.row(this->Faces(r, 1)),
+                    c = this->Weights.row(this->Faces(r, 2));
+      return Vector3((b - a).cross(c - a));
+    };
+    std::vector<bool> folded(this->Weights.rows(), false);
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int other = this->Across(r, k);
+        if (other > r && normal(r).dot(normal(other)) < 0.0)
+        {
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            folded[this->Faces(r, corner)] = folded[this->Faces(other, corner)] = true;
+          }
+        }
+      }
+    }
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      this->Folds[i] =
+        folded[i] ? std::min(this->Folds[i] * FoldStiffening, MostFoldStiffness) : this->Folds[i];
+    }
+  }
+
+  const TrainingSamples& Samples;
+  const PolishOptions& Options;
+  const ParallelFor& Threads;
+  Points& Weights;
+  const Triangles& Faces;
+  const Adjacency Neighbors;
+  const Triangles Across;
+  TriangleTree Surface;
+  SurfaceEquations Equations;
+  LocalScale Scale;
+  SampleRotation Rotation;
+  Points Targets; ///< for idle neurons
+  PointTree TargetTree;
+  Eigen::VectorXd Bareness, Folds;
+  std::vector<double> Masses;
+  double Mass = 0.0, MeanSquare = 0.0;
+};
 }
 
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
 {
-  const Triangles& faces = result.Network.Faces;
-  const Index size = result.Weights.rows();
-  const Adjacency neighbors = vertexNeighbors(faces, size);
-  const SparseMatrix laplacian = uniformLaplacian(neighbors, size);
-  Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(size);
-  Eigen::VectorXd folds = Eigen::VectorXd::Ones(size);
-  const Triangles across = triangleNeighbors(faces, size);
-  const int frequency = static_cast<int>(std::lround(std::sqrt(faces.rows() / 20.0)));
-  TriangleTree surface(result.Weights, faces);
-  SparseMatrix matrix(size, size);
-  Points right(size, 3);
-  std::vector<double> masses(faces.rows(), 0.0);
-  double meanSquare = 0.0;
-  LocalScale scale(size);
-  const auto belongs = [&](const Vector3& x) { return !options.Belongs || options.Belongs(x); };
-  if (options.NumberOfRounds > 0)
+  if (options.NumberOfRounds == 0)
   {
-    // Before anything moves: outliers must not pull even once.
-    forEachFoot(
-      samples, surface, samples.size(), {},
-      [&](Index id, const Vector3& x, const FootPoint& foot)
-      { scale.add(foot, faces, belongs(x) ? samples.weight(id) : 0.0); },
-      parallelFor, partOf(progress, 0.0, 0.05));
-    scale.update(neighbors);
+    return std::vector<double>(result.Network.Faces.rows(), 0.0);
   }
-  for (int round = 0; round < options.NumberOfRounds; ++round)
+  Polish polish(samples, options, parallelFor, result);
+  polish.measureScale(partOf(progress, 0.0, 0.05));
+  for (int number = 0; number < options.NumberOfRounds; ++number)
   {
-    const Points before = result.Weights;
-    if (round < options.RelaxedRounds)
-    {
-      result.Weights = relax(result.Weights, faces, neighbors);
-      surface.refit(result.Weights);
-    }
-    NormalEquations equations(faces.rows());
-    FixedPointSums counts(faces.rows());
-    double weights = 0.0, squares = 0.0;
-    const LocalScale outlying = scale; // as the last round left it
-    const double begin = 0.05 + 0.95 * round / options.NumberOfRounds;
-    forEachFoot(
-      samples, surface, samples.size(), {},
-      [&](Index id, const Vector3& x, const FootPoint& foot)
-      {
-        const double weight = belongs(x) ? samples.weight(id) : 0.0;
-        scale.add(foot, faces, weight);
-        if (weight == 0.0 || outlying.outlying(foot, faces))
-        {
-          return;
-        }
-        const double priority =
-          options.AutomaticPriority ? automaticPriority(foot.SquareDistance, meanSquare) : 1.0;
-        equations.add(foot, x, weight * priority);
-        counts.add(foot.Triangle, weight);
-        weights += weight;
-        squares += weight * foot.SquareDistance;
-      },
-      parallelFor, partOf(progress, begin, begin + 0.85 / options.NumberOfRounds));
-    scale.update(neighbors);
-    meanSquare = weights > 0.0 ? squares / weights : 0.0;
-
-    equations.assemble(faces, matrix, right);
-    const double way = static_cast<double>(round) / std::max(1, options.NumberOfRounds - 1);
-    const double smoothness =
-      std::pow(options.FirstSmoothness, 1.0 - way) * std::pow(options.LastSmoothness, way);
-    const SparseMatrix bending =
-      laplacian.transpose() * stiffness.cwiseProduct(folds).asDiagonal() * laplacian;
-    const SparseMatrix system = matrix + smoothness * weights / size * bending;
-    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(system);
-    solver.setMaxIterations(MaximumIterations);
-    const Points start = result.Weights;
-    forBlocks(parallelFor, 3, 1,
-      [&](Index c, Index)
-      { result.Weights.col(c) = solver.solveWithGuess(right.col(c), start.col(c)); });
-    const bool last = round + 1 == options.NumberOfRounds;
-    result.Weights = start + (last ? 1.0 : Overrelaxation) * (result.Weights - start);
-    surface.refit(result.Weights);
-
-    TrainingRecord record;
-    record.Frequency = frequency;
-    record.LearningRate = 1.0;
-    record.MeanSquareError = meanSquare;
-    record.MeanDisplacement = (result.Weights - before).rowwise().norm().mean();
-    result.History.push_back(record);
-    for (std::size_t r = 0; r < masses.size(); ++r)
-    {
-      masses[r] = counts[static_cast<Index>(r)];
-    }
-    const std::vector<bool> bare = unsupportedVertices(result.Weights, faces, neighbors, masses);
-    for (Index i = 0; i < size; ++i)
-    {
-      stiffness[i] = bare[i] ? BareStiffness : 1.0;
-    }
-    if (round >= options.NumberOfRounds - FoldRounds)
-    {
-      stiffenFolds(result.Weights, faces, across, folds);
-    }
+    const double begin = 0.05 + 0.95 * number / options.NumberOfRounds;
+    result.History.push_back(
+      polish.round(number, partOf(progress, begin, begin + 0.95 / options.NumberOfRounds)));
   }
-  return masses;
+  return polish.masses();
 }
 }

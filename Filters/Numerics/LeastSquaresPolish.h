@@ -15,23 +15,31 @@ struct PolishOptions
   int NumberOfRounds = 10;
   double FirstSmoothness = 0.01; ///< in the first round, then falling in equal ratios
   double LastSmoothness = 0.01;  ///< in the last round
-  int RelaxedRounds = 0;         ///< rounds before which neurons move half-way to the middle of
-                                 ///< their neighbours, along the surface
-  bool AutomaticPriority = true; ///< samples count in proportion to their distance, within limits
+  double Evenness = 1.0;         ///< of triangles, see SurfaceEquations.h
+  double OutlierRatio = 6.0;     ///< see LocalScale.h
+  bool AutomaticPriority = true; ///< see below
+  Index SamplesPerRound = 1000000; ///< others in each round, where there are more
+  unsigned int RandomSeed = 1;     ///< which these are
   std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts at all; may be empty
 };
 
-/// So many times: the foot point of every sample on the surface, then the weights w that minimise
-/// sum p |B w - x|^2 + lambda |L w|^2,  where B holds the feet's barycentric weights, L is the
-/// uniform Laplacian of the lattice and lambda is the smoothness times the mean weight of the
-/// samples of a neuron. The priority p of a sample is its weight and, with AutomaticPriority, its
-/// distance in units of the root mean square, between 0.3 and 2.8: tips that a least-squares fit
-/// would cut off have a say. Samples more than six times as far as the
-/// root mean square around them are outliers and left out.
+/// So many times: the foot point of every sample on the surface, then the weights w that meet the
+/// samples best in the sense of SurfaceEquations.h, the stiffness being the smoothness times the
+/// mean weight of the samples of a neuron. Stiffer are neurons without samples around, whose part
+/// of the surface shall be drawn straight across, and in the last rounds those in folds.
+///
+/// Samples much farther from the surface than those around them are left out (LocalScale.h).
+///
+/// With AutomaticPriority
+/// - a sample counts in proportion to its distance in units of the root mean square, between 0.3
+///   and 2.8: tips that a least-squares fit would cut off have a say;
+/// - a neuron without samples is drawn along its normal to the nearest one that lies there, and so
+///   lids over hollows come down.
 ///
 /// @param[in,out] result  weights in the samples' unit, and the history, one record a round
 /// @return for each triangle the weight of the samples that have their feet in it in the last
 ///         round; zeros if there is none
+/// @throws Aborted
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result);
 }

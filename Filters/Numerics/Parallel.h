@@ -9,12 +9,56 @@
 #include "Types.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <functional>
+#include <numeric>
+#include <vector>
 
 namespace conformal
 {
 /// Runs body(i) once for every i in [0, count), in any order, perhaps at the same time.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
+
+/// How processes that hold parts of one cloud add up what they found. Called by all of them, in the
+/// same order and with the same counts. Sums of integers are the same in any order, hence the same
+/// bits for any number of processes; what is not a sum is written as one.
+struct Reduce
+{
+  int Rank = 0; ///< of this process, in [0, NumberOfRanks)
+  int NumberOfRanks = 1;
+  /// Replace each of count values by its sum over all processes; empty where there is one.
+  std::function<void(std::int64_t* values, Index count)> Sum;
+
+  void sum(std::int64_t* values, Index count) const
+  {
+    if (this->Sum)
+    {
+      this->Sum(values, count);
+    }
+  }
+};
+
+/// The numbers of all processes one after the other, in the order of their ranks, on each of them.
+inline std::vector<double> gather(const Reduce& reduce, const std::vector<double>& own)
+{
+  if (reduce.NumberOfRanks == 1)
+  {
+    return own;
+  }
+  std::vector<std::int64_t> sizes(reduce.NumberOfRanks, 0);
+  sizes[reduce.Rank] = static_cast<std::int64_t>(own.size());
+  reduce.sum(sizes.data(), reduce.NumberOfRanks);
+  const auto first = std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, std::int64_t(0));
+  const auto size = std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0));
+  // Bit patterns, each added to zeros, so that they arrive as they are.
+  std::vector<std::int64_t> bits(size, 0);
+  std::memcpy(bits.data() + first, own.data(), own.size() * sizeof(double));
+  reduce.sum(bits.data(), size);
+  std::vector<double> all(size);
+  std::memcpy(all.data(), bits.data(), size * sizeof(double));
+  return all;
+}
 
 /// Run body(begin, end) over [0, size) in blocks of blockSize; in order where no ParallelFor is
 /// given.

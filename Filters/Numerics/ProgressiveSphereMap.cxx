@@ -30,7 +30,7 @@ SphereEnergy energyFor(double balance)
 {
   SphereEnergy energy;
   energy.AreaExponent = 0.7 * balance;
-  energy.AreaWeight = 0.005 * std::pow(2.0 * balance, 12.0);
+  energy.AreaWeight = 20.0 * std::pow(balance, 5.65);
   return energy;
 }
 

@@ -5,7 +5,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 
 namespace conformal
@@ -14,13 +17,64 @@ namespace
 {
 constexpr Index BlockSize = 1 << 16;
 
-// Sums of one block; blocks are added up in their order, whoever computed them.
-struct Moments
+/// Mass, first and second moments. Sums of numbers up to 1 in integer steps of 2^-50, in two parts
+/// that leave room for 2^38 addends, so that blocks and processes may be added in any order.
+class Moments
 {
-  double Mass = 0.0;
-  Vector3 First = Vector3::Zero();
-  Eigen::Matrix3d Second = Eigen::Matrix3d::Zero();
-  double SquareRadius = 0.0;
+public:
+  void add(double weight, const Vector3& x)
+  {
+    Index at = 0;
+    this->addNumber(at++, weight);
+    for (int c = 0; c < 3; ++c)
+    {
+      this->addNumber(at++, weight * x[c]);
+      for (int d = c; d < 3; ++d)
+      {
+        this->addNumber(at++, weight * x[c] * x[d]);
+      }
+    }
+  }
+  void add(const Moments& other)
+  {
+    for (std::size_t i = 0; i < this->Parts.size(); ++i)
+    {
+      this->Parts[i] += other.Parts[i];
+    }
+  }
+  void reduce(const Reduce& reduce)
+  {
+    reduce.sum(this->Parts.data(), static_cast<Index>(this->Parts.size()));
+  }
+  Vector3 mean() const
+  {
+    return Vector3(this->number(1), this->number(5), this->number(8)) / this->number(0);
+  }
+  Eigen::Matrix3d covariance() const
+  {
+    Eigen::Matrix3d second;
+    second << this->number(2), this->number(3), this->number(4), //
+      this->number(3), this->number(6), this->number(7),         //
+      this->number(4), this->number(7), this->number(9);
+    return second / this->number(0) - this->mean() * this->mean().transpose();
+  }
+
+private:
+  static constexpr int LowBits = 25;
+  static constexpr std::int64_t LowMask = (std::int64_t(1) << LowBits) - 1;
+
+  void addNumber(Index at, double value)
+  {
+    const std::int64_t steps = std::llrint(value * 0x1p50);
+    this->Parts[2 * at] += steps >> LowBits;
+    this->Parts[2 * at + 1] += steps & LowMask;
+  }
+  double number(Index at) const
+  {
+    return static_cast<double>(this->Parts[2 * at]) * 0x1p-25 +
+      static_cast<double>(this->Parts[2 * at + 1]) * 0x1p-50;
+  }
+  std::array<std::int64_t, 20> Parts{};
 };
 
 template <typename Value>
@@ -32,14 +86,27 @@ std::vector<Value> forEachBlock(const ParallelFor& parallelFor, Index size,
     [&](Index begin, Index end) { body(begin, end, values[begin / BlockSize]); });
   return values;
 }
+
+/// Of each number the largest over all processes.
+std::vector<double> largest(const Reduce& reduce, const std::vector<double>& own)
+{
+  const std::vector<double> all = gather(reduce, own);
+  std::vector<double> most = own;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    most[i % own.size()] = std::max(most[i % own.size()], all[i]);
+  }
+  return most;
+}
 }
 
-TrainingSamples::TrainingSamples(const PointView& points, const std::vector<double>& weights,
-  const std::function<bool(Index)>& skip, const ParallelFor& parallelFor)
+TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weights,
+  const std::function<bool(Index)>& skip, const ParallelFor& parallelFor, const Reduce& reduce)
   : View(points)
   , Weights(weights)
+  , Sums(reduce)
 {
-  if (!weights.empty() && static_cast<Index>(weights.size()) != points.size())
+  if (weights.size() > 0 && weights.size() != points.size())
   {
     throw std::invalid_argument("there must be as many weights as points");
   }
@@ -48,7 +115,10 @@ TrainingSamples::TrainingSamples(const PointView& points, const std::vector<doub
     Index Used = 0, NonFinite = 0;
   };
   const auto used = [&](Index i)
-  { return !(skip && skip(i)) && (weights.empty() || weights[i] > 0.0); };
+  {
+    return !(skip && skip(i)) &&
+      (weights.size() == 0 || (weights[i] > 0.0 && std::isfinite(weights[i])));
+  };
   const auto counts = forEachBlock<Count>(parallelFor, points.size(),
     [&](Index begin, Index end, Count& count)
     {
@@ -69,16 +139,18 @@ TrainingSamples::TrainingSamples(const PointView& points, const std::vector<doub
   }
   if (this->Size < points.size())
   {
-    this->Ids.reserve(this->Size);
-    for (Index i = 0; i < points.size(); ++i)
-    {
-      if (used(i) && points[i].allFinite())
-      {
-        this->Ids.push_back(i);
-      }
-    }
+    this->Kept =
+      KeptIds(points.size(), [&](Index i) { return used(i) && points[i].allFinite(); });
   }
-  if (this->Size > 0)
+  std::vector<std::int64_t> sizes(reduce.NumberOfRanks + 1, 0);
+  sizes[reduce.Rank] = this->Size;
+  sizes.back() = this->NonFinite;
+  reduce.sum(sizes.data(), static_cast<Index>(sizes.size()));
+  this->NonFinite = sizes.back();
+  sizes.pop_back();
+  this->FirstOfTotal = std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, Index(0));
+  this->TotalSize = std::accumulate(sizes.begin(), sizes.end(), Index(0));
+  if (this->TotalSize > 0)
   {
     this->findFrame(parallelFor);
   }
@@ -86,12 +158,12 @@ TrainingSamples::TrainingSamples(const PointView& points, const std::vector<doub
 
 void TrainingSamples::findFrame(const ParallelFor& parallelFor)
 {
+  std::vector<double> extremes(7, -std::numeric_limits<double>::infinity());
   if (this->weighted())
   {
-    this->LargestWeight = 0.0;
     for (Index i = 0; i < this->Size; ++i)
     {
-      this->LargestWeight = std::max(this->LargestWeight, this->Weights[this->id(i)]);
+      extremes[6] = std::max(extremes[6], this->Weights[this->id(i)]);
     }
   }
   const auto boxes = forEachBlock<Box>(parallelFor, this->Size,
@@ -102,15 +174,22 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor)
         box.extend(this->View[this->id(i)]);
       }
     });
-  Box bounds;
   for (const Box& box : boxes)
   {
-    bounds.extend(box);
+    for (int c = 0; c < 3; ++c)
+    {
+      extremes[c] = std::max(extremes[c], -box.Lower[c]);
+      extremes[3 + c] = std::max(extremes[3 + c], box.Upper[c]);
+    }
   }
+  extremes = largest(this->Sums, extremes);
+  this->LargestWeight = this->weighted() ? extremes[6] : 1.0;
+  const Vector3 lower(-extremes[0], -extremes[1], -extremes[2]);
+  const Vector3 upper(extremes[3], extremes[4], extremes[5]);
   // First in the box's own unit: sums of very large, very small or very distant coordinates would
   // overflow, vanish or lose their digits. Halves first, for the same reason.
-  this->Center = 0.5 * bounds.Lower + 0.5 * bounds.Upper;
-  const double half = (0.5 * bounds.Upper - 0.5 * bounds.Lower).maxCoeff();
+  this->Center = 0.5 * lower + 0.5 * upper;
+  const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
   this->Scale = half > 0.0 ? half : 1.0;
 
   const auto moments = forEachBlock<Moments>(parallelFor, this->Size,
@@ -118,43 +197,35 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor)
     {
       for (Index i = begin; i < end; ++i)
       {
-        const Vector3 x = (*this)[i];
-        const double weight = this->weight(i);
-        sum.Mass += weight;
-        sum.First += weight * x;
-        sum.Second += weight * x * x.transpose();
+        sum.add(this->weight(i), (*this)[i]);
       }
     });
   Moments total;
   for (const Moments& sum : moments)
   {
-    total.Mass += sum.Mass;
-    total.First += sum.First;
-    total.Second += sum.Second;
+    total.add(sum);
   }
-  const Vector3 mean = total.First / total.Mass;
-  const Eigen::Matrix3d covariance = total.Second / total.Mass - mean * mean.transpose();
+  total.reduce(this->Sums);
   const Vector3 spread =
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly)
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(total.covariance(), Eigen::EigenvaluesOnly)
       .eigenvalues();
   constexpr double Negligible = 1e-14; // square of a thickness of 1e-7
   this->Rank = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
 
-  const Vector3 centroid = this->Center + this->Scale * mean;
-  const auto radii = forEachBlock<Moments>(parallelFor, this->Size,
-    [&](Index begin, Index end, Moments& sum)
+  const Vector3 centroid = this->Center + this->Scale * total.mean();
+  const auto squares = forEachBlock<double>(parallelFor, this->Size,
+    [&](Index begin, Index end, double& square)
     {
       for (Index i = begin; i < end; ++i)
       {
-        sum.SquareRadius = std::max(
-          sum.SquareRadius, ((this->View[this->id(i)] - centroid) / this->Scale).squaredNorm());
+        square = std::max(
+          square, ((this->View[this->id(i)] - centroid) / this->Scale).squaredNorm());
       }
     });
-  for (const Moments& sum : radii)
-  {
-    total.SquareRadius = std::max(total.SquareRadius, sum.SquareRadius);
-  }
+  const double squareRadius =
+    largest(this->Sums, { std::accumulate(squares.begin(), squares.end(), 0.0,
+                          [](double a, double b) { return std::max(a, b); }) })[0];
   this->Center = centroid;
-  this->Scale *= total.SquareRadius > 0.0 ? std::sqrt(total.SquareRadius) : 1.0;
+  this->Scale *= squareRadius > 0.0 ? std::sqrt(squareRadius) : 1.0;
 }
 }

@@ -8,6 +8,7 @@
 
 #include <exception>
 #include <functional>
+#include <vector>
 
 namespace conformal
 {
@@ -78,6 +79,35 @@ public:
     const float* p = this->Floats + 3 * i;
     return Vector3(p[0], p[1], p[2]);
   }
+
+private:
+  const double* Doubles = nullptr;
+  const float* Floats = nullptr;
+  Index Size = 0;
+};
+
+/// Numbers that somebody else owns, likewise.
+class NumberView
+{
+public:
+  NumberView() = default;
+  NumberView(const double* values, Index size)
+    : Doubles(values)
+    , Size(size)
+  {
+  }
+  NumberView(const float* values, Index size)
+    : Floats(values)
+    , Size(size)
+  {
+  }
+  NumberView(const std::vector<double>& values)
+    : NumberView(values.data(), static_cast<Index>(values.size()))
+  {
+  }
+
+  Index size() const { return this->Size; }
+  double operator[](Index i) const { return this->Doubles ? this->Doubles[i] : this->Floats[i]; }
 
 private:
   const double* Doubles = nullptr;

@@ -118,7 +118,8 @@ TEST(TrainingSamples, LeavesOutWhatIsNotFiniteSkippedOrOfNoWeight)
   EXPECT_EQ(samples.weight(3), 0.25);
   EXPECT_EQ(samples.weight(4), 1.0);
   EXPECT_LT((samples.restore(samples[3]) - Vector3(points.row(5))).norm(), 1e-15);
-  EXPECT_THROW(TrainingSamples(points, { 1.0, 2.0 }), std::invalid_argument);
+  const std::vector<double> few = { 1.0, 2.0 };
+  EXPECT_THROW(TrainingSamples(points, few), std::invalid_argument);
 }
 
 TEST(TrainingSamples, RankTellsFlatClouds)
