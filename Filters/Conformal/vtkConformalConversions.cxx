@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -58,14 +59,23 @@ conformal::ParallelFor SMPFor()
 //------------------------------------------------------------------------------
 conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
 {
-  constexpr double LeastStep = 1.0 / 1000.0; // no user sees less, and observers may draw
+  // Observers may draw, and may abort: they hear of every step anybody can see, and of a slow
+  // run every 50 ms, or every thousandth of its time so far, which bounds their number.
+  constexpr double LeastStep = 0.002;
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  Clock::time_point last = start;
   double next = 0.0;
   return [=](double fraction) mutable
   {
     const double reached = begin + fraction * (end - begin);
-    if (reached >= next || fraction == 1.0)
+    const Clock::time_point now = Clock::now();
+    const Clock::duration longest =
+      std::max<Clock::duration>(std::chrono::milliseconds(50), (now - start) / 1000);
+    if (reached >= next || fraction == 1.0 || now - last >= longest)
     {
       next = reached + LeastStep;
+      last = now;
       self->UpdateProgress(reached);
     }
     return self->GetAbortExecute() == 0;

@@ -173,8 +173,9 @@ int vtkConformalSOM::RequestData(
         priorities = ReadPriorities(input, this->PriorityArrayName, priorityCopy, unusable);
       }
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
-      const conformal::TrainingSamples samples(
-        points, priorities, vtkConformalConversions::GhostTest(input), threads);
+      const conformal::TrainingSamples samples(points, priorities,
+        vtkConformalConversions::GhostTest(input), threads, {},
+        vtkConformalConversions::ProgressOf(this, 0.0, 0.02));
       if (unusable > 0)
       {
         vtkWarningMacro(<< unusable << " priorities are negative or not finite and count as 0");
@@ -203,7 +204,7 @@ int vtkConformalSOM::RequestData(
       }
       const conformal::ConformalSOMResult result =
         conformal::trainConformalSOM(samples, OptionsOf(this), start ? &mesh : nullptr, threads,
-          vtkConformalConversions::ProgressOf(this));
+          vtkConformalConversions::ProgressOf(this, 0.02, 1.0));
       WarnAbout(this, result, samples.size());
 
       vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);

@@ -22,8 +22,8 @@ constexpr int CoarsestFrequency = 4;
 // Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
 constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
 
-/// Learning leaves the lattice well spread, and evening it further costs little fit. Over the hollows
-/// of a hull it would leave lids.
+/// Learning leaves the lattice well spread, and evening it further costs little fit. Over the
+/// hollows of a hull it would leave lids.
 constexpr double EvennessFromSphere = 3.0;
 
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level

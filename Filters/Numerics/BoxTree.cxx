@@ -56,23 +56,4 @@ BoxTree buildBoxTree(const std::vector<Box>& boxes)
   }
   return tree;
 }
-
-void refitBoxTree(BoxTree& tree, const std::function<Box(int)>& boxOf)
-{
-  // Children come after their parent, so going backwards meets them first.
-  for (int i = static_cast<int>(tree.Nodes.size()) - 1; i >= 0; --i)
-  {
-    BoxTree::Node& node = tree.Nodes[i];
-    node.Bounds = Box();
-    if (node.Count == 0)
-    {
-      node.Bounds.extend(tree.Nodes[i + 1].Bounds);
-      node.Bounds.extend(tree.Nodes[node.Second].Bounds);
-    }
-    for (int place = node.First; place < node.First + node.Count; ++place)
-    {
-      node.Bounds.extend(boxOf(place));
-    }
-  }
-}
 }

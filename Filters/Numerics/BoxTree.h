@@ -5,7 +5,6 @@
 
 #include "Types.h"
 
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -52,10 +51,6 @@ struct BoxTree
 /// Build by median splits of the items' box centres along the longest side. Depends on the boxes
 /// only, so every run gives the same tree. O(n log n).
 BoxTree buildBoxTree(const std::vector<Box>& boxes);
-
-/// Boxes anew for items that moved, the tree's shape kept. O(n).
-/// @param[in] boxOf  box of the item at a place in Items
-void refitBoxTree(BoxTree& tree, const std::function<Box(int place)>& boxOf);
 }
 
 #endif

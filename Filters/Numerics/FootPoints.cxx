@@ -10,8 +10,8 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  constexpr Index BlockSize = 1024;
-  constexpr Index ChunkSize = 64 * BlockSize; // a few hundredths of a second between two reports
+  constexpr Index BlockSize = 256;
+  constexpr Index ChunkSize = 64 * BlockSize; // a hundredth of a second or two between reports
   const auto id = [&](Index i) { return idOf ? idOf(i) : i; };
   std::vector<FootPoint> feet(std::min(count, ChunkSize));
   for (Index first = 0; first < count; first += ChunkSize)

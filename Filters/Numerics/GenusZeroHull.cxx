@@ -124,8 +124,10 @@ bool HullData::contains(const Vector3& sample) const
   const Eigen::Vector3i cube = this->Lattice.toLattice(sample).array().floor().cast<int>();
   const Eigen::Vector3i low = cube.cwiseMax(0);
   const Eigen::Vector3i high =
-    (cube.array() + 1).matrix().cwiseMin(Eigen::Map<const Eigen::Vector3i>(this->Lattice.Size.data()) -
-      Eigen::Vector3i::Ones());
+    (cube.array() + 1)
+      .matrix()
+      .cwiseMin(
+        Eigen::Map<const Eigen::Vector3i>(this->Lattice.Size.data()) - Eigen::Vector3i::Ones());
   for (int z = low[2]; z <= high[2]; ++z)
   {
     for (int y = low[1]; y <= high[1]; ++y)

@@ -63,8 +63,7 @@ public:
   void measureScale(const Progress& progress)
   {
     this->Rotation.turn(this->Options.SamplesPerRound);
-    this->forEachFoot(
-      [&](Index, const Vector3&, const FootPoint& foot, double weight)
+    this->forEachFoot([&](Index, const Vector3&, const FootPoint& foot, double weight)
       { this->Scale.add(foot, this->Faces, weight); },
       progress);
     this->Scale.update(this->Neighbors, this->Samples.reduce());
@@ -84,9 +83,8 @@ public:
       std::pow(this->Options.LastSmoothness, way);
     const Eigen::VectorXd stiffness =
       smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
-    this->Weights +=
-      this->Equations.solve(this->Weights, stiffness, this->Options.Evenness, this->Threads,
-        partOf(progress, 0.7, 0.95));
+    this->Weights += this->Equations.solve(
+      this->Weights, stiffness, this->Options.Evenness, this->Threads, partOf(progress, 0.7, 0.95));
     this->Surface.refit(this->Weights);
 
     const std::vector<bool> bare = this->bareVertices();
@@ -173,8 +171,8 @@ private:
     if (keepTargets)
     {
       targets = gather(reduce, targets);
-      this->Targets = Eigen::Map<const Points>(
-        targets.data(), static_cast<Index>(targets.size() / 3), 3);
+      this->Targets =
+        Eigen::Map<const Points>(targets.data(), static_cast<Index>(targets.size() / 3), 3);
       this->TargetTree = PointTree(this->Targets);
     }
   }
@@ -243,8 +241,7 @@ private:
         // Over a hole in the data the nearest pattern is at the rim, beside the neuron.
         if (2.0 * along * along > way.squaredNorm())
         {
-          this->Equations.pull(
-            static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
+          this->Equations.pull(static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
         }
       }
     }

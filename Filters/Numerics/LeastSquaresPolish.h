@@ -13,13 +13,13 @@ namespace conformal
 struct PolishOptions
 {
   int NumberOfRounds = 10;
-  double FirstSmoothness = 0.01; ///< in the first round, then falling in equal ratios
-  double LastSmoothness = 0.01;  ///< in the last round
-  double Evenness = 1.0;         ///< of triangles, see SurfaceEquations.h
-  double OutlierRatio = 6.0;     ///< see LocalScale.h
-  bool AutomaticPriority = true; ///< see below
-  Index SamplesPerRound = 1000000; ///< others in each round, where there are more
-  unsigned int RandomSeed = 1;     ///< which these are
+  double FirstSmoothness = 0.01;               ///< in the first round, then falling in equal ratios
+  double LastSmoothness = 0.01;                ///< in the last round
+  double Evenness = 1.0;                       ///< of triangles, see SurfaceEquations.h
+  double OutlierRatio = 6.0;                   ///< see LocalScale.h
+  bool AutomaticPriority = true;               ///< see below
+  Index SamplesPerRound = 1000000;             ///< others in each round, where there are more
+  unsigned int RandomSeed = 1;                 ///< which these are
   std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts at all; may be empty
 };
 

@@ -10,7 +10,7 @@ namespace
 constexpr int Rings = 2;
 /// Larger distances count as this many times the last scale: a few outliers hardly matter, many far
 /// patterns together raise the scale from round to round until they are in.
-constexpr double LargestRatio = 3.0;
+constexpr double LargestRatio = 6.0;
 
 /// Nothing is an outlier that lies as close as this, in units of the largest radius.
 constexpr double LeastSquareScale = 1e-12;
@@ -25,7 +25,8 @@ LocalScale::LocalScale(Index neurons, double outlierRatio)
 
 bool LocalScale::outlying(const FootPoint& foot, const Triangles& faces) const
 {
-  return foot.SquareDistance > this->OutlierRatio * this->OutlierRatio * this->squareAt(foot, faces);
+  return foot.SquareDistance >
+    this->OutlierRatio * this->OutlierRatio * this->squareAt(foot, faces);
 }
 
 double LocalScale::squareAt(const FootPoint& foot, const Triangles& faces) const
@@ -43,8 +44,8 @@ double LocalScale::squareAt(const FootPoint& foot, const Triangles& faces) const
 
 void LocalScale::add(const FootPoint& foot, const Triangles& faces, double weight)
 {
-  const double square = std::min(
-    foot.SquareDistance, LargestRatio * LargestRatio * this->squareAt(foot, faces));
+  const double square =
+    std::min(foot.SquareDistance, LargestRatio * LargestRatio * this->squareAt(foot, faces));
   for (int k = 0; k < 3; ++k)
   {
     const Index neuron = 2 * Index(faces(foot.Triangle, k));

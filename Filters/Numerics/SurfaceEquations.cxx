@@ -22,20 +22,21 @@ constexpr Index BlockSize = 512;
 constexpr Index SumsPerTriangle = 21, RimSums = 6, ResidualSums = 12;
 constexpr Index ProductOf[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
-/// A symmetric 3 by 3 matrix.
+/// A symmetric 3 by 3 matrix. Half the memory of doubles, which is what large networks wait for;
+/// the right side, which says where the solution is, has full precision.
 struct Symmetric
 {
-  std::array<double, 6> Values{};
+  std::array<float, 6> Values{};
 
   /// a I + b v v^T
   void add(double a, double b, const Vector3& v)
   {
-    this->Values[0] += a + b * v[0] * v[0];
-    this->Values[1] += b * v[0] * v[1];
-    this->Values[2] += b * v[0] * v[2];
-    this->Values[3] += a + b * v[1] * v[1];
-    this->Values[4] += b * v[1] * v[2];
-    this->Values[5] += a + b * v[2] * v[2];
+    this->Values[0] += static_cast<float>(a + b * v[0] * v[0]);
+    this->Values[1] += static_cast<float>(b * v[0] * v[1]);
+    this->Values[2] += static_cast<float>(b * v[0] * v[2]);
+    this->Values[3] += static_cast<float>(a + b * v[1] * v[1]);
+    this->Values[4] += static_cast<float>(b * v[1] * v[2]);
+    this->Values[5] += static_cast<float>(a + b * v[2] * v[2]);
   }
   Vector3 operator*(const Vector3& v) const
   {
@@ -49,7 +50,8 @@ struct Symmetric
     const auto& s = this->Values;
     full << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
     const Eigen::Matrix3d i = full.inverse();
-    return { { i(0, 0), i(0, 1), i(0, 2), i(1, 1), i(1, 2), i(2, 2) } };
+    const auto value = [&](int r, int c) { return static_cast<float>(i(r, c)); };
+    return { { value(0, 0), value(0, 1), value(0, 2), value(1, 1), value(1, 2), value(2, 2) } };
   }
 };
 
@@ -175,13 +177,12 @@ SurfaceEquations::SurfaceEquations(const Triangles& faces, const Adjacency& neig
   : Faces(faces)
   , Neighbors(neighbors)
   , Around(vertexTriangles(faces, static_cast<Index>(neighbors.Offsets.size()) - 1))
-  , Sums(SumsPerTriangle * faces.rows())
 {
 }
 
 void SurfaceEquations::clear()
 {
-  this->Sums.clear();
+  this->Sums = FixedPointSums(SumsPerTriangle * this->Faces.rows());
   this->Pulls.clear();
 }
 
@@ -211,7 +212,7 @@ void SurfaceEquations::pull(int vertex, const Vector3& direction, double distanc
 }
 
 Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& stiffness,
-  double evenness, const ParallelFor& parallelFor, const Progress& progress) const
+  double evenness, const ParallelFor& parallelFor, const Progress& progress)
 {
   const Index size = weights.rows();
   System system(
@@ -253,6 +254,8 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
     system.block(pull.Vertex, pull.Vertex).add(0.0, pull.Weight, pull.Direction);
     system.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
   }
+
+  this->Sums = FixedPointSums(); // room for what follows
 
   // Conjugate gradients. Not Eigen's: a step has to be left when the user says so.
   const std::vector<Symmetric> inverses = system.preconditioner();

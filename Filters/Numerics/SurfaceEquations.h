@@ -18,16 +18,20 @@ namespace conformal
 ///     minimise  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2
 ///
 /// with b the barycentric weights of the pattern's foot point, r = x - b w, L the uniform Laplacian
-/// and s_i a vertex's stiffness, times the evenness along the surface. M measures distances: along the normal they count in full; along
-/// the surface hardly at all where the foot lies inside a triangle, for there it may as well lie
-/// beside: the feet of a round need not be those of the next. This is the squared distance of
-/// \cite Pottmann2006 without its curvature, and what makes a few rounds enough.
+/// and s_i a vertex's stiffness, times the evenness along the surface. M measures distances: along
+/// the normal they count in full; along the surface hardly at all where the foot lies inside a
+/// triangle, for there it may as well lie beside: the feet of a round need not be those of the
+/// next. This is the squared distance of \cite Pottmann2006 without its curvature, and what makes a
+/// few rounds enough.
 class SurfaceEquations
 {
 public:
   /// @param[in] faces      #F by 3, must outlive this
   /// @param[in] neighbors  vertexNeighbors of the faces, likewise
   SurfaceEquations(const Triangles& faces, const Adjacency& neighbors);
+
+  /// Begin anew, without patterns.
+  void clear();
 
   /// Draw the surface to a pattern.
   /// @param[in] weight  p, in [0, 4]
@@ -39,17 +43,14 @@ public:
   /// Add what the other processes have added; not what they pulled.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
-  /// Some steps of conjugate gradients from d = 0.
+  /// Some steps of conjugate gradients from d = 0. The patterns are then forgotten.
   /// @param[in] weights    w, #V by 3
   /// @param[in] stiffness  s, #V
   /// @param[in] evenness   above 1 it makes triangles more even than the surface is smooth
   /// @return d, #V by 3
   /// @throws Aborted
-  Points solve(const Points& weights, const Eigen::VectorXd& stiffness,
-    double evenness, const ParallelFor& parallelFor, const Progress& progress) const;
-
-  /// Forget all patterns.
-  void clear();
+  Points solve(const Points& weights, const Eigen::VectorXd& stiffness, double evenness,
+    const ParallelFor& parallelFor, const Progress& progress);
 
 private:
   struct Pull

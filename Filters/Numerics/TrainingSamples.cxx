@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1 << 16;
+constexpr Index BlockSize = 1 << 12;
 
 /// Mass, first and second moments. Sums of numbers up to 1 in integer steps of 2^-50, in two parts
 /// that leave room for 2^38 addends, so that blocks and processes may be added in any order.
@@ -79,10 +79,10 @@ private:
 
 template <typename Value>
 std::vector<Value> forEachBlock(const ParallelFor& parallelFor, Index size,
-  const std::function<void(Index begin, Index end, Value& value)>& body)
+  const Progress& progress, const std::function<void(Index begin, Index end, Value& value)>& body)
 {
   std::vector<Value> values((size + BlockSize - 1) / BlockSize);
-  forBlocks(parallelFor, size, BlockSize,
+  forBlocks(parallelFor, size, BlockSize, progress,
     [&](Index begin, Index end) { body(begin, end, values[begin / BlockSize]); });
   return values;
 }
@@ -101,7 +101,8 @@ std::vector<double> largest(const Reduce& reduce, const std::vector<double>& own
 }
 
 TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weights,
-  const std::function<bool(Index)>& skip, const ParallelFor& parallelFor, const Reduce& reduce)
+  const std::function<bool(Index)>& skip, const ParallelFor& parallelFor, const Reduce& reduce,
+  const Progress& progress)
   : View(points)
   , Weights(weights)
   , Sums(reduce)
@@ -119,7 +120,7 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
     return !(skip && skip(i)) &&
       (weights.size() == 0 || (weights[i] > 0.0 && std::isfinite(weights[i])));
   };
-  const auto counts = forEachBlock<Count>(parallelFor, points.size(),
+  const auto counts = forEachBlock<Count>(parallelFor, points.size(), partOf(progress, 0.0, 0.25),
     [&](Index begin, Index end, Count& count)
     {
       for (Index i = begin; i < end; ++i)
@@ -139,8 +140,7 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   }
   if (this->Size < points.size())
   {
-    this->Kept =
-      KeptIds(points.size(), [&](Index i) { return used(i) && points[i].allFinite(); });
+    this->Kept = KeptIds(points.size(), [&](Index i) { return used(i) && points[i].allFinite(); });
   }
   std::vector<std::int64_t> sizes(reduce.NumberOfRanks + 1, 0);
   sizes[reduce.Rank] = this->Size;
@@ -152,11 +152,11 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   this->TotalSize = std::accumulate(sizes.begin(), sizes.end(), Index(0));
   if (this->TotalSize > 0)
   {
-    this->findFrame(parallelFor);
+    this->findFrame(parallelFor, progress);
   }
 }
 
-void TrainingSamples::findFrame(const ParallelFor& parallelFor)
+void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& progress)
 {
   std::vector<double> extremes(7, -std::numeric_limits<double>::infinity());
   if (this->weighted())
@@ -166,7 +166,7 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor)
       extremes[6] = std::max(extremes[6], this->Weights[this->id(i)]);
     }
   }
-  const auto boxes = forEachBlock<Box>(parallelFor, this->Size,
+  const auto boxes = forEachBlock<Box>(parallelFor, this->Size, partOf(progress, 0.25, 0.4),
     [&](Index begin, Index end, Box& box)
     {
       for (Index i = begin; i < end; ++i)
@@ -192,7 +192,7 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor)
   const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
   this->Scale = half > 0.0 ? half : 1.0;
 
-  const auto moments = forEachBlock<Moments>(parallelFor, this->Size,
+  const auto moments = forEachBlock<Moments>(parallelFor, this->Size, partOf(progress, 0.4, 0.8),
     [&](Index begin, Index end, Moments& sum)
     {
       for (Index i = begin; i < end; ++i)
@@ -213,18 +213,18 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor)
   this->Rank = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
 
   const Vector3 centroid = this->Center + this->Scale * total.mean();
-  const auto squares = forEachBlock<double>(parallelFor, this->Size,
+  const auto squares = forEachBlock<double>(parallelFor, this->Size, partOf(progress, 0.8, 1.0),
     [&](Index begin, Index end, double& square)
     {
       for (Index i = begin; i < end; ++i)
       {
-        square = std::max(
-          square, ((this->View[this->id(i)] - centroid) / this->Scale).squaredNorm());
+        square =
+          std::max(square, ((this->View[this->id(i)] - centroid) / this->Scale).squaredNorm());
       }
     });
-  const double squareRadius =
-    largest(this->Sums, { std::accumulate(squares.begin(), squares.end(), 0.0,
-                          [](double a, double b) { return std::max(a, b); }) })[0];
+  const double squareRadius = largest(this->Sums,
+    { std::accumulate(
+      squares.begin(), squares.end(), 0.0, [](double a, double b) { return std::max(a, b); }) })[0];
   this->Center = centroid;
   this->Scale *= squareRadius > 0.0 ? std::sqrt(squareRadius) : 1.0;
 }

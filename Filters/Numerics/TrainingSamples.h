@@ -27,9 +27,10 @@ public:
   /// @param[in] skip      whether to leave a point out for a reason of the caller's; may be empty
   /// @param[in] reduce    adds up over the processes that hold the other parts
   /// @throws std::invalid_argument if weights has not #P entries
+  /// @throws Aborted
   TrainingSamples(const PointView& points, const NumberView& weights = {},
     const std::function<bool(Index)>& skip = {}, const ParallelFor& parallelFor = {},
-    const Reduce& reduce = {});
+    const Reduce& reduce = {}, const Progress& progress = {});
 
   /// Of this process.
   Index size() const { return this->Size; }
@@ -64,7 +65,7 @@ public:
 
 private:
   Index id(Index i) const { return this->Kept.size() == 0 ? i : this->Kept[i]; }
-  void findFrame(const ParallelFor& parallelFor);
+  void findFrame(const ParallelFor& parallelFor, const Progress& progress);
 
   PointView View;
   NumberView Weights;

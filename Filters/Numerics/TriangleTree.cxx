@@ -93,21 +93,22 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces)
       boxes[r].extend(Vector3(positions.row(faces(r, k))));
     }
   }
-  this->Tree = buildBoxTree(boxes);
+  BoxTree tree = buildBoxTree(boxes);
+  if (faces.rows() > 0)
+  {
+    this->addQuad(tree, 0);
+  }
+  this->Items.swap(tree.Items);
   this->Placed.resize(faces.rows());
   this->PlaceOf.resize(faces.rows());
   for (int place = 0; place < faces.rows(); ++place)
   {
-    this->PlaceOf[this->Tree.Items[place]] = place;
-  }
-  if (faces.rows() > 0)
-  {
-    this->addQuad(0);
+    this->PlaceOf[this->Items[place]] = place;
   }
   this->refit(positions);
 }
 
-int TriangleTree::addQuad(int node)
+int TriangleTree::addQuad(const BoxTree& tree, int node)
 {
   const int self = static_cast<int>(this->Quads.size());
   this->Quads.emplace_back();
@@ -119,7 +120,7 @@ int TriangleTree::addQuad(int node)
     widened = 0;
     for (int i = filled; i-- > 0 && filled < DoubleLanes;)
     {
-      const BoxTree::Node& inner = this->Tree.Nodes[nodes[i]];
+      const BoxTree::Node& inner = tree.Nodes[nodes[i]];
       if (inner.Count == 0)
       {
         nodes[filled++] = inner.Second;
@@ -130,36 +131,55 @@ int TriangleTree::addQuad(int node)
   }
   for (int k = 0; k < DoubleLanes; ++k)
   {
-    const bool inner = nodes[k] >= 0 && this->Tree.Nodes[nodes[k]].Count == 0;
-    const int next = inner ? this->addQuad(nodes[k]) : -1;
-    this->Quads[self].Node[k] = nodes[k];
+    const bool used = nodes[k] >= 0;
+    const BoxTree::Node leaf = used ? tree.Nodes[nodes[k]] : BoxTree::Node();
+    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k]) : -1;
     this->Quads[self].Next[k] = next;
+    this->Quads[self].First[k] = leaf.First;
+    this->Quads[self].Count[k] = leaf.Count;
   }
   return self;
 }
 
+Box TriangleTree::boxOf(const Quad& quad, int lane) const
+{
+  Box box;
+  for (int place = quad.First[lane]; place < quad.First[lane] + quad.Count[lane]; ++place)
+  {
+    box.extend(this->Placed[place].A);
+    box.extend(this->Placed[place].B);
+    box.extend(this->Placed[place].C);
+  }
+  for (int k = 0; quad.Next[lane] >= 0 && k < DoubleLanes; ++k)
+  {
+    const Quad& below = this->Quads[quad.Next[lane]];
+    Box part;
+    for (int c = 0; c < 3; ++c)
+    {
+      part.Lower[c] = below.Lower[c][k];
+      part.Upper[c] = below.Upper[c][k];
+    }
+    box.extend(part);
+  }
+  return box;
+}
+
 void TriangleTree::refit(const Points& positions)
 {
-  refitBoxTree(this->Tree,
-    [&](int place)
-    {
-      const auto ids = this->Faces.row(this->Tree.Items[place]);
-      this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]), positions.row(ids[2]) };
-      Box box;
-      box.extend(this->Placed[place].A);
-      box.extend(this->Placed[place].B);
-      box.extend(this->Placed[place].C);
-      return box;
-    });
-  for (Quad& quad : this->Quads)
+  for (std::size_t place = 0; place < this->Placed.size(); ++place)
+  {
+    const auto ids = this->Faces.row(this->Items[place]);
+    this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]), positions.row(ids[2]) };
+  }
+  for (auto quad = this->Quads.rbegin(); quad != this->Quads.rend(); ++quad)
   {
     for (int k = 0; k < DoubleLanes; ++k)
     {
-      const Box box = quad.Node[k] >= 0 ? this->Tree.Nodes[quad.Node[k]].Bounds : Box();
+      const Box box = this->boxOf(*quad, k);
       for (int c = 0; c < 3; ++c)
       {
-        quad.Lower[c][k] = box.Lower[c];
-        quad.Upper[c][k] = box.Upper[c];
+        quad->Lower[c][k] = box.Lower[c];
+        quad->Upper[c][k] = box.Upper[c];
       }
     }
   }
@@ -169,7 +189,7 @@ void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
 {
   const Corners& corners = this->Placed[place];
   FootPoint foot = closestPointOfTriangle(x, corners.A, corners.B, corners.C);
-  foot.Triangle = this->Tree.Items[place];
+  foot.Triangle = this->Items[place];
   if (foot.SquareDistance < best.SquareDistance ||
     (foot.SquareDistance == best.SquareDistance && foot.Triangle < best.Triangle))
   {
@@ -208,12 +228,13 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
   struct Waiting
   {
     double SquareDistance;
-    int Quad, Node;
+    int Quad;         ///< -1 for a leaf
+    int First, Count; ///< its places
   };
   // At most three wait on each level, and the depth is half the logarithm of an int.
   std::array<Waiting, 3 * 32> stack;
   int depth = 0;
-  stack[depth++] = { 0.0, 0, 0 };
+  stack[depth++] = { 0.0, 0, 0, 0 };
   while (depth > 0)
   {
     const Waiting next = stack[--depth];
@@ -223,8 +244,7 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     }
     if (next.Quad < 0)
     {
-      const BoxTree::Node& leaf = this->Tree.Nodes[next.Node];
-      for (int place = leaf.First; place < leaf.First + leaf.Count; ++place)
+      for (int place = next.First; place < next.First + next.Count; ++place)
       {
         this->update(best, x, place);
       }
@@ -237,14 +257,14 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     for (int k = 0; k < DoubleLanes; ++k)
     {
       // Empty places are infinitely far. Sorted in, so that the closest is taken first.
-      if (distances[k] <= best.SquareDistance && quad.Node[k] >= 0)
+      if (distances[k] <= best.SquareDistance && (quad.Next[k] >= 0 || quad.Count[k] > 0))
       {
         int at = depth++;
         for (; at > bottom && stack[at - 1].SquareDistance < distances[k]; --at)
         {
           stack[at] = stack[at - 1];
         }
-        stack[at] = { distances[k], quad.Next[k], quad.Node[k] };
+        stack[at] = { distances[k], quad.Next[k], quad.First[k], quad.Count[k] };
       }
     }
   }

@@ -51,21 +51,23 @@ private:
   {
     Vector3 A, B, C;
   };
-  // Four boxes side by side, grandchildren of the binary tree, measured at the same time.
+  // Four boxes side by side, grandchildren of a binary tree, measured at the same time.
   struct Quad
   {
     Doubles Lower[3], Upper[3];
-    int Node[DoubleLanes]; ///< of Tree, whose box this is; -1 for a place that is empty
-    int Next[DoubleLanes]; ///< quad below; -1 under a leaf
+    int Next[DoubleLanes];  ///< quad below; -1 under a leaf and where there is no box
+    int First[DoubleLanes]; ///< a leaf's first place in Items
+    int Count[DoubleLanes]; ///< a leaf's number of triangles, else 0
   };
-  int addQuad(int node);
+  int addQuad(const BoxTree& tree, int node);
+  Box boxOf(const Quad& quad, int lane) const;
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);
 
   Triangles Faces;
-  BoxTree Tree;
-  std::vector<Quad> Quads;
-  std::vector<Corners> Placed; ///< corners of the triangle at each place of Tree.Items
+  std::vector<int> Items;      ///< triangles in the tree's order
+  std::vector<Quad> Quads;     ///< each before those below it
+  std::vector<Corners> Placed; ///< corners of the triangle at each place of Items
   std::vector<int> PlaceOf;    ///< place of each triangle
 };
 }
