@@ -207,8 +207,8 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
   const Triangles& faces = result.Network.Faces;
   const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
-  result.UnsupportedFraction = areaFraction(
-    result.Weights, faces, unsupportedVertices(result.Weights, faces, neighbors, masses));
+  result.UnsupportedFraction =
+    areaFraction(result.Weights, faces, bareVertices(result.Weights, faces, neighbors, masses));
 }
 
 /// From a start that is rough, from smooth to fine.
@@ -224,7 +224,7 @@ ConformalSOMResult polishFrom(const Points& weights, double noise,
   polish.NumberOfRounds *= 2;
   polish.Evenness = 1.0;
   polish.OutlierRatio = 4.0; // the hull is near all of the surface, and at first at one distance
-  polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.5);
+  polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.2);
   polish.Belongs = belongs;
   polishAndCheck(samples, polish, parallelFor, progress, result);
   return result;

@@ -22,7 +22,7 @@ constexpr double FinestSpacing = 0.012;
 constexpr double TypicalArea = 5.0;
 
 // More of the sphere for limbs, or better angles: measured, a middle.
-constexpr double Balance = 0.195;
+constexpr double Balance = 0.18;
 }
 
 HullStart startFromHull(const TrainingSamples& samples, const Points& directions,

@@ -26,9 +26,9 @@ constexpr double BareStiffness = 30.0;
 constexpr int FoldRounds = 5;
 constexpr double FoldStiffening = 3.0, MostFoldStiffness = 30.0;
 
-/// Neurons that have less than this share of a neuron's patterns are idle. They are drawn in the
-/// second half of the rounds, when outliers are known, half as hard as patterns draw.
-constexpr double IdleShare = 0.05, IdleWeight = 0.5;
+/// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
+/// as patterns draw.
+constexpr double IdleWeight = 0.5;
 constexpr Index TargetsPerNeuron = 4; // patterns kept for them to look for
 
 /// See PolishOptions.
@@ -87,7 +87,8 @@ public:
       this->Weights, stiffness, this->Options.Evenness, this->Threads, partOf(progress, 0.7, 0.95));
     this->Surface.refit(this->Weights);
 
-    const std::vector<bool> bare = this->bareVertices();
+    const std::vector<bool> bare =
+      bareVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
     for (Index i = 0; i < this->Weights.rows(); ++i)
     {
       this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
@@ -179,58 +180,10 @@ private:
 
   double meanMass() const { return this->Mass / static_cast<double>(this->Weights.rows()); }
 
-  std::vector<bool> idleVertices() const
-  {
-    std::vector<double> around(this->Weights.rows(), 0.0);
-    for (Index r = 0; r < this->Faces.rows(); ++r)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        around[this->Faces(r, k)] += this->Masses[r];
-      }
-    }
-    std::vector<bool> idle(this->Weights.rows());
-    for (Index i = 0; i < this->Weights.rows(); ++i)
-    {
-      idle[i] = around[i] < IdleShare * 3.0 * this->meanMass();
-    }
-    return idle;
-  }
-
-  /// Unsupported vertices, and the idle ones that reach from them to the rim of the data.
-  std::vector<bool> bareVertices() const
-  {
-    std::vector<bool> bare =
-      unsupportedVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
-    const std::vector<bool> idle = this->idleVertices();
-    std::vector<int> front;
-    for (Index i = 0; i < this->Weights.rows(); ++i)
-    {
-      if (bare[i])
-      {
-        front.push_back(static_cast<int>(i));
-      }
-    }
-    while (!front.empty())
-    {
-      const int i = front.back();
-      front.pop_back();
-      for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
-      {
-        if (idle[*j] && !bare[*j])
-        {
-          bare[*j] = true;
-          front.push_back(*j);
-        }
-      }
-    }
-    return bare;
-  }
-
   void drawIdle()
   {
     const Points normals = vertexNormals(this->Weights, this->Faces);
-    const std::vector<bool> idle = this->idleVertices();
+    const std::vector<bool> idle = idleVertices(this->Faces, this->Masses, this->Weights.rows());
     for (Index i = 0; i < this->Weights.rows() && this->Targets.rows() > 0; ++i)
     {
       if (idle[i])

@@ -12,7 +12,7 @@ struct ProgressiveSphereMapOptions
   /// From nearly conformal, 0, to nearly equal in area, 1.
   double AreaBalance = 0.5;
   int NumberOfSweeps = 30;          ///< over all vertices at the end, at least 0
-  int NumberOfSmoothingSweeps = 15; ///< after these, with more weight on the worst triangles
+  int NumberOfSmoothingSweeps = 30; ///< after these, with more weight on the worst triangles
 };
 
 struct ProgressiveSphereMapResult

@@ -88,7 +88,12 @@ std::optional<Vector2> centroid(const std::vector<Vector2>& polygon)
 
 double power(double base, int exponent)
 {
-  return exponent == 1 ? base : base * base;
+  double result = base;
+  for (int i = 1; i < exponent; ++i)
+  {
+    result *= base;
+  }
+  return result;
 }
 
 // (S/A)^AreaExponent and what holds back triangles that get far too little.

@@ -25,7 +25,7 @@ struct SphereEnergy
 {
   double AreaExponent = 0.35;
   double AreaWeight = 0.005;
-  int AngleExponent = 1; ///< 1 or 2
+  int AngleExponent = 1; ///< at least 1
 };
 
 /// Twice the areas that are large enough to bear rounding to unit vectors in other programs.

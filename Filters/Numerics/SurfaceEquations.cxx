@@ -66,8 +66,9 @@ class System
 {
 public:
   System(const Adjacency& neighbors, const Points& normals, const Eigen::VectorXd& stiffness,
-    double evenness, const ParallelFor& parallelFor)
+    double evenness, HingeBending& hinges, const ParallelFor& parallelFor)
     : Neighbors(neighbors)
+    , Hinges(hinges)
     , Normals(normals)
     , Stiffness(stiffness)
     , Evenness(evenness)
@@ -89,9 +90,10 @@ public:
     return this->Others[found - this->Neighbors.Ids.data()];
   }
 
-  /// L^T S L x, row by row, after bend(x).
+  /// L^T S L x and the hinges' part, row by row, after bend(x).
   void bend(const Points& x)
   {
+    this->Hinges.bend(x, this->Threads);
     forBlocks(this->Threads, x.rows(), BlockSize,
       [&](Index begin, Index end)
       {
@@ -111,7 +113,7 @@ public:
   }
   Vector3 bendingForce(Index i) const
   {
-    Vector3 force = this->Bent.row(i);
+    Vector3 force = this->Hinges.forceAt(i) + Vector3(this->Bent.row(i));
     for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
     {
       force -= Vector3(this->Bent.row(*j)) / this->Neighbors.size(*j);
@@ -152,14 +154,15 @@ public:
         bending += share * share * this->Stiffness[*j];
       }
       constexpr double smallest = 1e-12; // where there is neither pattern nor stiffness
-      inverses[i].add(this->Evenness * bending + smallest, (1.0 - this->Evenness) * bending,
-        this->Normals.row(vertex));
+      inverses[i].add(this->Evenness * bending + this->Hinges.diagonalAt(vertex) + smallest,
+        (1.0 - this->Evenness) * bending, this->Normals.row(vertex));
       inverses[i] = inverses[i].inverse();
     }
     return inverses;
   }
 
   const Adjacency& Neighbors;
+  HingeBending& Hinges;
   const Points Normals;
   const Eigen::VectorXd& Stiffness;
   const double Evenness;
@@ -177,6 +180,7 @@ SurfaceEquations::SurfaceEquations(const Triangles& faces, const Adjacency& neig
   : Faces(faces)
   , Neighbors(neighbors)
   , Around(vertexTriangles(faces, static_cast<Index>(neighbors.Offsets.size()) - 1))
+  , Hinges(faces, static_cast<Index>(neighbors.Offsets.size()) - 1)
 {
 }
 
@@ -215,8 +219,9 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
   double evenness, const ParallelFor& parallelFor, const Progress& progress)
 {
   const Index size = weights.rows();
-  System system(
-    this->Neighbors, vertexNormals(weights, this->Faces), stiffness, evenness, parallelFor);
+  this->Hinges.shape(weights, stiffness, parallelFor);
+  System system(this->Neighbors, vertexNormals(weights, this->Faces), stiffness, evenness,
+    this->Hinges, parallelFor);
   system.bend(weights);
   forBlocks(parallelFor, size, BlockSize,
     [&](Index begin, Index end)

@@ -4,6 +4,7 @@
 #define ConformalSurfaceEquations_h
 
 #include "FixedPointSums.h"
+#include "HingeBending.h"
 #include "MeshTopology.h"
 #include "Parallel.h"
 #include "TriangleTree.h"
@@ -15,12 +16,13 @@ namespace conformal
 {
 /// Where the vertices w of a mesh should move, d, to meet its patterns x:
 ///
-///     minimise  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2
+///     minimise  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
 ///
 /// with b the barycentric weights of the pattern's foot point, r = x - b w, L the uniform Laplacian
-/// and s_i a vertex's stiffness, times the evenness along the surface. M measures distances: along
-/// the normal they count in full; along the surface hardly at all where the foot lies inside a
-/// triangle, for there it may as well lie beside: the feet of a round need not be those of the
+/// and s_i a vertex's stiffness, times the evenness along the surface; the bending at the edges
+/// (HingeBending.h) is as stiff and keeps thin triangles from wrinkling. M measures distances:
+/// along the normal they count in full; along the surface hardly at all where the foot lies inside
+/// a triangle, for there it may as well lie beside: the feet of a round need not be those of the
 /// next. This is the squared distance of \cite Pottmann2006 without its curvature, and what makes a
 /// few rounds enough.
 class SurfaceEquations
@@ -62,6 +64,7 @@ private:
   const Triangles& Faces;
   const Adjacency& Neighbors;
   Adjacency Around;
+  HingeBending Hinges;
   FixedPointSums Sums;
   std::vector<Pull> Pulls;
 };

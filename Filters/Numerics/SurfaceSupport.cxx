@@ -50,6 +50,57 @@ std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& 
   return unsupported;
 }
 
+std::vector<bool> idleVertices(
+  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices)
+{
+  constexpr double Share = 0.05;
+  std::vector<double> around(numberOfVertices, 0.0);
+  double sum = 0.0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      around[faces(r, k)] += masses[r];
+      sum += masses[r];
+    }
+  }
+  std::vector<bool> idle(numberOfVertices);
+  for (Index i = 0; i < numberOfVertices; ++i)
+  {
+    idle[i] = around[i] < Share * sum / static_cast<double>(numberOfVertices);
+  }
+  return idle;
+}
+
+std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses)
+{
+  std::vector<bool> bare = unsupportedVertices(positions, faces, neighbors, masses);
+  const std::vector<bool> idle = idleVertices(faces, masses, positions.rows());
+  std::vector<int> front;
+  for (Index i = 0; i < positions.rows(); ++i)
+  {
+    if (bare[i])
+    {
+      front.push_back(static_cast<int>(i));
+    }
+  }
+  while (!front.empty())
+  {
+    const int i = front.back();
+    front.pop_back();
+    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+    {
+      if (idle[*j] && !bare[*j])
+      {
+        bare[*j] = true;
+        front.push_back(*j);
+      }
+    }
+  }
+  return bare;
+}
+
 double areaFraction(
   const Points& positions, const Triangles& faces, const std::vector<bool>& vertices)
 {

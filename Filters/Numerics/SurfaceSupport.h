@@ -24,7 +24,17 @@ namespace conformal
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Their share of the surface's area, a third of each triangle's going to each corner; in [0, 1].
+/// Vertices around which lie less than a twentieth of the patterns due to a vertex.
+std::vector<bool> idleVertices(
+  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices);
+
+/// Unsupported vertices, and the idle ones that reach from them to the rim of the data: all of a
+/// web, where the unsupported ones are its middle. Parameters as above.
+std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses);
+
+/// Share of such vertices in the surface's area, a third of each triangle's going to each corner;
+/// in [0, 1].
 double areaFraction(
   const Points& positions, const Triangles& faces, const std::vector<bool>& vertices);
 

@@ -1,0 +1,53 @@
+/// How much a triangle mesh bends at its edges, as a quadratic form.
+
+#ifndef ConformalHingeBending_h
+#define ConformalHingeBending_h
+
+#include "MeshTopology.h"
+#include "Parallel.h"
+#include "Types.h"
+
+#include <array>
+#include <vector>
+
+namespace conformal
+{
+/// The two triangles of an edge e are a hinge. With the cotangents of their angles at e, four
+/// numbers k make k x = |e| (u + v) of the hinge's corners x, u and v the unit vectors from e into
+/// its triangles, at right angles to e: zero when flat, however long and thin the triangles are,
+/// and of length 2 |e| sin(theta / 2) when bent by theta \cite Wardetzky2007. Unlike the uniform
+/// Laplacian it asks for no even triangles, and it sees the folds of thin ones.
+///
+/// The form is sum s (k x)^2 over the edges, s the mean stiffness of the edge's ends.
+class HingeBending
+{
+public:
+  /// @param[in] faces  #F by 3, of a closed manifold
+  HingeBending(const Triangles& faces, Index numberOfVertices);
+
+  /// Take the hinges' shape from the places of the vertices, #V by 3.
+  void shape(
+    const Points& places, const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor);
+
+  /// Prepare forceAt() for values x at the vertices, #V by 3.
+  void bend(const Points& x, const ParallelFor& parallelFor);
+
+  /// Half the gradient of the form at a vertex.
+  Vector3 forceAt(Index vertex) const;
+
+  /// The form's second derivative, halved, with respect to one coordinate of a vertex.
+  double diagonalAt(Index vertex) const;
+
+private:
+  struct Hinge
+  {
+    std::array<int, 4> Corners; ///< the edge's, then the opposite ones
+    std::array<float, 4> K{};   ///< times sqrt(s)
+  };
+  std::vector<Hinge> Hinges;
+  Adjacency Around; ///< for each vertex: 4 times a hinge plus the place among its corners
+  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> Bent; ///< sqrt(s) k x
+};
+}
+
+#endif
