@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -25,6 +26,8 @@ constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
 /// Learning leaves the lattice well spread, and evening it further costs little fit. Over the
 /// hollows of a hull it would leave lids.
 constexpr double EvennessFromSphere = 3.0;
+
+constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
 
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
 
@@ -127,15 +130,20 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   SampleRotation rotation(samples, options.RandomSeed);
   for (int f : levels)
   {
-    const GeodesicSphere coarse = std::move(result.Network);
-    result.Network = makeGeodesicSphere(f);
+    {
+      const GeodesicSphere coarse = std::exchange(result.Network, makeGeodesicSphere(f));
+      report(progress, done / work);
+      const Points& positions = result.Network.Positions;
+      result.Weights = f == levels.front()
+        ? positions
+        : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor);
+      report(progress, done / work);
+    }
     const Points& positions = result.Network.Positions;
     const Triangles& faces = result.Network.Faces;
-    result.Weights = f == levels.front()
-      ? positions
-      : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor);
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
-    TriangleTree surface(result.Weights, faces);
+    TriangleTree surface(
+      result.Weights, faces, partOf(progress, done / work, (done + 0.1 * passWork(f)) / work));
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
@@ -160,7 +168,9 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
             }
           }
         },
-        parallelFor, partOf(progress, done / work, (done + 0.9 * passWork(f)) / work));
+        parallelFor,
+        partOf(progress, (done + (pass == 0 ? 0.1 : 0.0) * passWork(f)) / work,
+          (done + 0.9 * passWork(f)) / work));
       sums.reduce(samples.reduce());
       errors.reduce(samples.reduce());
       const double count = static_cast<double>(rotation.totalCount());
@@ -185,7 +195,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
       result.History.push_back(record);
       result.Weights = moved;
-      surface.refit(result.Weights);
+      surface.refit(result.Weights, faces);
       done += passWork(f);
       report(progress, done / work);
       // The geometric mean, which a few outliers do not change.
@@ -200,6 +210,21 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   return result;
 }
 
+/// So many of the patterns, evenly spaced, the same on all processes.
+Points selection(const TrainingSamples& samples, Index wanted)
+{
+  SampleRotation rotation(samples, 1);
+  rotation.turn(wanted);
+  std::vector<double> own;
+  for (Index i = 0; i < rotation.count(); ++i)
+  {
+    const Vector3 x = samples[rotation.id(i)];
+    own.insert(own.end(), x.data(), x.data() + 3);
+  }
+  const std::vector<double> all = gather(samples.reduce(), own);
+  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
+}
+
 /// The polish, and how much of the surface then has no patterns.
 void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
@@ -207,18 +232,23 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
   const Triangles& faces = result.Network.Faces;
   const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
-  result.UnsupportedFraction =
-    areaFraction(result.Weights, faces, bareVertices(result.Weights, faces, neighbors, masses));
+  const std::vector<bool> bare = bareVertices(result.Weights, faces, neighbors, masses);
+  if (std::find(bare.begin(), bare.end(), true) != bare.end())
+  {
+    result.UnsupportedFraction = areaFraction(result.Weights, faces,
+      farFromPatterns(
+        result.Weights, bare, selection(samples, PatternsPerNeuron * result.Weights.rows())));
+  }
 }
 
 /// From a start that is rough, from smooth to fine.
-ConformalSOMResult polishFrom(const Points& weights, double noise,
+ConformalSOMResult polishFrom(Points weights, double noise,
   const std::function<bool(const Vector3&)>& belongs, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   ConformalSOMResult result;
   result.Network = makeGeodesicSphere(options.Frequency);
-  result.Weights = weights;
+  result.Weights = std::move(weights);
   result.NoiseToDetail = noise;
   PolishOptions polish = polishFor(options, noise);
   polish.NumberOfRounds *= 2;
@@ -231,17 +261,17 @@ ConformalSOMResult polishFrom(const Points& weights, double noise,
 }
 }
 
-ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& samples,
+ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
-  return polishFrom(weights, 0.0, {}, samples, options, parallelFor, progress);
+  return polishFrom(std::move(weights), 0.0, {}, samples, options, parallelFor, progress);
 }
 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   // Smaller webs are not worth another start; nor are fewer stretched triangles.
-  constexpr double ToleratedArea = 0.002, ToleratedTriangles = 0.2;
+  constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
   const auto stretched = [](const ConformalSOMResult& result)
   { return obtuseFraction(result.Weights, result.Network.Faces); };
 

@@ -22,7 +22,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   const ParallelFor& parallelFor, const Progress& progress);
 
 /// From weights given, in the samples' unit: polished only, from smooth to fine.
-ConformalSOMResult trainBatchFrom(const Points& weights, const TrainingSamples& samples,
+ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress);
 }
 

@@ -9,7 +9,8 @@ namespace
 {
 constexpr int LeafSize = 2;
 
-void split(BoxTree& tree, const std::vector<Box>& boxes, int first, int last)
+void split(
+  BoxTree& tree, const std::vector<Box>& boxes, int first, int last, const Progress& progress)
 {
   const int self = static_cast<int>(tree.Nodes.size());
   tree.Nodes.emplace_back();
@@ -25,6 +26,11 @@ void split(BoxTree& tree, const std::vector<Box>& boxes, int first, int last)
   {
     tree.Nodes[self].First = first;
     tree.Nodes[self].Count = last - first;
+    constexpr int Often = 16384; // items between reports
+    if (first / Often != last / Often)
+    {
+      report(progress, static_cast<double>(last) / static_cast<double>(boxes.size()));
+    }
     return;
   }
   int axis = 0;
@@ -38,13 +44,13 @@ void split(BoxTree& tree, const std::vector<Box>& boxes, int first, int last)
       const double ca = center(a), cb = center(b);
       return ca < cb || (ca == cb && a < b);
     });
-  split(tree, boxes, first, middle);
+  split(tree, boxes, first, middle, progress);
   tree.Nodes[self].Second = static_cast<int>(tree.Nodes.size());
-  split(tree, boxes, middle, last);
+  split(tree, boxes, middle, last, progress);
 }
 }
 
-BoxTree buildBoxTree(const std::vector<Box>& boxes)
+BoxTree buildBoxTree(const std::vector<Box>& boxes, const Progress& progress)
 {
   BoxTree tree;
   tree.Items.resize(boxes.size());
@@ -52,7 +58,7 @@ BoxTree buildBoxTree(const std::vector<Box>& boxes)
   if (!boxes.empty())
   {
     tree.Nodes.reserve(boxes.size());
-    split(tree, boxes, 0, static_cast<int>(boxes.size()));
+    split(tree, boxes, 0, static_cast<int>(boxes.size()), progress);
   }
   return tree;
 }

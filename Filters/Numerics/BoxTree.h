@@ -50,7 +50,8 @@ struct BoxTree
 
 /// Build by median splits of the items' box centres along the longest side. Depends on the boxes
 /// only, so every run gives the same tree. O(n log n).
-BoxTree buildBoxTree(const std::vector<Box>& boxes);
+/// @throws Aborted
+BoxTree buildBoxTree(const std::vector<Box>& boxes, const Progress& progress = {});
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace conformal
 {
@@ -54,29 +55,27 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   require(!samples.empty(), "there is no point to learn from");
   check(options);
   report(progress, 0.0);
-  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
-  Points weights = network.Positions; // step 1
-  if (start)
-  {
-    weights =
-      resample(start->SpherePositions, start->Positions, start->Faces, weights, parallelFor);
-    for (Index i = 0; i < weights.rows(); ++i)
-    {
-      weights.row(i) = samples.normalize(weights.row(i));
-    }
-  }
+  const bool online = options.TrainingMode == TrainingMode::Online;
   ConformalSOMResult result;
-  if (options.TrainingMode == TrainingMode::Online)
+  if (!online && !start)
   {
-    result = trainOnline(samples, network, weights, options, progress);
-  }
-  else if (start)
-  {
-    result = trainBatchFrom(weights, samples, options, parallelFor, progress);
+    result = trainBatch(samples, options, parallelFor, progress);
   }
   else
   {
-    result = trainBatch(samples, options, parallelFor, progress);
+    const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
+    Points weights = network.Positions; // step 1
+    if (start)
+    {
+      weights =
+        resample(start->SpherePositions, start->Positions, start->Faces, weights, parallelFor);
+      for (Index i = 0; i < weights.rows(); ++i)
+      {
+        weights.row(i) = samples.normalize(weights.row(i));
+      }
+    }
+    result = online ? trainOnline(samples, network, weights, options, progress)
+                    : trainBatchFrom(std::move(weights), samples, options, parallelFor, progress);
   }
   for (Index i = 0; i < result.Weights.rows(); ++i)
   {

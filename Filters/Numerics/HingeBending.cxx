@@ -9,72 +9,50 @@ namespace
 {
 constexpr Index BlockSize = 512;
 
-/// For equilateral triangles the form is then that of the uniform Laplacian.
+/// What makes it as stiff as the uniform Laplacian.
 constexpr double LikeLaplacian = 1.0 / 14.0;
 
-/// The hinges of needles are not stiffer than this, which equations could not be solved with.
+/// The hinges of needles are no stiffer than this, or equations could not be solved with them.
 /// Measured: 8 draws triangles together at creases, 3 lets thin ones fold half as often again.
 constexpr double LargestNumber = 4.0;
 
 double cotangent(const Vector3& a, const Vector3& b)
 {
-  return a.dot(b) / std::max(a.cross(b).norm(), 1e-12 * a.norm() * b.norm() + 1e-300);
+  constexpr double smallest = 1e-12; // of sines
+  return a.dot(b) / std::max(a.cross(b).norm(), smallest * a.norm() * b.norm() + 1e-300);
 }
 }
 
-HingeBending::HingeBending(const Triangles& faces, Index numberOfVertices)
+HingeBending::HingeBending(const Triangles& faces, const Adjacency& around, const Points& places,
+  const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor)
+  : Faces(faces)
+  , Around(around)
+  , HingeOf(faces.rows(), 3)
 {
-  const Triangles across = triangleNeighbors(faces, numberOfVertices);
-  const auto opposite = [&](int triangle, int a, int b)
-  {
-    int k = 0;
-    while (faces(triangle, k) == a || faces(triangle, k) == b)
-    {
-      ++k;
-    }
-    return faces(triangle, k);
-  };
+  const Triangles across = triangleNeighbors(faces, places.rows());
   this->Hinges.reserve(faces.rows() * 3 / 2);
-  std::vector<int>& offsets = this->Around.Offsets;
-  offsets.assign(numberOfVertices + 1, 0);
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (int r = 0; r < faces.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
       const int other = across(r, k);
       if (other > r)
       {
-        const int a = faces(r, k), b = faces(r, (k + 1) % 3);
-        Hinge hinge;
-        hinge.Corners = { a, b, faces(r, (k + 2) % 3), opposite(other, a, b) };
-        this->Hinges.push_back(hinge);
-        for (int corner : hinge.Corners)
+        int j = 0;
+        while (across(other, j) != r || faces(other, j) != faces(r, (k + 1) % 3))
         {
-          ++offsets[corner + 1];
+          ++j;
         }
+        this->HingeOf(r, k) = this->HingeOf(other, j) = static_cast<int>(this->Hinges.size());
+        this->Hinges.push_back({ { faces(r, k), faces(r, (k + 1) % 3), faces(r, (k + 2) % 3),
+                                   faces(other, (j + 2) % 3) },
+          {} });
       }
     }
   }
-  for (Index i = 0; i < numberOfVertices; ++i)
-  {
-    offsets[i + 1] += offsets[i];
-  }
-  this->Around.Ids.resize(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (std::size_t h = 0; h < this->Hinges.size(); ++h)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      this->Around.Ids[next[this->Hinges[h].Corners[k]]++] = static_cast<int>(4 * h) + k;
-    }
-  }
-  this->Bent.resize(static_cast<Index>(this->Hinges.size()), 3);
-}
-
-void HingeBending::shape(
-  const Points& places, const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor)
-{
-  forBlocks(parallelFor, static_cast<Index>(this->Hinges.size()), BlockSize,
+  const Index size = static_cast<Index>(this->Hinges.size());
+  this->Bent.resize(size, 3);
+  forBlocks(parallelFor, size, BlockSize,
     [&](Index begin, Index end)
     {
       for (Index h = begin; h < end; ++h)
@@ -85,15 +63,34 @@ void HingeBending::shape(
         const double cotAc = cotangent(b - a, c - a), cotAd = cotangent(b - a, d - a),
                      cotBc = cotangent(a - b, c - b), cotBd = cotangent(a - b, d - b);
         Eigen::Array4d k(cotBc + cotBd, cotAc + cotAd, -cotAc - cotBc, -cotAd - cotBd);
-        const double largest = k.abs().maxCoeff();
+        const double largest = std::max(k.abs().maxCoeff(), LargestNumber);
         const double s = 0.5 * (stiffness[hinge.Corners[0]] + stiffness[hinge.Corners[1]]);
-        k *= std::sqrt(LikeLaplacian * s) * std::min(1.0, LargestNumber / largest);
+        k *= std::sqrt(LikeLaplacian * s) * LargestNumber / largest;
         for (int i = 0; i < 4; ++i)
         {
           hinge.K[i] = static_cast<float>(k[i]);
         }
       }
     });
+}
+
+/// Visit each hinge that a vertex is a corner of and its number there: of each triangle around it
+/// the edge that starts there, and the one opposite.
+template <typename Visitor>
+void HingeBending::forHingesOf(int vertex, const Visitor& visit) const
+{
+  for (const int* r = this->Around.begin(vertex); r != this->Around.end(vertex); ++r)
+  {
+    int k = 0;
+    while (this->Faces(*r, k) != vertex)
+    {
+      ++k;
+    }
+    const int starting = this->HingeOf(*r, k), opposite = this->HingeOf(*r, (k + 1) % 3);
+    const Hinge &edge = this->Hinges[starting], &other = this->Hinges[opposite];
+    visit(starting, edge.K[edge.Corners[0] == vertex ? 0 : 1]);
+    visit(opposite, other.K[other.Corners[2] == vertex ? 2 : 3]);
+  }
 }
 
 void HingeBending::bend(const Points& x, const ParallelFor& parallelFor)
@@ -114,25 +111,18 @@ void HingeBending::bend(const Points& x, const ParallelFor& parallelFor)
     });
 }
 
-Vector3 HingeBending::forceAt(Index vertex) const
+Vector3 HingeBending::forceAt(int vertex) const
 {
   Vector3 force = Vector3::Zero();
-  for (const int* i = this->Around.begin(vertex); i != this->Around.end(vertex); ++i)
-  {
-    const double k = this->Hinges[*i / 4].K[*i % 4];
-    force += k * this->Bent.row(*i / 4).cast<double>();
-  }
+  this->forHingesOf(vertex,
+    [&](int hinge, double k) { force += k * Vector3(this->Bent.row(hinge).cast<double>()); });
   return force;
 }
 
-double HingeBending::diagonalAt(Index vertex) const
+double HingeBending::diagonalAt(int vertex) const
 {
   double diagonal = 0.0;
-  for (const int* i = this->Around.begin(vertex); i != this->Around.end(vertex); ++i)
-  {
-    const double k = this->Hinges[*i / 4].K[*i % 4];
-    diagonal += k * k;
-  }
+  this->forHingesOf(vertex, [&](int, double k) { diagonal += k * k; });
   return diagonal;
 }
 }

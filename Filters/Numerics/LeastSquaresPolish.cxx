@@ -29,7 +29,7 @@ constexpr double FoldStiffening = 3.0, MostFoldStiffness = 30.0;
 /// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
 /// as patterns draw.
 constexpr double IdleWeight = 0.5;
-constexpr Index TargetsPerNeuron = 4; // patterns kept for them to look for
+constexpr Index TargetsPerNeuron = 1; // patterns kept for them to look for
 
 /// See PolishOptions.
 double automaticPriority(double squareDistance, double meanSquare)
@@ -48,7 +48,6 @@ public:
     , Weights(result.Weights)
     , Faces(result.Network.Faces)
     , Neighbors(vertexNeighbors(Faces, Weights.rows()))
-    , Across(triangleNeighbors(Faces, Weights.rows()))
     , Surface(Weights, Faces)
     , Equations(Faces, Neighbors)
     , Scale(Weights.rows(), options.OutlierRatio)
@@ -71,7 +70,6 @@ public:
 
   TrainingRecord round(int number, const Progress& progress)
   {
-    const Points before = this->Weights;
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
     this->draw(number + 1 == firstIdle, partOf(progress, 0.0, 0.7));
     if (this->Options.AutomaticPriority && number >= firstIdle)
@@ -83,9 +81,11 @@ public:
       std::pow(this->Options.LastSmoothness, way);
     const Eigen::VectorXd stiffness =
       smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
-    this->Weights += this->Equations.solve(
+    const Points moved = this->Equations.solve(
       this->Weights, stiffness, this->Options.Evenness, this->Threads, partOf(progress, 0.7, 0.95));
-    this->Surface.refit(this->Weights);
+    this->Weights += moved;
+    this->Surface.refit(this->Weights, this->Faces);
+    report(progress, 0.97);
 
     const std::vector<bool> bare =
       bareVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
@@ -101,7 +101,7 @@ public:
     record.Frequency = static_cast<int>(std::lround(std::sqrt(this->Faces.rows() / 20.0)));
     record.LearningRate = 1.0;
     record.MeanSquareError = this->MeanSquare;
-    record.MeanDisplacement = (this->Weights - before).rowwise().norm().mean();
+    record.MeanDisplacement = moved.rowwise().norm().mean();
     report(progress, 1.0);
     return record;
   }
@@ -210,12 +210,13 @@ private:
                     c = this->Weights.row(this->Faces(r, 2));
       return Vector3((b - a).cross(c - a));
     };
+    const Triangles across = triangleNeighbors(this->Faces, this->Weights.rows());
     std::vector<bool> folded(this->Weights.rows(), false);
     for (Index r = 0; r < this->Faces.rows(); ++r)
     {
       for (int k = 0; k < 3; ++k)
       {
-        const int other = this->Across(r, k);
+        const int other = across(r, k);
         if (other > r && normal(r).dot(normal(other)) < 0.0)
         {
           for (int corner = 0; corner < 3; ++corner)
@@ -238,7 +239,6 @@ private:
   Points& Weights;
   const Triangles& Faces;
   const Adjacency Neighbors;
-  const Triangles Across;
   TriangleTree Surface;
   SurfaceEquations Equations;
   LocalScale Scale;

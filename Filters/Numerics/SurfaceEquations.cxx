@@ -1,9 +1,11 @@
 #include "SurfaceEquations.h"
 
+#include "HingeBending.h"
 #include "VertexNormals.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace conformal
 {
@@ -38,6 +40,7 @@ struct Symmetric
     this->Values[4] += static_cast<float>(b * v[1] * v[2]);
     this->Values[5] += static_cast<float>(a + b * v[2] * v[2]);
   }
+  double trace() const { return double(this->Values[0]) + this->Values[3] + this->Values[5]; }
   Vector3 operator*(const Vector3& v) const
   {
     const auto& s = this->Values;
@@ -61,22 +64,14 @@ Vector3 unitNormal(const Points& w, const Triangles& faces, Index r)
   return (b - a).cross(c - a).normalized(); // zero stays zero
 }
 
-/// The system's matrix, by rows of 3 by 3 blocks, and what its other side starts from.
-class System
+/// The patterns' part of the system: its matrix by rows of 3 by 3 blocks, and the other side.
+struct Attraction
 {
-public:
-  System(const Adjacency& neighbors, const Points& normals, const Eigen::VectorXd& stiffness,
-    double evenness, HingeBending& hinges, const ParallelFor& parallelFor)
+  Attraction(const Adjacency& neighbors)
     : Neighbors(neighbors)
-    , Hinges(hinges)
-    , Normals(normals)
-    , Stiffness(stiffness)
-    , Evenness(evenness)
-    , Threads(parallelFor)
-    , Diagonal(stiffness.size())
+    , Diagonal(neighbors.Offsets.size() - 1)
     , Others(neighbors.Ids.size())
-    , Right(Points::Zero(stiffness.size(), 3))
-    , Bent(stiffness.size(), 3)
+    , Right(Points::Zero(static_cast<Index>(this->Diagonal.size()), 3))
   {
   }
 
@@ -90,7 +85,41 @@ public:
     return this->Others[found - this->Neighbors.Ids.data()];
   }
 
-  /// L^T S L x and the hinges' part, row by row, after bend(x).
+  /// Row i of the matrix, times x.
+  Vector3 product(int i, const Points& x) const
+  {
+    Vector3 y = this->Diagonal[i] * Vector3(x.row(i));
+    const Symmetric* other = this->Others.data() + this->Neighbors.Offsets[i];
+    for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
+    {
+      y += *other++ * Vector3(x.row(*j));
+    }
+    return y;
+  }
+
+  const Adjacency& Neighbors;
+  std::vector<Symmetric> Diagonal;
+  std::vector<Symmetric> Others; ///< for each vertex and neighbor
+  Points Right;
+};
+
+/// What resists: the stiffness of vertices and hinges.
+class Resistance
+{
+public:
+  Resistance(const Adjacency& neighbors, HingeBending hinges, Points normals,
+    const Eigen::VectorXd& stiffness, double evenness, const ParallelFor& parallelFor)
+    : Neighbors(neighbors)
+    , Hinges(std::move(hinges))
+    , Normals(std::move(normals))
+    , Stiffness(stiffness)
+    , Evenness(evenness)
+    , Threads(parallelFor)
+    , Bent(stiffness.size(), 3)
+  {
+  }
+
+  /// Prepare forceAt() for x.
   void bend(const Points& x)
   {
     this->Hinges.bend(x, this->Threads);
@@ -111,7 +140,9 @@ public:
         }
       });
   }
-  Vector3 bendingForce(Index i) const
+
+  /// L^T S L x and the hinges' part, row i.
+  Vector3 forceAt(int i) const
   {
     Vector3 force = this->Hinges.forceAt(i) + Vector3(this->Bent.row(i));
     for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
@@ -121,66 +152,88 @@ public:
     return force;
   }
 
-  void multiply(const Points& x, Points& product)
+  /// The matrix's diagonal block of a vertex is added.
+  void addDiagonal(int i, Symmetric& block) const
   {
-    this->bend(x);
-    forBlocks(this->Threads, x.rows(), BlockSize,
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          Vector3 y = this->Diagonal[i] * Vector3(x.row(i)) + this->bendingForce(i);
-          const Symmetric* other = this->Others.data() + this->Neighbors.Offsets[i];
-          for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
-          {
-            y += *other++ * Vector3(x.row(*j));
-          }
-          product.row(i) = y;
-        }
-      });
-  }
-
-  /// Inverses of the diagonal's blocks, which conjugate gradients are preconditioned with.
-  std::vector<Symmetric> preconditioner() const
-  {
-    std::vector<Symmetric> inverses = this->Diagonal;
-    for (std::size_t i = 0; i < inverses.size(); ++i)
+    double bending = this->Stiffness[i];
+    for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
     {
-      const Index vertex = static_cast<Index>(i);
-      double bending = this->Stiffness[vertex];
-      for (const int* j = this->Neighbors.begin(vertex); j != this->Neighbors.end(vertex); ++j)
-      {
-        const double share = 1.0 / this->Neighbors.size(*j);
-        bending += share * share * this->Stiffness[*j];
-      }
-      constexpr double smallest = 1e-12; // where there is neither pattern nor stiffness
-      inverses[i].add(this->Evenness * bending + this->Hinges.diagonalAt(vertex) + smallest,
-        (1.0 - this->Evenness) * bending, this->Normals.row(vertex));
-      inverses[i] = inverses[i].inverse();
+      const double share = 1.0 / this->Neighbors.size(*j);
+      bending += share * share * this->Stiffness[*j];
     }
-    return inverses;
+    block.add(this->Evenness * bending + this->Hinges.diagonalAt(i),
+      (1.0 - this->Evenness) * bending, this->Normals.row(i));
   }
 
+private:
   const Adjacency& Neighbors;
-  HingeBending& Hinges;
+  HingeBending Hinges;
   const Points Normals;
   const Eigen::VectorXd& Stiffness;
   const double Evenness;
   const ParallelFor& Threads;
-  std::vector<Symmetric> Diagonal;
-  std::vector<Symmetric> Others; ///< for each vertex and neighbor
-  Points Right;
-
-private:
   Points Bent; ///< S L x
 };
+
+/// Conjugate gradients from 0, preconditioned with the diagonal's blocks. Not Eigen's: a step has
+/// to be left when the user says so.
+Points solveSystem(Attraction& attraction, Resistance& resistance, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  Points& residual = attraction.Right;
+  const Index size = residual.rows();
+  const auto forVertices = [&](const auto& body)
+  {
+    forBlocks(parallelFor, size, BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (int i = static_cast<int>(begin); i < end; ++i)
+        {
+          body(i);
+        }
+      });
+  };
+  std::vector<Symmetric> inverses = attraction.Diagonal;
+  forVertices(
+    [&](int i)
+    {
+      resistance.addDiagonal(i, inverses[i]);
+      inverses[i] = inverses[i].inverse();
+    });
+  report(progress, 0.0);
+
+  Points moved = Points::Zero(size, 3), direction = moved, work(size, 3);
+  double square = 0.0, least = 0.0;
+  for (int step = 0; step <= NumberOfSteps; ++step)
+  {
+    Points& improved = work;
+    forVertices([&](int i) { improved.row(i) = inverses[i] * Vector3(residual.row(i)); });
+    const double before = square;
+    square = residual.cwiseProduct(improved).sum();
+    least = step == 0 ? Converged * square : least;
+    if (step == NumberOfSteps || !(square > least))
+    {
+      break;
+    }
+    direction = improved + (step == 0 ? 0.0 : square / before) * direction;
+    Points& product = work;
+    resistance.bend(direction);
+    forVertices(
+      [&](int i) { product.row(i) = attraction.product(i, direction) + resistance.forceAt(i); });
+    const double length = square / direction.cwiseProduct(product).sum();
+    moved += length * direction;
+    residual -= length * product;
+    report(progress, static_cast<double>(step + 1) / NumberOfSteps);
+  }
+  report(progress, 1.0);
+  return moved;
+}
 }
 
 SurfaceEquations::SurfaceEquations(const Triangles& faces, const Adjacency& neighbors)
   : Faces(faces)
   , Neighbors(neighbors)
   , Around(vertexTriangles(faces, static_cast<Index>(neighbors.Offsets.size()) - 1))
-  , Hinges(faces, static_cast<Index>(neighbors.Offsets.size()) - 1)
 {
 }
 
@@ -219,16 +272,12 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
   double evenness, const ParallelFor& parallelFor, const Progress& progress)
 {
   const Index size = weights.rows();
-  this->Hinges.shape(weights, stiffness, parallelFor);
-  System system(this->Neighbors, vertexNormals(weights, this->Faces), stiffness, evenness,
-    this->Hinges, parallelFor);
-  system.bend(weights);
-  forBlocks(parallelFor, size, BlockSize,
+  Attraction attraction(this->Neighbors);
+  forBlocks(parallelFor, size, BlockSize, partOf(progress, 0.0, 0.1),
     [&](Index begin, Index end)
     {
-      for (Index i = begin; i < end; ++i)
+      for (int i = static_cast<int>(begin); i < end; ++i)
       {
-        Vector3 right = -system.bendingForce(i);
         for (const int* r = this->Around.begin(i); r != this->Around.end(i); ++r)
         {
           const Index first = SumsPerTriangle * *r;
@@ -243,52 +292,42 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
             // Residuals of feet inside are along the normal, so M leaves them as they are.
             const double inside = this->Sums[first + ProductOf[k][l]];
             const double rim = this->Sums[first + RimSums + ProductOf[k][l]];
-            system.block(static_cast<int>(i), this->Faces(*r, l))
+            attraction.block(i, this->Faces(*r, l))
               .add(SlidingWeight * inside + rim, (1.0 - SlidingWeight) * inside, normal);
           }
           for (int c = 0; c < 3; ++c)
           {
-            right[c] += this->Sums[first + ResidualSums + 3 * k + c];
+            attraction.Right(i, c) += this->Sums[first + ResidualSums + 3 * k + c];
           }
         }
-        system.Right.row(i) = right;
       }
     });
   for (const Pull& pull : this->Pulls)
   {
-    system.block(pull.Vertex, pull.Vertex).add(0.0, pull.Weight, pull.Direction);
-    system.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
+    attraction.block(pull.Vertex, pull.Vertex).add(0.0, pull.Weight, pull.Direction);
+    attraction.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
   }
-
   this->Sums = FixedPointSums(); // room for what follows
-
-  // Conjugate gradients. Not Eigen's: a step has to be left when the user says so.
-  const std::vector<Symmetric> inverses = system.preconditioner();
-  Points moved = Points::Zero(size, 3), product(size, 3), improved(size, 3);
-  Points& residual = system.Right;
-  const auto precondition = [&]()
+  for (Symmetric& block : attraction.Diagonal)
   {
-    for (Index i = 0; i < size; ++i)
-    {
-      improved.row(i) = inverses[i] * Vector3(residual.row(i));
-    }
-    return residual.cwiseProduct(improved).sum();
-  };
-  double square = precondition();
-  const double least = Converged * square;
-  Points direction = improved;
-  for (int step = 0; step < NumberOfSteps && square > least; ++step)
-  {
-    report(progress, static_cast<double>(step) / NumberOfSteps);
-    system.multiply(direction, product);
-    const double length = square / direction.cwiseProduct(product).sum();
-    moved += length * direction;
-    residual -= length * product;
-    const double before = square;
-    square = precondition();
-    direction = improved + square / before * direction;
+    // A direction that neither patterns nor stiffness hold is left as it is.
+    constexpr double smallest = 1e-12, share = 1e-5;
+    block.add(smallest + share * block.trace(), 0.0, Vector3::Zero());
   }
-  report(progress, 1.0);
-  return moved;
+
+  Resistance resistance(this->Neighbors,
+    HingeBending(this->Faces, this->Around, weights, stiffness, parallelFor),
+    vertexNormals(weights, this->Faces), stiffness, evenness, parallelFor);
+  report(progress, 0.15);
+  resistance.bend(weights);
+  forBlocks(parallelFor, size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (int i = static_cast<int>(begin); i < end; ++i)
+      {
+        attraction.Right.row(i) -= resistance.forceAt(i);
+      }
+    });
+  return solveSystem(attraction, resistance, parallelFor, partOf(progress, 0.2, 1.0));
 }
 }

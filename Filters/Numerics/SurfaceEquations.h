@@ -4,7 +4,6 @@
 #define ConformalSurfaceEquations_h
 
 #include "FixedPointSums.h"
-#include "HingeBending.h"
 #include "MeshTopology.h"
 #include "Parallel.h"
 #include "TriangleTree.h"
@@ -46,6 +45,7 @@ public:
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
   /// Some steps of conjugate gradients from d = 0. The patterns are then forgotten.
+  /// @pre clear() since the last time
   /// @param[in] weights    w, #V by 3
   /// @param[in] stiffness  s, #V
   /// @param[in] evenness   above 1 it makes triangles more even than the surface is smooth
@@ -64,7 +64,6 @@ private:
   const Triangles& Faces;
   const Adjacency& Neighbors;
   Adjacency Around;
-  HingeBending Hinges;
   FixedPointSums Sums;
   std::vector<Pull> Pulls;
 };

@@ -1,5 +1,7 @@
 #include "SurfaceSupport.h"
 
+#include "PointTree.h"
+
 namespace conformal
 {
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
@@ -99,6 +101,27 @@ std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
     }
   }
   return bare;
+}
+
+std::vector<bool> farFromPatterns(
+  const Points& positions, const std::vector<bool>& marked, const Points& patterns)
+{
+  constexpr int NeighborsOfPattern = 6;
+  constexpr double Far = 2.0;
+  const PointTree tree(patterns);
+  std::vector<bool> far(marked.size(), false);
+  std::vector<Neighbor> around;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+  {
+    if (marked[i])
+    {
+      const Vector3 place = positions.row(static_cast<Index>(i));
+      const Neighbor nearest = tree.nearest(place);
+      tree.nearest(patterns.row(nearest.Id), NeighborsOfPattern + 1, around);
+      far[i] = nearest.SquareDistance > Far * Far * around.back().SquareDistance;
+    }
+  }
+  return far;
 }
 
 double areaFraction(

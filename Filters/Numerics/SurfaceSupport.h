@@ -33,6 +33,13 @@ std::vector<bool> idleVertices(
 std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
+/// Of the vertices marked, those twice as far from the nearest pattern as its sixth neighbor is
+/// from that: where patterns are only sparser than elsewhere, the surface has them all the same.
+/// @param[in] marked    #V
+/// @param[in] patterns  all of them, or a fair selection; not empty
+std::vector<bool> farFromPatterns(
+  const Points& positions, const std::vector<bool>& marked, const Points& patterns);
+
 /// Share of such vertices in the surface's area, a third of each triangle's going to each corner;
 /// in [0, 1].
 double areaFraction(

@@ -82,8 +82,8 @@ FootPoint closestPointOfTriangle(
     [](const FootPoint& p, const FootPoint& q) { return p.SquareDistance < q.SquareDistance; });
 }
 
-TriangleTree::TriangleTree(const Points& positions, const Triangles& faces)
-  : Faces(faces)
+TriangleTree::TriangleTree(
+  const Points& positions, const Triangles& faces, const Progress& progress)
 {
   std::vector<Box> boxes(faces.rows());
   for (Index r = 0; r < faces.rows(); ++r)
@@ -93,7 +93,7 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces)
       boxes[r].extend(Vector3(positions.row(faces(r, k))));
     }
   }
-  BoxTree tree = buildBoxTree(boxes);
+  BoxTree tree = buildBoxTree(boxes, progress);
   if (faces.rows() > 0)
   {
     this->addQuad(tree, 0);
@@ -105,7 +105,7 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces)
   {
     this->PlaceOf[this->Items[place]] = place;
   }
-  this->refit(positions);
+  this->refit(positions, faces);
 }
 
 int TriangleTree::addQuad(const BoxTree& tree, int node)
@@ -164,11 +164,11 @@ Box TriangleTree::boxOf(const Quad& quad, int lane) const
   return box;
 }
 
-void TriangleTree::refit(const Points& positions)
+void TriangleTree::refit(const Points& positions, const Triangles& faces)
 {
   for (std::size_t place = 0; place < this->Placed.size(); ++place)
   {
-    const auto ids = this->Faces.row(this->Items[place]);
+    const auto ids = faces.row(this->Items[place]);
     this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]), positions.row(ids[2]) };
   }
   for (auto quad = this->Quads.rbegin(); quad != this->Quads.rend(); ++quad)

@@ -35,10 +35,11 @@ public:
 
   /// @param[in] positions  #V by 3, finite
   /// @param[in] faces      #F by 3 ids
-  TriangleTree(const Points& positions, const Triangles& faces);
+  /// @throws Aborted
+  TriangleTree(const Points& positions, const Triangles& faces, const Progress& progress = {});
 
   /// The same triangles with their vertices moved. O(#F).
-  void refit(const Points& positions);
+  void refit(const Points& positions, const Triangles& faces);
 
   /// The closest point of the mesh; of triangles equally close, the lowest id.
   /// @param[in] x     a point; distances are exact to rounding
@@ -64,7 +65,6 @@ private:
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);
 
-  Triangles Faces;
   std::vector<int> Items;      ///< triangles in the tree's order
   std::vector<Quad> Quads;     ///< each before those below it
   std::vector<Corners> Placed; ///< corners of the triangle at each place of Items

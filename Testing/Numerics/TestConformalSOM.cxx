@@ -331,6 +331,7 @@ TEST(ConformalSOM, AutomaticPriorityReachesTips)
     {
       ConformalSOMOptions options = batch(12);
       options.AutomaticPriority = automatic;
+      options.StartingShape = conformal::StartingShape::Sphere;
       const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
       const conformal::TriangleTree tree(result.Weights, result.Network.Faces);
       double longest = 0.0;

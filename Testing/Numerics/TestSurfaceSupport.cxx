@@ -87,3 +87,33 @@ TEST(SurfaceSupport, StretchingMakesTrianglesObtuse)
   sphere.Mesh.Positions.col(2) *= 4.0;
   EXPECT_GT(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Faces), 0.3);
 }
+
+// A sphere sampled thirty times as thinly on one half has no gap there.
+TEST(SurfaceSupport, SparseIsNotBare)
+{
+  const auto sphere = conformal::makeGeodesicSphere(20), cloud = conformal::makeGeodesicSphere(40);
+  std::vector<double> kept;
+  for (conformal::Index i = 0; i < cloud.Positions.rows(); ++i)
+  {
+    const conformal::Vector3 x = cloud.Positions.row(i);
+    if (x[2] > 0.0 || i % 30 == 0)
+    {
+      kept.insert(kept.end(), x.data(), x.data() + 3);
+    }
+  }
+  const conformal::Points patterns = Eigen::Map<const conformal::Points>(
+    kept.data(), static_cast<conformal::Index>(kept.size()) / 3, 3);
+  const conformal::Index size = sphere.Positions.rows();
+  const std::vector<bool> far =
+    conformal::farFromPatterns(sphere.Positions, std::vector<bool>(size, true), patterns);
+  // At the border a pattern of the dense half may be nearest.
+  EXPECT_LT(std::count(far.begin(), far.end(), true), size / 400);
+
+  const std::vector<bool> away =
+    conformal::farFromPatterns(2.0 * sphere.Positions, std::vector<bool>(size, true), patterns);
+  EXPECT_GT(std::count(away.begin(), away.end(), true), size / 4);
+  // Only what was marked is asked.
+  const std::vector<bool> none =
+    conformal::farFromPatterns(2.0 * sphere.Positions, std::vector<bool>(size, false), patterns);
+  EXPECT_EQ(std::count(none.begin(), none.end(), true), 0);
+}

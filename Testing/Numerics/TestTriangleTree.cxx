@@ -76,7 +76,7 @@ TEST(TriangleTree, AgreesWithEveryTriangleInTurn)
       {
         positions.row(i) += 0.5 * randomPoint(random, 1).transpose();
       }
-      tree.refit(positions);
+      tree.refit(positions, sphere.Faces);
     }
     for (int trial = 0; trial < 500; ++trial)
     {
