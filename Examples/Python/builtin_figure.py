@@ -56,14 +56,28 @@ PARTS = [
 ]
 
 
-def bear(p):
-    """Signed distance of #p by 3 points to the bear; negative inside."""
-    result = np.full(len(p), 10.0)
-    for part, width in PARTS:
-        d = part(p)
-        overlap = np.maximum(width - np.abs(result - d), 0.0)
-        result = np.minimum(result, d) - overlap**2 / (4.0 * max(width, 1e-12))
-    return result
+# Arms up and legs apart: what spans webs when learned from a sphere.
+DANCER = [
+    (limb((0.0, -0.30, 0.0), (0.0, 0.30, 0.0), 0.24, 0.28), 0.0),                       # trunk
+    (ellipsoid((0.0, 0.80, 0.0), (0.22, 0.26, 0.23)), 0.20),                            # head
+    (on_both_sides(limb((0.22, 0.38, 0.0), (0.68, 0.95, 0.12), 0.12, 0.10)), 0.12),     # arms
+    (on_both_sides(limb((0.14, -0.40, 0.0), (0.40, -0.84, 0.10), 0.16, 0.11)), 0.10),   # legs
+]
+
+
+def union(parts):
+    """Signed distance to parts that melt into each other; negative inside."""
+    def distance(p):
+        result = np.full(len(p), 10.0)
+        for part, width in parts:
+            d = part(p)
+            overlap = np.maximum(width - np.abs(result - d), 0.0)
+            result = np.minimum(result, d) - overlap**2 / (4.0 * max(width, 1e-12))
+        return result
+    return distance
+
+
+bear, dancer = union(PARTS), union(DANCER)
 
 
 def zero_set(distance):
@@ -115,14 +129,14 @@ def figure_surface():
     return zero_set(bear)
 
 
-def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1):
-    """The bear as a vtkPolyData of points only.
+def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1, figure=bear):
+    """A figure as a vtkPolyData of points only.
 
     noise is the standard deviation of a point's displacement along each axis, as a share of the
-    bear's height.
+    figure's height.
     """
     random = np.random.RandomState(random_seed)
-    points = project(even_samples(figure_surface(), number_of_points, random), bear)
+    points = project(even_samples(zero_set(figure), number_of_points, random), figure)
     height = np.ptp(points[:, 1])
     points = points + noise * height * random.standard_normal(points.shape)
     cloud, vtk_points = vtkPolyData(), vtkPoints()

@@ -1,13 +1,16 @@
-"""Four pictures of the bear, as baselines."""
+"""Four pictures of the bear and one of a dancer, as baselines."""
 import os
 import sys
+import tempfile
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import pictures
 import textures
+import webs
 from baselines import expect_picture
 from builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
@@ -79,6 +82,17 @@ class TestPictures(unittest.TestCase):
         actor.GetMapper().UseLookupTableScalarRangeOn()
         actor.GetMapper().SetLookupTable(colors)
         self.expect_actor("SurfaceMismatch", actor)
+
+
+class TestWebs(unittest.TestCase):
+    def test_before_and_after(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "webs.png")
+            webs.write(path)
+            drawn = vtkPNGReader()
+            drawn.SetFileName(path)
+            drawn.Update()
+            expect_picture(self, drawn, "Webs")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,36 @@
+#!/usr/bin/python3
+"""Draws a figure with limbs as learned from a sphere, with webs, and as learned by default."""
+import sys
+
+from conformalsom import vtkConformalSOM
+
+import pictures
+from builtin_figure import dancer, figure_cloud
+
+VIEW, UP = (0, 0, 1), (0, 1, 0)
+
+
+def learned(scan, starting_shape):
+    """The filter that has learned the scan from that shape."""
+    network = vtkConformalSOM()
+    network.SetInputData(scan)
+    network.SetFrequency(24)
+    network.SetStartingShape(starting_shape)
+    network.Update()
+    return network
+
+
+def write(path):
+    scan = figure_cloud(30000, figure=dancer)
+    scenes = [pictures.scene(pictures.cloud_actor(scan, VIEW), "30,000 points")]
+    for shape, label in ((vtkConformalSOM.SPHERE, "Learned from a sphere"),
+                         (vtkConformalSOM.AUTOMATIC, "Learned by default")):
+        mesh = learned(scan, shape).GetOutput()
+        bare = mesh.GetFieldData().GetArray("UnsupportedFraction").GetValue(0)
+        scenes.append(pictures.scene(pictures.mesh_actor(mesh),
+                                     f"{label}: {100 * bare:.1f} % without points"))
+    pictures.write_side_by_side(path, scenes, pictures.camera_on(scan, VIEW, UP, 0.9), 1350, 500)
+
+
+if __name__ == "__main__":
+    write(sys.argv[1] if len(sys.argv) > 1 else "webs.png")
