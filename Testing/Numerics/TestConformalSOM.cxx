@@ -4,6 +4,7 @@
 #include "GenusZeroCheck.h"
 #include "PointTree.h"
 #include "Random.h"
+#include "Ranks.h"
 #include "TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -345,6 +346,38 @@ TEST(ConformalSOM, AutomaticPriorityReachesTips)
   RecordProperty("WithoutPriority", std::to_string(farthest[0]));
   RecordProperty("WithPriority", std::to_string(farthest[1]));
   EXPECT_LT(farthest[1], 0.8 * farthest[0]);
+}
+
+// A cloud cut in parts gives the bits of the whole, noise, priorities and all; the cuts do not
+// matter.
+TEST(ConformalSOM, RanksShareTheSums)
+{
+  const Points points = potato(9000);
+  std::vector<double> priority(points.rows());
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    priority[i] = points(i, 2) > 0.5 ? 3.0 : 1.0;
+  }
+  ConformalSOMOptions options = batch(12);
+  options.StartingShape = conformal::StartingShape::Sphere;
+  const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points, priority), options);
+  for (const std::vector<Index>& cuts :
+    std::vector<std::vector<Index>>{ { 0, 2000, 9000 }, { 0, 5000, 5000, 9000 } })
+  {
+    ranks::run(static_cast<int>(cuts.size()) - 1,
+      [&](const conformal::Reduce& reduce)
+      {
+        const Index first = cuts[reduce.Rank], size = cuts[reduce.Rank + 1] - first;
+        const Points own = points.middleRows(first, size);
+        const std::vector<double> weights(
+          priority.begin() + first, priority.begin() + first + size);
+        const TrainingSamples part(own, weights, {}, {}, reduce);
+        EXPECT_EQ(part.totalSize(), points.rows());
+        const ConformalSOMResult result = trainConformalSOM(part, options);
+        EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+        EXPECT_EQ(result.UnsupportedFraction, whole.UnsupportedFraction);
+      });
+  }
 }
 
 TEST(ConformalSOM, HistoryFollowsThePapersSchedules)
