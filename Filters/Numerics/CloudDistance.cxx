@@ -38,29 +38,29 @@ float squareDistanceOf(Entry entry)
 }
 
 // Samples of a cloud, spread over its order: one of each stretch, not always the same, since scans
-// have rhythms of their own.
-class Selection
+// have rhythms of their own. All processes get the same ones.
+Points select(const TrainingSamples& samples, double spacing)
 {
-public:
-  Selection(Index numberOfSamples, double spacing)
-  {
-    constexpr double samplesPerSquare = 32.0;
-    const double most = samplesPerSquare / (spacing * spacing);
-    this->Stretch = std::max<Index>(1, std::llround(static_cast<double>(numberOfSamples) / most));
-    this->Size = numberOfSamples / this->Stretch;
-  }
-  Index size() const { return this->Size; }
-  Index operator[](Index i) const
+  constexpr double samplesPerSquare = 32.0;
+  const double most = samplesPerSquare / (spacing * spacing);
+  const Index stretch =
+    std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / most));
+  const Index first = samples.firstOfTotal(), last = first + samples.size();
+  std::vector<double> own;
+  for (Index i = first / stretch; i < std::min(samples.totalSize() / stretch, last); ++i)
   {
     const std::uint64_t mixed = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U;
-    return i * this->Stretch +
-      static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(this->Stretch));
+    const Index id =
+      i * stretch + static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(stretch));
+    if (id >= first && id < last)
+    {
+      const Vector3 x = samples[id - first];
+      own.insert(own.end(), x.data(), x.data() + 3);
+    }
   }
-
-private:
-  Index Stretch;
-  Index Size;
-};
+  const std::vector<double> all = gather(samples.reduce(), own);
+  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
+}
 
 // The nearest sample of every node, found in steps.
 class NearestSamples
@@ -69,8 +69,7 @@ public:
   NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples,
     const ParallelFor& parallelFor)
     : Lattice(lattice)
-    , Samples(samples)
-    , Taken(samples.size(), lattice.Spacing)
+    , Taken(select(samples, lattice.Spacing))
     , Threads(parallelFor)
     , Entries(lattice.numberOfNodes())
   {
@@ -87,19 +86,14 @@ public:
   // Forget samples beside the surface, which would be bumps on it.
   void dropStray(const Progress& progress)
   {
-    Points taken(this->Taken.size(), 3);
-    for (Index i = 0; i < taken.rows(); ++i)
-    {
-      taken.row(i) = this->Samples[this->Taken[i]];
-    }
-    this->Stray = strayPoints(taken, this->Threads, progress);
+    this->Stray = strayPoints(this->Taken, this->Threads, progress);
   }
 
   // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
   void scatter(const Progress& progress)
   {
     const std::array<int, 8> steps = this->Lattice.cornerSteps();
-    forBlocks(this->Threads, this->Taken.size(), SamplesPerBlock, progress,
+    forBlocks(this->Threads, this->Taken.rows(), SamplesPerBlock, progress,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -108,7 +102,7 @@ public:
           {
             continue;
           }
-          const auto sample = static_cast<std::uint32_t>(this->Taken[i]);
+          const auto sample = static_cast<std::uint32_t>(i);
           const Eigen::Vector3f x = this->place(sample);
           const Eigen::Vector3f f = x - x.array().floor().matrix(), g = f.array() - 1.0F;
           const Eigen::Vector3f lower = f.cwiseAbs2(), upper = g.cwiseAbs2();
@@ -139,7 +133,7 @@ public:
       marks[node] = this->entry(node) == NoEntry ? untouched : touched;
       numberTouched += marks[node];
     }
-    if (numberTouched > nodesPerSample * this->Taken.size())
+    if (numberTouched > nodesPerSample * this->Taken.rows())
     {
       return;
     }
@@ -160,11 +154,11 @@ public:
       marks[node] = small;
     }
     Index count = 0;
-    for (Index i = 0; i < this->Taken.size() && !isolated.empty(); ++i)
+    for (Index i = 0; i < this->Taken.rows() && !isolated.empty(); ++i)
     {
-      count += marks[this->cubeOf(this->place(this->Taken[i]))] == small;
+      count += marks[this->cubeOf(this->place(i))] == small;
     }
-    if (leastRatio * count <= this->Taken.size())
+    if (leastRatio * count <= this->Taken.rows())
     {
       for (const int node : isolated)
       {
@@ -241,7 +235,7 @@ private:
   Entry entry(Index node) const { return this->Entries[node].load(std::memory_order_relaxed); }
   Eigen::Vector3f place(Index sample) const
   {
-    return this->Lattice.toLattice(this->Samples[sample]).cast<float>();
+    return this->Lattice.toLattice(this->Taken.row(sample)).cast<float>();
   }
   // The lowest corner of the cube a place is in.
   int cubeOf(const Eigen::Vector3f& x) const
@@ -318,8 +312,7 @@ private:
   }
 
   const FreudenthalLattice& Lattice;
-  const TrainingSamples& Samples;
-  const Selection Taken;
+  const Points Taken; ///< the samples that count
   const ParallelFor& Threads;
   std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
@@ -340,10 +333,18 @@ FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing,
         boxes[begin / SamplesPerBlock].extend(samples[i]);
       }
     });
-  Box bounds;
+  Box own;
   for (const Box& box : boxes)
   {
-    bounds.extend(box);
+    own.extend(box);
+  }
+  const std::vector<double> corners = gather(samples.reduce(),
+    { own.Lower[0], own.Lower[1], own.Lower[2], own.Upper[0], own.Upper[1], own.Upper[2] });
+  Box bounds;
+  for (std::size_t i = 0; i < corners.size(); i += 6)
+  {
+    bounds.Lower = bounds.Lower.cwiseMin(Eigen::Map<const Vector3>(corners.data() + i));
+    bounds.Upper = bounds.Upper.cwiseMax(Eigen::Map<const Vector3>(corners.data() + i + 3));
   }
   const Vector3 steps = ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
   const double nodes = (steps.array() + 2.0 * margin).prod();

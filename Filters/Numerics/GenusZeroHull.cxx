@@ -22,7 +22,7 @@ void requireRange(double value, double lowest, double highest, const char* name)
   }
 }
 
-// Samples that are not data of the hull.
+// Samples that are not data of the hull, on all processes.
 Index countOutside(const TrainingSamples& samples, const HullData& data,
   const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -36,11 +36,12 @@ Index countOutside(const TrainingSamples& samples, const HullData& data,
         counts[begin / blockSize] += !data.contains(samples[i]);
       }
     });
-  Index sum = 0;
+  std::int64_t sum = 0;
   for (const Index count : counts)
   {
     sum += count;
   }
+  samples.reduce().sum(&sum, 1);
   return sum;
 }
 
@@ -96,7 +97,7 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   }
   result.NumberOfSamplesOutside = countOutside(samples, result.Data, parallelFor, part(0.8, 0.82));
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
-    2 * result.NumberOfSamplesOutside > samples.size())
+    2 * result.NumberOfSamplesOutside > samples.totalSize())
   {
     return result; // too coarse a cloud: no surface is asked for
   }

@@ -30,7 +30,7 @@ HullStart startFromHull(const TrainingSamples& samples, const Points& directions
 {
   GenusZeroHullOptions hullOptions;
   hullOptions.Spacing = std::clamp(
-    0.6 * std::sqrt(TypicalArea / static_cast<double>(samples.size())), FinestSpacing, 0.2);
+    0.6 * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
   const GenusZeroHullResult hull =
     makeGenusZeroHull(samples, hullOptions, parallelFor, partOf(progress, 0.0, 0.2));
   const DecimatedMesh thinned =

@@ -380,6 +380,25 @@ TEST(ConformalSOM, RanksShareTheSums)
   }
 }
 
+TEST(ConformalSOM, RanksShareTheHull)
+{
+  const Points points = horseshoe(6000);
+  ConformalSOMOptions options = batch(12);
+  options.StartingShape = conformal::StartingShape::Hull;
+  const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points), options);
+  ASSERT_TRUE(whole.Hulled);
+  ranks::run(2,
+    [&](const conformal::Reduce& reduce)
+    {
+      const Points own = reduce.Rank == 0 ? Points(points.topRows(2500))
+                                          : Points(points.bottomRows(points.rows() - 2500));
+      const ConformalSOMResult result =
+        trainConformalSOM(TrainingSamples(own, {}, {}, {}, reduce), options);
+      EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+      EXPECT_EQ(result.NumberOfSamplesOutside, whole.NumberOfSamplesOutside);
+    });
+}
+
 TEST(ConformalSOM, HistoryFollowsThePapersSchedules)
 {
   const Points points = potato(2000);
