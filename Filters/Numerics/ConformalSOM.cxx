@@ -1,6 +1,7 @@
 #include "ConformalSOM.h"
 
 #include "BatchTraining.h"
+#include "FixedPointSums.h"
 #include "FootPoints.h"
 #include "OnlineTraining.h"
 #include "Resampling.h"
@@ -93,7 +94,7 @@ std::vector<double> quantizationErrors(
   {
     weights.row(i) = samples.normalize(result.Weights.row(i));
   }
-  std::vector<double> sums(weights.rows(), 0.0), counts(weights.rows(), 0.0);
+  FixedPointSums squares(weights.rows()), counts(weights.rows());
   forEachFoot(
     samples, TriangleTree(weights, result.Network.Faces), samples.size(), {},
     [&](Index, const Vector3& x, const FootPoint& foot)
@@ -101,14 +102,17 @@ std::vector<double> quantizationErrors(
       int corner = 0;
       foot.Barycentric.maxCoeff(&corner);
       const int neuron = result.Network.Faces(foot.Triangle, corner);
-      sums[neuron] += (x - Vector3(weights.row(neuron))).squaredNorm();
-      counts[neuron] += 1.0;
+      squares.add(neuron, (x - Vector3(weights.row(neuron))).squaredNorm());
+      counts.add(neuron, 1.0);
     },
     parallelFor);
-  for (std::size_t i = 0; i < sums.size(); ++i)
+  squares.reduce(samples.reduce());
+  counts.reduce(samples.reduce());
+  std::vector<double> errors(weights.rows(), 0.0);
+  for (Index i = 0; i < weights.rows(); ++i)
   {
-    sums[i] = counts[i] > 0.0 ? samples.scale() * std::sqrt(sums[i] / counts[i]) : 0.0;
+    errors[i] = counts[i] > 0.0 ? samples.scale() * std::sqrt(squares[i] / counts[i]) : 0.0;
   }
-  return sums;
+  return errors;
 }
 }

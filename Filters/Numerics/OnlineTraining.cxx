@@ -8,46 +8,79 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace conformal
 {
 namespace
 {
-/// Step 2: every pattern with equal probability, or in proportion to its priority.
+/// Step 2: every pattern with equal probability, or in proportion to its priority. All processes
+/// draw the same patterns, whichever of them has them.
 class Sampler
 {
 public:
   Sampler(const TrainingSamples& samples, unsigned int seed)
-    : Size(samples.size())
+    : Samples(samples)
     , Numbers(seed)
   {
     if (samples.weighted())
     {
-      this->Cumulative.resize(this->Size);
-      double sum = 0.0;
-      for (Index i = 0; i < this->Size; ++i)
+      // In integers, which add up to the same however the cloud is cut.
+      const Reduce& reduce = samples.reduce();
+      std::vector<std::int64_t> sums(reduce.NumberOfRanks, 0);
+      this->Cumulative.resize(samples.size());
+      for (Index i = 0; i < samples.size(); ++i)
       {
-        this->Cumulative[i] = sum += samples.weight(i);
+        this->Cumulative[i] = sums[reduce.Rank] += std::llround(samples.weight(i) * Unit);
       }
+      reduce.sum(sums.data(), reduce.NumberOfRanks);
+      this->Before = std::accumulate(sums.begin(), sums.begin() + reduce.Rank, std::int64_t(0));
+      this->Total = std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
     }
   }
 
-  Index next()
+  /// The next patterns, #count by 3.
+  Points next(Index count)
   {
-    if (this->Cumulative.empty())
+    Points patterns(count, 3);
+    std::vector<std::int64_t> bits(patterns.size(), 0);
+    for (Index i = 0; i < count; ++i)
     {
-      return this->Numbers.index(this->Size);
+      const Index id = this->draw();
+      if (id >= 0 && id < this->Samples.size())
+      {
+        const Vector3 x = this->Samples[id];
+        std::memcpy(bits.data() + 3 * i, x.data(), sizeof(x));
+      }
     }
-    const double target = this->Numbers.uniform() * this->Cumulative.back();
-    const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
-    return std::min(static_cast<Index>(found - this->Cumulative.begin()), this->Size - 1);
+    this->Samples.reduce().sum(bits.data(), static_cast<Index>(bits.size()));
+    std::memcpy(patterns.data(), bits.data(), bits.size() * sizeof(double));
+    return patterns;
   }
 
 private:
-  Index Size;
+  /// Id of a pattern if it is this process's, else one out of range.
+  Index draw()
+  {
+    if (!this->Samples.weighted())
+    {
+      return this->Numbers.index(this->Samples.totalSize()) - this->Samples.firstOfTotal();
+    }
+    const auto target =
+      static_cast<std::int64_t>(this->Numbers.uniform() * static_cast<double>(this->Total)) -
+      this->Before;
+    const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
+    return target < 0 ? -1 : static_cast<Index>(found - this->Cumulative.begin());
+  }
+
+  static constexpr double Unit = 0x1p32;
+  const TrainingSamples& Samples;
   Random Numbers;
-  std::vector<double> Cumulative;
+  std::vector<std::int64_t> Cumulative; ///< of this process's patterns
+  std::int64_t Before = 0, Total = 0;   ///< of the processes of lower rank, of all
 };
 }
 
@@ -89,6 +122,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
       options.InitialNeighborhoodRadius * std::exp(-t / options.NeighborhoodTimeConstant);
     record.LearningRate =
       options.InitialLearningRate * std::exp(-t / options.LearningRateTimeConstant);
+    Points patterns;
     for (int step = 0; step < options.SamplesPerEpoch; ++step)
     {
       if (step % reportEvery == 0)
@@ -96,7 +130,12 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
         report(progress,
           (t + static_cast<double>(step) / options.SamplesPerEpoch) / options.NumberOfEpochs);
       }
-      const Vector3 x = samples[sampler.next()];
+      constexpr int AtATime = 8192;
+      if (step % AtATime == 0)
+      {
+        patterns = sampler.next(std::min(AtATime, options.SamplesPerEpoch - step));
+      }
+      const Vector3 x = patterns.row(step % AtATime);
       const int winner = neurons.findWinner(x);
       const FootPoint foot = project(x, winner);
       record.MeanSquareError += foot.SquareDistance / options.SamplesPerEpoch;

@@ -380,6 +380,43 @@ TEST(ConformalSOM, RanksShareTheSums)
   }
 }
 
+TEST(ConformalSOM, RanksPresentTheSamePatterns)
+{
+  const Points points = potato(3000);
+  const std::vector<double> priority = [&]
+  {
+    std::vector<double> values;
+    for (Index i = 0; i < points.rows(); ++i)
+    {
+      values.push_back(1.0 + points(i, 0));
+    }
+    return values;
+  }();
+  ConformalSOMOptions options = online(7);
+  options.NumberOfEpochs = 5;
+  options.SamplesPerEpoch = 500;
+  for (const bool weighted : { false, true })
+  {
+    const TrainingSamples samples(
+      points, weighted ? conformal::NumberView(priority) : conformal::NumberView());
+    const ConformalSOMResult whole = trainConformalSOM(samples, options);
+    const std::vector<double> errors = conformal::quantizationErrors(samples, whole, {});
+    ranks::run(3,
+      [&](const conformal::Reduce& reduce)
+      {
+        const Index first = 1000 * reduce.Rank;
+        const Points own = points.middleRows(first, 1000);
+        const std::vector<double> weights(
+          priority.begin() + first, priority.begin() + first + 1000);
+        const TrainingSamples part(
+          own, weighted ? conformal::NumberView(weights) : conformal::NumberView(), {}, {}, reduce);
+        const ConformalSOMResult result = trainConformalSOM(part, options);
+        EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+        EXPECT_EQ(conformal::quantizationErrors(part, result, {}), errors);
+      });
+  }
+}
+
 TEST(ConformalSOM, RanksShareTheHull)
 {
   const Points points = horseshoe(6000);
