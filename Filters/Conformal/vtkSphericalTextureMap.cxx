@@ -3,11 +3,16 @@
 #include "SphericalTexture.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
+#include "vtkSphereImageConversions.h"
 
-#include "vtkFieldData.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -15,8 +20,110 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 
 vtkStandardNewMacro(vtkSphericalTextureMap);
+
+namespace
+{
+void AddTextureArrays(vtkPolyData* output, const conformal::SphericalTexture& texture)
+{
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("Texture Coordinates");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(texture.Coordinates.rows());
+  std::transform(texture.Coordinates.data(),
+    texture.Coordinates.data() + texture.Coordinates.size(), coordinates->GetPointer(0),
+    [](double value) { return static_cast<float>(value); });
+  output->GetPointData()->SetTCoords(coordinates);
+
+  vtkNew<vtkUnsignedCharArray> outside;
+  outside->SetName("OutsideImage");
+  outside->SetNumberOfValues(static_cast<vtkIdType>(texture.OutsideImage.size()));
+  std::copy(texture.OutsideImage.begin(), texture.OutsideImage.end(), outside->GetPointer(0));
+  output->GetPointData()->AddArray(outside);
+}
+
+// Means of unit vectors are shorter.
+void Normalize(vtkDataArray* vectors, vtkIdType firstTuple)
+{
+  for (vtkIdType i = firstTuple; vectors && i < vectors->GetNumberOfTuples(); ++i)
+  {
+    double v[3];
+    vectors->GetTuple(i, v);
+    vtkMath::Normalize(v);
+    vectors->SetTuple(i, v);
+  }
+}
+
+// Points of the input in their order, then those added by the split.
+void AddSplitPoints(
+  vtkPolyData* output, vtkPolyData* input, const std::vector<conformal::SurfacePlace>& added)
+{
+  const vtkIdType kept = input->GetNumberOfPoints();
+  const vtkIdType count = kept + static_cast<vtkIdType>(added.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(count);
+  points->GetData()->InsertTuples(0, kept, 0, input->GetPoints()->GetData());
+  vtkPointData* data = output->GetPointData();
+  data->InterpolateAllocate(input->GetPointData(), count);
+  data->CopyData(input->GetPointData(), 0, kept, 0);
+  vtkNew<vtkIdTypeArray> originalIds;
+  originalIds->SetName("OriginalPointIds");
+  originalIds->SetNumberOfValues(count);
+  std::iota(originalIds->Begin(), originalIds->Begin() + kept, vtkIdType(0));
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(3);
+  for (vtkIdType i = kept; i < count; ++i)
+  {
+    const conformal::SurfacePlace& place = added[i - kept];
+    conformal::Vector3 position = conformal::Vector3::Zero();
+    conformal::Vector3 weights = place.Weights;
+    for (int k = 0; k < 3; ++k)
+    {
+      ids->SetId(k, place.Ids[k]);
+      position += weights[k] * conformal::Vector3(input->GetPoint(place.Ids[k]));
+    }
+    points->SetPoint(i, position.data());
+    originalIds->SetValue(i, place.isVertex() ? place.Ids[0] : -1);
+    if (place.isVertex())
+    {
+      data->CopyData(input->GetPointData(), place.Ids[0], i);
+    }
+    else
+    {
+      data->InterpolatePoint(input->GetPointData(), i, ids, weights.data());
+    }
+  }
+  Normalize(data->GetArray(vtkConformalConversions::SpherePositionName()), kept);
+  Normalize(data->GetNormals(), kept);
+  output->SetPoints(points);
+  data->AddArray(originalIds);
+}
+
+void AddSplitTriangles(vtkPolyData* output, vtkPolyData* input,
+  const conformal::SphericalTexture& texture, const std::vector<vtkIdType>& cellIds)
+{
+  const conformal::Triangles& triangles = texture.SplitTriangles;
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(triangles.size());
+  std::copy_n(triangles.data(), triangles.size(), connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(3, connectivity);
+  output->SetPolys(cells);
+  vtkNew<vtkIdTypeArray> originalIds;
+  originalIds->SetName("OriginalCellIds");
+  originalIds->SetNumberOfValues(triangles.rows());
+  output->GetCellData()->CopyAllocate(input->GetCellData(), triangles.rows());
+  for (vtkIdType i = 0; i < triangles.rows(); ++i)
+  {
+    originalIds->SetValue(i, cellIds[texture.TriangleIds[i]]);
+    output->GetCellData()->CopyData(input->GetCellData(), originalIds->GetValue(i), i);
+  }
+  output->GetCellData()->AddArray(originalIds);
+}
+}
 
 //------------------------------------------------------------------------------
 int vtkSphericalTextureMap::RequestData(
@@ -32,41 +139,37 @@ int vtkSphericalTextureMap::RequestData(
   conformal::SphericalTextureOptions options;
   options.ViewDirection = conformal::Vector3(this->ViewDirection);
   options.ViewUp = conformal::Vector3(this->ViewUp);
+  options.UseViewPoint = this->UseViewPoint;
+  options.ViewPoint = conformal::Vector3(this->ViewPoint);
+  options.Projection = static_cast<conformal::SphereProjection>(this->Projection);
   options.FieldOfView = this->FieldOfView;
+  options.Rotation = this->Rotation;
+  options.Scale = conformal::Vector2(this->Scale);
+  options.Wrap = static_cast<conformal::TextureWrap>(this->Wrap);
+  options.SplitSeam = this->SplitSeam;
+  options.Margin = this->Margin;
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
       conformal::Points copy;
+      std::vector<vtkIdType> cellIds;
+      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), copy),
-        vtkConformalConversions::ToTriangles(input),
+        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), triangles,
         vtkConformalConversions::ToSpherePositions(input), options,
         vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
-
-      output->ShallowCopy(input);
-      vtkNew<vtkFloatArray> coordinates;
-      coordinates->SetName("Texture Coordinates");
-      coordinates->SetNumberOfComponents(2);
-      coordinates->SetNumberOfTuples(texture.Coordinates.rows());
-      std::transform(texture.Coordinates.data(),
-        texture.Coordinates.data() + texture.Coordinates.size(), coordinates->GetPointer(0),
-        [](double value) { return static_cast<float>(value); });
-      output->GetPointData()->SetTCoords(coordinates);
-
-      vtkNew<vtkUnsignedCharArray> outside;
-      outside->SetName("OutsideImage");
-      outside->SetNumberOfValues(static_cast<vtkIdType>(texture.OutsideImage.size()));
-      std::copy(texture.OutsideImage.begin(), texture.OutsideImage.end(), outside->GetPointer(0));
-      output->GetPointData()->AddArray(outside);
-
-      const auto addDirection = [&](const char* name, const conformal::Vector3& direction)
+      if (this->SplitSeam)
       {
-        vtkConformalConversions::AddVectors(
-          output->GetFieldData(), name, conformal::Points(direction.transpose()));
-      };
-      addDirection("SpherePole", texture.View.Pole);
-      addDirection("SphereUp", texture.View.Up);
-      addDirection("SphereRight", texture.View.Right);
+        AddSplitPoints(output, input, texture.AddedPlaces);
+        AddSplitTriangles(output, input, texture, cellIds);
+        output->GetFieldData()->ShallowCopy(input->GetFieldData());
+      }
+      else
+      {
+        output->ShallowCopy(input);
+      }
+      AddTextureArrays(output, texture);
+      vtkConformalConversions::AddSphereImage(output->GetFieldData(), texture.Image);
     });
 }
 
@@ -74,9 +177,24 @@ int vtkSphericalTextureMap::RequestData(
 void vtkSphericalTextureMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ViewDirection: (" << this->ViewDirection[0] << ", " << this->ViewDirection[1]
-     << ", " << this->ViewDirection[2] << ")\n";
-  os << indent << "ViewUp: (" << this->ViewUp[0] << ", " << this->ViewUp[1] << ", "
-     << this->ViewUp[2] << ")\n";
+  const auto vector = [&](const char* name, const double* v, int size)
+  {
+    os << indent << name << ": (" << v[0];
+    for (int i = 1; i < size; ++i)
+    {
+      os << ", " << v[i];
+    }
+    os << ")\n";
+  };
+  vector("ViewDirection", this->ViewDirection, 3);
+  vector("ViewUp", this->ViewUp, 3);
+  os << indent << "UseViewPoint: " << (this->UseViewPoint ? "On" : "Off") << "\n";
+  vector("ViewPoint", this->ViewPoint, 3);
+  os << indent << "Projection: " << this->Projection << "\n";
   os << indent << "FieldOfView: " << this->FieldOfView << "\n";
+  os << indent << "Rotation: " << this->Rotation << "\n";
+  vector("Scale", this->Scale, 2);
+  os << indent << "Wrap: " << this->Wrap << "\n";
+  os << indent << "SplitSeam: " << (this->SplitSeam ? "On" : "Off") << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
 }

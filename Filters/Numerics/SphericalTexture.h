@@ -1,73 +1,74 @@
-/// An image laid on the sphere by stereographic projection, and from there on a surface.
+/// An image laid on the sphere, and from there on a surface.
 
 #ifndef ConformalSphericalTexture_h
 #define ConformalSphericalTexture_h
 
 #include "Parallel.h"
+#include "SphereProjection.h"
 #include "Types.h"
 
+#include <array>
 #include <vector>
 
 namespace conformal
 {
-using Vector2 = Eigen::Vector2d;
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// Where and how an image touches the sphere: its middle at Pole, its top towards Up, its right
-/// edge towards Right. Orthonormal, and right-handed in the order Right, Up, Pole, unless the
-/// surface's map to the sphere is mirrored.
-struct SphereView
+/// What the surface shows where the image does not reach.
+enum class TextureWrap
 {
-  Vector3 Pole = { 0, 0, 1 };
-  Vector3 Up = { 0, 1, 0 };
-  Vector3 Right = { 1, 0, 0 };
+  Clamp,  ///< the image's border, drawn out
+  Repeat, ///< the image again; coordinates go on beyond [0, 1]
+  Mirror  ///< the image mirrored at its borders, in turns; coordinates are folded into [0, 1]
 };
 
-constexpr double MinimumFieldOfView = 0.001; ///< degrees
-constexpr double MaximumFieldOfView = 340.0; ///< degrees
-
-struct SphericalTextureOptions
+struct SphericalTextureOptions : SphereViewOptions
 {
-  Vector3 ViewDirection = { 0, 0, 1 }; ///< from the model to the viewer, of any length
-  Vector3 ViewUp = { 0, 1, 0 };        ///< of any length, not parallel to ViewDirection
-  double FieldOfView = 180.0; ///< degrees of the sphere across the image's inscribed circle
+  SphereProjection Projection = SphereProjection::Stereographic;
+  Vector2 Scale = { 1, 1 }; ///< of the image, about its middle, in s and t; > 0
+  TextureWrap Wrap = TextureWrap::Clamp;
+  bool SplitSeam = false; ///< cut the surface where the image has a seam, fold or border
+  double Margin = 0.0;    ///< see SphereImage
+};
+
+constexpr double MaximumMargin = 0.25;
+constexpr double MinimumScale = 1e-3;
+constexpr double MaximumScale = 1e3;
+
+/// A point of the surface in terms of its vertices; weights are >= 0, of sum 1.
+struct SurfacePlace
+{
+  std::array<int, 3> Ids = { -1, -1, -1 };
+  Vector3 Weights = { 1, 0, 0 };
+
+  bool isVertex() const { return this->Weights[0] == 1.0; }
 };
 
 struct SphericalTexture
 {
-  TextureCoordinates Coordinates;          ///< #V by 2, clamped to [0, 1]
-  std::vector<unsigned char> OutsideImage; ///< #V: 1 where Coordinates had to be clamped
-  SphereView View;
+  TextureCoordinates Coordinates;          ///< #P by 2, finite; in [0, 1] but for Repeat
+  std::vector<unsigned char> OutsideImage; ///< #P: 1 where the image does not reach
+  SphereImage Image;                       ///< as it lies on the sphere
+
+  /// With SplitSeam: the surface as cut. Points from #V on are copies of vertices, with other
+  /// coordinates, or lie where edges were cut.
+  Triangles SplitTriangles;              ///< #F' by 3 ids in [0, #P)
+  std::vector<int> TriangleIds;          ///< #F': the triangle each is part of
+  std::vector<SurfacePlace> AddedPlaces; ///< #P - #V
 };
 
-/// Stereographic projection from the point opposite to the pole, \cite Liou2008 section 4.2: the
-/// angle theta from the pole goes to the distance tan(theta / 2) / tan(FieldOfView / 4) from the
-/// middle (1/2, 1/2) of the image, in units of half its side.
-/// @param[in] n  unit vector; the opposite pole goes to a point far away
-/// @return (s, t), not clamped
-Vector2 sphereToTexture(const Vector3& n, const SphereView& view, double fieldOfView = 180.0);
-
-/// The inverse of sphereToTexture.
-/// @return unit vector
-Vector3 textureToSphere(const Vector2& st, const SphereView& view, double fieldOfView = 180.0);
-
-/// Choose the pole by a view of the model: the point of the surface that a viewer in ViewDirection
-/// meets first on the line through the centroid of its area (if that line misses the surface, its
-/// farthest vertex that way). The image is turned so that it stands upright for the viewer and is
-/// not mirrored: its axes are the model's directions right and up carried to the sphere, in the
-/// mean over a cap of an eighth of FieldOfView around the pole.
+/// Texture coordinates of every point of a mapped surface, \cite Liou2008 section 4.2. The view is
+/// chosen by chooseSphereView.
+///
+/// With SplitSeam every triangle lies on one side of every seam and fold of the projection and of
+/// every border of the image, so none shows the image backwards or squeezed, and OutsideImage is
+/// the same at the three corners of each. Edges are cut where they meet such a line, unless that
+/// is within a thousandth of their length from an end.
 ///
 /// @param[in] points           #V by 3, finite
 /// @param[in] triangles        #F by 3 ids in [0, #V), at least one
 /// @param[in] spherePositions  #V by 3 unit vectors
-/// @throws std::invalid_argument on directions that are zero, not finite or parallel, a field of
-///   view out of range, points that are not finite, or no triangles
-SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const SphericalTextureOptions& options = {},
-  const Progress& progress = {});
-
-/// Texture coordinates of every point of a mapped surface, \cite Liou2008 section 4.2.
-/// Same arguments and exceptions as chooseSphereView.
+/// @throws std::invalid_argument as chooseSphereView, and if Scale or Margin are out of range
 SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const SphericalTextureOptions& options = {},
   const ParallelFor& parallelFor = {}, const Progress& progress = {});

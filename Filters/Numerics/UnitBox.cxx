@@ -5,11 +5,12 @@
 
 namespace conformal
 {
-Points inUnitBox(const PointView& points)
+//------------------------------------------------------------------------------
+UnitBox unitBoxOf(const PointView& points)
 {
   if (points.size() == 0)
   {
-    return Points(0, 3);
+    return {};
   }
   Vector3 lower = points[0], upper = points[0];
   Index bad = 0;
@@ -24,12 +25,18 @@ Points inUnitBox(const PointView& points)
     throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
       " points of the surface are not finite");
   }
-  // Halves, since a difference may overflow.
   const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
+  return { lower, half > 0.0 ? half : 1.0 };
+}
+
+//------------------------------------------------------------------------------
+Points inUnitBox(const PointView& points)
+{
+  const UnitBox box = unitBoxOf(points);
   Points moved(points.size(), 3);
   for (Index i = 0; i < points.size(); ++i)
   {
-    moved.row(i) = (0.5 * points[i] - 0.5 * lower) / (half > 0.0 ? half : 1.0);
+    moved.row(i) = box(points[i]);
   }
   return moved;
 }

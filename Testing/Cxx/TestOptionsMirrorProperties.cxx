@@ -34,7 +34,25 @@ TEST(OptionsMirrorProperties, SphericalTexture)
   vtkNew<vtkSphericalTextureMap> filter;
   EXPECT_EQ(conformal::Vector3(filter->GetViewDirection()), options.ViewDirection);
   EXPECT_EQ(conformal::Vector3(filter->GetViewUp()), options.ViewUp);
+  EXPECT_EQ(filter->GetUseViewPoint(), options.UseViewPoint);
+  EXPECT_EQ(conformal::Vector3(filter->GetViewPoint()), options.ViewPoint);
+  EXPECT_EQ(filter->GetProjection(), static_cast<int>(options.Projection));
   EXPECT_EQ(filter->GetFieldOfView(), options.FieldOfView);
+  EXPECT_EQ(filter->GetRotation(), options.Rotation);
+  EXPECT_EQ(conformal::Vector2(filter->GetScale()), options.Scale);
+  EXPECT_EQ(filter->GetWrap(), static_cast<int>(options.Wrap));
+  EXPECT_EQ(filter->GetSplitSeam(), options.SplitSeam);
+  EXPECT_EQ(filter->GetMargin(), options.Margin);
+  EXPECT_EQ(filter->GetMarginMaxValue(), conformal::MaximumMargin);
+  using Filter = vtkSphericalTextureMap;
+  using conformal::SphereProjection;
+  EXPECT_EQ(Filter::STEREOGRAPHIC, static_cast<int>(SphereProjection::Stereographic));
+  EXPECT_EQ(Filter::LONGITUDE_LATITUDE, static_cast<int>(SphereProjection::LongitudeLatitude));
+  EXPECT_EQ(Filter::OCTAHEDRAL, static_cast<int>(SphereProjection::Octahedral));
+  EXPECT_EQ(Filter::CUBE_MAP, static_cast<int>(SphereProjection::CubeMap));
+  EXPECT_EQ(Filter::CLAMP, static_cast<int>(conformal::TextureWrap::Clamp));
+  EXPECT_EQ(Filter::REPEAT, static_cast<int>(conformal::TextureWrap::Repeat));
+  EXPECT_EQ(Filter::MIRROR, static_cast<int>(conformal::TextureWrap::Mirror));
   EXPECT_EQ(filter->GetFieldOfViewMinValue(), conformal::MinimumFieldOfView);
   EXPECT_EQ(filter->GetFieldOfViewMaxValue(), conformal::MaximumFieldOfView);
 }

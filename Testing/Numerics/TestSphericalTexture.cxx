@@ -1,172 +1,61 @@
 #include "SphericalTexture.h"
 
 #include "GeodesicSphere.h"
+#include "TextureFixtures.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <map>
 #include <stdexcept>
 
-using conformal::chooseSphereView;
 using conformal::Index;
 using conformal::makeSphericalTexture;
 using conformal::Points;
-using conformal::sphereToTexture;
-using conformal::SphereView;
+using conformal::SphereProjection;
 using conformal::SphericalTexture;
 using conformal::SphericalTextureOptions;
-using conformal::textureToSphere;
+using conformal::TextureWrap;
 using conformal::Triangles;
 using conformal::Vector2;
 using conformal::Vector3;
+using fixtures::egg;
 
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-// Some view that is like no other.
-SphereView tiltedView()
-{
-  const Eigen::Matrix3d rotation =
-    Eigen::AngleAxisd(1.234, Vector3(1, -2, 0.5).normalized()).toRotationMatrix();
-  return { rotation.col(2), rotation.col(1), rotation.col(0) };
-}
-
 SphericalTextureOptions seenFrom(const Vector3& direction, const Vector3& up)
 {
-  SphericalTextureOptions options;
-  options.ViewDirection = direction;
-  options.ViewUp = up;
-  return options;
+  return fixtures::seenFrom<SphericalTextureOptions>(direction, up);
 }
 
-// An egg with a dent: no symmetry a view could profit from.
-Points egg(const Points& n)
+const SphereProjection AllProjections[] = { SphereProjection::Stereographic,
+  SphereProjection::LongitudeLatitude, SphereProjection::Octahedral, SphereProjection::CubeMap };
+
+double signedArea(const SphericalTexture& texture, Index triangle)
 {
-  Points points(n.rows(), 3);
-  for (Index i = 0; i < n.rows(); ++i)
-  {
-    const double x = n(i, 0), y = n(i, 1), z = n(i, 2);
-    points.row(i) = Vector3(x * (1.0 + 0.2 * y), 1.4 * y, z * (0.8 + 0.1 * x + 0.1 * y));
-  }
-  return points;
-}
+  const auto at = [&](int k)
+  { return Vector2(texture.Coordinates.row(texture.SplitTriangles(triangle, k))); };
+  const Vector2 a = at(1) - at(0), b = at(2) - at(0);
+  return 0.5 * (a[0] * b[1] - a[1] * b[0]);
 }
 
-TEST(SphericalTexture, KnowsPoleEquatorAndAxes)
+// Places of all points of a split surface, by the positions of the vertices.
+Points placed(const SphericalTexture& texture, const Points& vertices)
 {
-  const SphereView view = tiltedView();
-  EXPECT_TRUE(sphereToTexture(view.Pole, view).isApprox(Vector2(0.5, 0.5), 1e-15));
-  EXPECT_TRUE(sphereToTexture(view.Up, view).isApprox(Vector2(0.5, 1.0), 1e-15));
-  EXPECT_TRUE(sphereToTexture(view.Right, view).isApprox(Vector2(1.0, 0.5), 1e-15));
-  EXPECT_TRUE(sphereToTexture(-view.Right, view).isApprox(Vector2(0.0, 0.5), 1e-15));
-  for (double angle = 0.0; angle < 6.0; angle += 0.7)
+  Points all(texture.Coordinates.rows(), 3);
+  all.topRows(vertices.rows()) = vertices;
+  for (std::size_t i = 0; i < texture.AddedPlaces.size(); ++i)
   {
-    const Vector3 equator = std::cos(angle) * view.Right + std::sin(angle) * view.Up;
-    EXPECT_NEAR((sphereToTexture(equator, view) - Vector2(0.5, 0.5)).norm(), 0.5, 1e-15);
-  }
-}
-
-// What lies half the field of view from the pole lies on the inscribed circle.
-TEST(SphericalTexture, FieldOfViewSpansTheInscribedCircle)
-{
-  const SphereView view = tiltedView();
-  for (double degrees : { 0.001, 10.0, 90.0, 180.0, 250.0, 340.0 })
-  {
-    const double theta = 0.5 * degrees * std::acos(-1.0) / 180.0;
-    const Vector3 n = std::cos(theta) * view.Pole + std::sin(theta) * view.Up;
-    EXPECT_TRUE(sphereToTexture(n, view, degrees).isApprox(Vector2(0.5, 1.0), 1e-10)) << degrees;
-  }
-}
-
-TEST(SphericalTexture, GoesThereAndBack)
-{
-  const SphereView view = tiltedView();
-  const auto sphere = conformal::makeGeodesicSphere(12);
-  for (double degrees : { 20.0, 180.0, 340.0 })
-  {
-    for (Index i = 0; i < sphere.Positions.rows(); ++i)
+    const conformal::SurfacePlace& place = texture.AddedPlaces[i];
+    Vector3 sum = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
     {
-      const Vector3 n = sphere.Positions.row(i);
-      ASSERT_LT(
-        (textureToSphere(sphereToTexture(n, view, degrees), view, degrees) - n).norm(), 1e-12);
+      sum += place.Weights[k] * Vector3(vertices.row(place.Ids[k]));
     }
+    all.row(vertices.rows() + static_cast<Index>(i)) = sum;
   }
-  // Close to the opposite pole, where 1 + cos(theta) would lose its digits.
-  for (double angle : { 1e-3, 1e-6, 1e-9, 1e-12 })
-  {
-    const Vector3 n = -std::cos(angle) * view.Pole + std::sin(angle) * view.Up;
-    const Vector3 back = textureToSphere(sphereToTexture(n, view), view);
-    EXPECT_NEAR(back.dot(view.Up) / angle, 1.0, 1e-3);
-    EXPECT_LT((back - n).norm(), 1e-12);
-  }
+  return all;
 }
-
-TEST(SphericalTexture, OppositePoleIsFarAwayButFinite)
-{
-  const SphereView view;
-  const Vector2 far = sphereToTexture(-view.Pole, view);
-  EXPECT_TRUE(far.allFinite());
-  EXPECT_GT(far.norm(), 1e50);
-  EXPECT_LT((textureToSphere(far, view) + view.Pole).norm(), 1e-90);
-}
-
-// Cauchy and Riemann: equal stretches in perpendicular directions, s and t turning like the
-// viewer's right and up.
-TEST(SphericalTexture, ProjectionIsConformal)
-{
-  const SphereView view = tiltedView();
-  const double h = 1e-5;
-  for (double theta : { 0.1, 0.9, 1.7, 2.6 })
-  {
-    for (double phi : { 0.3, 2.0, 4.5 })
-    {
-      const Vector3 n = std::cos(theta) * view.Pole +
-        std::sin(theta) * (std::cos(phi) * view.Right + std::sin(phi) * view.Up);
-      const Vector3 a = n.unitOrthogonal(), b = n.cross(a);
-      const auto derivative = [&](const Vector3& along)
-      {
-        const Vector3 ahead = (n + h * along).normalized(), behind = (n - h * along).normalized();
-        return Vector2((sphereToTexture(ahead, view) - sphereToTexture(behind, view)) / (2.0 * h));
-      };
-      const Vector2 da = derivative(a), db = derivative(b);
-      EXPECT_NEAR(da[0], db[1], 1e-8 * da.norm());
-      EXPECT_NEAR(da[1], -db[0], 1e-8 * da.norm());
-    }
-  }
-}
-
-// Seen by anyone, the sphere itself shows the image upright, its middle towards him.
-TEST(SphericalTexture, StandsUprightOnTheSphere)
-{
-  const auto sphere = conformal::makeGeodesicSphere(9);
-  const Vector3 views[][2] = { { { 0, 0, 1 }, { 0, 1, 0 } }, { { 0, 0, -5 }, { 0, 1, 0 } },
-    { { 1, 0.3, 0 }, { 0, 0, 1e-3 } }, { { -1, 2, 3 }, { 1, 1, 1 } } };
-  for (const auto& [direction, up] : views)
-  {
-    const SphereView view =
-      chooseSphereView(sphere.Positions, sphere.Faces, sphere.Positions, seenFrom(direction, up));
-    const Vector3 pole = direction.normalized(), right = up.cross(direction).normalized();
-    EXPECT_LT((view.Pole - pole).norm(), 1e-12);
-    EXPECT_LT((view.Right - right).norm(), 2e-2); // the lattice is not symmetric to all views
-    EXPECT_LT((view.Up - pole.cross(right)).norm(), 2e-2);
-  }
-}
-
-TEST(SphericalTexture, FramesAreOrthonormalAndRightHanded)
-{
-  const auto sphere = conformal::makeGeodesicSphere(8);
-  for (double degrees : { 1.0, 180.0, 340.0 })
-  {
-    SphericalTextureOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
-    options.FieldOfView = degrees;
-    const SphereView view =
-      chooseSphereView(egg(sphere.Positions), sphere.Faces, sphere.Positions, options);
-    EXPECT_NEAR(view.Pole.norm(), 1.0, 1e-14);
-    EXPECT_NEAR(view.Up.norm(), 1.0, 1e-14);
-    EXPECT_LT((view.Right.cross(view.Up) - view.Pole).norm(), 1e-14);
-  }
 }
 
 // Neither turning the model with its viewer nor turning its sphere changes the picture; a mirrored
@@ -250,44 +139,6 @@ TEST(SphericalTexture, MasksWhatTheImageDoesNotReach)
   }
 }
 
-// A "C" in space: the line through its centroid in its plane's normal misses it.
-TEST(SphericalTexture, TakesTheFarthestPointWhereTheLineMisses)
-{
-  const auto sphere = conformal::makeGeodesicSphere(12);
-  Points bow(sphere.Positions.rows(), 3);
-  for (Index i = 0; i < bow.rows(); ++i)
-  {
-    const double along = 2.2 * sphere.Positions(i, 0);
-    const double radius = 1.0 + 0.2 * sphere.Positions(i, 1);
-    bow.row(i) = Vector3(radius * std::sin(along), radius * std::cos(along),
-      0.2 * sphere.Positions(i, 2) + 0.1 * along);
-  }
-  const SphereView view = chooseSphereView(bow, sphere.Faces, sphere.Positions);
-  Index top = 0;
-  bow.col(2).maxCoeff(&top);
-  EXPECT_LT((view.Pole - Vector3(sphere.Positions.row(top))).norm(), 1e-12);
-}
-
-TEST(SphericalTexture, RefusesViewsThatAreNone)
-{
-  const auto sphere = conformal::makeGeodesicSphere(2);
-  const auto choose = [&](const SphericalTextureOptions& options)
-  { return chooseSphereView(sphere.Positions, sphere.Faces, sphere.Positions, options); };
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 0 }, { 0, 1, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, -2 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, Infinity, 1 }, { 0, 1, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, std::nan(""), 0 })), std::invalid_argument);
-  SphericalTextureOptions options;
-  for (double degrees : { 0.0, -1.0, 341.0, std::nan("") })
-  {
-    options.FieldOfView = degrees;
-    EXPECT_THROW(choose(options), std::invalid_argument) << degrees;
-  }
-  EXPECT_THROW(
-    chooseSphereView(sphere.Positions, Triangles(0, 3), sphere.Positions), std::invalid_argument);
-}
-
 TEST(SphericalTexture, StaysFiniteOnDegenerateModels)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
@@ -302,8 +153,203 @@ TEST(SphericalTexture, StaysFiniteOnDegenerateModels)
     {
       const SphericalTexture texture = makeSphericalTexture(model, sphere.Faces, positions);
       EXPECT_TRUE(texture.Coordinates.allFinite());
-      EXPECT_NEAR(texture.View.Pole.norm(), 1.0, 1e-12);
-      EXPECT_NEAR(texture.View.Up.norm(), 1.0, 1e-12);
+      EXPECT_NEAR(texture.Image.View.Pole.norm(), 1.0, 1e-12);
+      EXPECT_NEAR(texture.Image.View.Up.norm(), 1.0, 1e-12);
     }
+  }
+}
+
+// What a triangle shows at its middle and at its sides is what belongs there, and none shows it
+// backwards: no triangle is laid across a seam, a fold or a border of the image.
+TEST(SphericalTexture, SplitTrianglesShowWhatBelongsThere)
+{
+  const auto sphere = conformal::makeGeodesicSphere(24);
+  SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+  options.SplitSeam = true;
+  for (double margin : { 0.0, 0.1 })
+  {
+    for (SphereProjection projection : AllProjections)
+    {
+      options.Projection = projection;
+      options.Margin = margin;
+      const SphericalTexture texture =
+        makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+      const Points places = placed(texture, sphere.Positions);
+      EXPECT_GE(texture.Coordinates.minCoeff(), 0.0);
+      EXPECT_LE(texture.Coordinates.maxCoeff(), 1.0);
+      Index shown = 0;
+      for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
+      {
+        const auto ids = texture.SplitTriangles.row(r);
+        const int outside = texture.OutsideImage[ids[0]];
+        ASSERT_EQ(texture.OutsideImage[ids[1]], outside);
+        ASSERT_EQ(texture.OutsideImage[ids[2]], outside);
+        const double area = signedArea(texture, r);
+        if (outside)
+        {
+          ASSERT_EQ(area, 0.0);
+          continue;
+        }
+        ++shown;
+        ASSERT_GT(area, 0.0);
+        for (const Vector3& at : { Vector3(1, 1, 1), Vector3(9, 1, 9), Vector3(9, 1, 1) })
+        {
+          Vector2 st = Vector2::Zero();
+          Vector3 n = Vector3::Zero();
+          for (int k = 0; k < 3; ++k)
+          {
+            st += at[k] / at.sum() * texture.Coordinates.row(ids[k]).transpose();
+            n += at[k] / at.sum() * places.row(ids[k]).transpose();
+          }
+          ASSERT_LT((conformal::textureToSphere(st, texture.Image) - n.normalized()).norm(), 0.01);
+        }
+      }
+      EXPECT_GT(shown, sphere.Faces.rows() / 2);
+    }
+  }
+}
+
+// The pieces of each triangle have its area and its sense, whatever was cut.
+TEST(SphericalTexture, SplitKeepsTheSurface)
+{
+  const auto sphere = conformal::makeGeodesicSphere(16);
+  for (TextureWrap wrap : { TextureWrap::Clamp, TextureWrap::Repeat, TextureWrap::Mirror })
+  {
+    for (SphereProjection projection : AllProjections)
+    {
+      SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+      options.SplitSeam = true;
+      options.Projection = projection;
+      options.Wrap = wrap;
+      options.Scale = { 0.7, 0.4 };
+      const SphericalTexture texture =
+        makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+      const Points places = placed(texture, sphere.Positions);
+      Points areas = Points::Zero(sphere.Faces.rows(), 3);
+      const auto areaOf = [](const Points& points, const auto& ids)
+      {
+        const Vector3 a = points.row(ids[0]), b = points.row(ids[1]), c = points.row(ids[2]);
+        return Vector3(0.5 * (b - a).cross(c - a));
+      };
+      for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
+      {
+        const Vector3 piece = areaOf(places, texture.SplitTriangles.row(r));
+        const Index whole = texture.TriangleIds[r];
+        ASSERT_GT(piece.dot(areaOf(sphere.Positions, sphere.Faces.row(whole))), 0.0);
+        areas.row(whole) += piece.transpose();
+      }
+      for (Index r = 0; r < sphere.Faces.rows(); ++r)
+      {
+        const Vector3 expected = areaOf(sphere.Positions, sphere.Faces.row(r));
+        ASSERT_LT((Vector3(areas.row(r)) - expected).norm(), 1e-9 * expected.norm());
+      }
+      ASSERT_TRUE(texture.Coordinates.allFinite());
+    }
+  }
+}
+
+// Points that coincide count once: what was closed is closed but for the copies. (Clamp leaves a
+// few ends of cuts on the rim of what the stereographic projection reaches.)
+TEST(SphericalTexture, SplitLeavesNoCracks)
+{
+  const auto sphere = conformal::makeGeodesicSphere(10);
+  for (SphereProjection projection : AllProjections)
+  {
+    SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+    options.SplitSeam = true;
+    options.Projection = projection;
+    options.Wrap =
+      projection == SphereProjection::Stereographic ? TextureWrap::Repeat : TextureWrap::Clamp;
+    const SphericalTexture texture =
+      makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+    const Points places = placed(texture, sphere.Positions);
+    const auto place = [&](int id)
+    {
+      const Eigen::Vector3i rounded =
+        (1e7 * places.row(id).transpose()).array().round().cast<int>();
+      return std::array<int, 3>{ rounded[0], rounded[1], rounded[2] };
+    };
+    std::map<std::pair<std::array<int, 3>, std::array<int, 3>>, int> edges;
+    for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto a = place(texture.SplitTriangles(r, k));
+        const auto b = place(texture.SplitTriangles(r, (k + 1) % 3));
+        ++edges[{ a, b }];
+        --edges[{ b, a }];
+      }
+    }
+    Index open = 0;
+    for (const auto& [edge, balance] : edges)
+    {
+      open += balance != 0;
+    }
+    EXPECT_EQ(open, 0) << static_cast<int>(projection);
+  }
+}
+
+TEST(SphericalTexture, WrapsAsAsked)
+{
+  const auto sphere = conformal::makeGeodesicSphere(20);
+  SphericalTextureOptions options;
+  options.FieldOfView = 90.0;
+  const auto make = [&](TextureWrap wrap)
+  {
+    options.Wrap = wrap;
+    return makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+  };
+  const SphericalTexture clamp = make(TextureWrap::Clamp), repeat = make(TextureWrap::Repeat),
+                         mirror = make(TextureWrap::Mirror);
+  for (Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    const Vector2 st = repeat.Coordinates.row(i);
+    if (sphere.Positions(i, 2) < -0.9)
+    {
+      continue;
+    }
+    EXPECT_EQ(repeat.OutsideImage[i], 0);
+    EXPECT_EQ(Vector2(clamp.Coordinates.row(i)), Vector2(st.cwiseMax(0.0).cwiseMin(1.0)));
+    for (int axis = 0; axis < 2; ++axis) // a triangle wave of period two
+    {
+      EXPECT_NEAR(mirror.Coordinates(i, axis), std::abs(std::remainder(st[axis], 2.0)), 1e-12);
+    }
+  }
+  EXPECT_GT(repeat.Coordinates.topRows(sphere.Positions.rows()).maxCoeff(), 2.0);
+}
+
+TEST(SphericalTexture, ScalesTheImageAboutItsMiddle)
+{
+  const auto sphere = conformal::makeGeodesicSphere(6);
+  SphericalTextureOptions options;
+  options.Wrap = TextureWrap::Repeat;
+  const SphericalTexture whole =
+    makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+  options.Scale = { 2.0, 0.5 };
+  const SphericalTexture scaled =
+    makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+  for (Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    if (sphere.Positions(i, 2) > -0.9)
+    {
+      EXPECT_NEAR(scaled.Coordinates(i, 0) - 0.5, (whole.Coordinates(i, 0) - 0.5) / 2.0, 1e-12);
+      EXPECT_NEAR(scaled.Coordinates(i, 1) - 0.5, (whole.Coordinates(i, 1) - 0.5) / 0.5, 1e-12);
+    }
+  }
+}
+
+TEST(SphericalTexture, RefusesScalesAndMarginsOutOfRange)
+{
+  const auto sphere = conformal::makeGeodesicSphere(2);
+  const auto make = [&](const SphericalTextureOptions& options)
+  { makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options); };
+  for (double bad : { 0.0, -1.0, 1e4, std::nan("") })
+  {
+    SphericalTextureOptions options;
+    options.Scale = { 1.0, bad };
+    EXPECT_THROW(make(options), std::invalid_argument) << bad;
+    options = {};
+    options.Margin = bad == 0.0 ? 0.3 : bad;
+    EXPECT_THROW(make(options), std::invalid_argument) << bad;
   }
 }

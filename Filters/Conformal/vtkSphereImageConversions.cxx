@@ -1,0 +1,84 @@
+#include "vtkSphereImageConversions.h"
+
+#include "SphericalTexture.h"
+#include "vtkConformalConversions.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+const double* NumbersOf(vtkFieldData* data, const char* name, int components)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != 1)
+  {
+    throw std::invalid_argument(
+      std::string("the surface has no field data ") + name + " of vtkSphericalTextureMap");
+  }
+  const double* numbers = array->GetTuple(0);
+  for (int i = 0; i < components; ++i)
+  {
+    if (!std::isfinite(numbers[i]))
+    {
+      throw std::invalid_argument(std::string("the field data ") + name + " are not finite");
+    }
+  }
+  return numbers;
+}
+
+double NumberIn(vtkFieldData* data, const char* name, double least, double largest)
+{
+  const double number = *NumbersOf(data, name, 1);
+  if (number < least || number > largest)
+  {
+    throw std::invalid_argument(std::string("the field data ") + name + " are out of range");
+  }
+  return number;
+}
+}
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image)
+{
+  AddVectors(data, "SpherePole", image.View.Pole.transpose());
+  AddVectors(data, "SphereUp", image.View.Up.transpose());
+  AddVectors(data, "SphereRight", image.View.Right.transpose());
+  AddNumber(data, "TextureProjection", static_cast<long long>(image.Projection));
+  AddNumber(data, "TextureFieldOfView", image.FieldOfView);
+  vtkNew<vtkDoubleArray> scale;
+  scale->SetName("TextureScale");
+  scale->SetNumberOfComponents(2);
+  scale->InsertNextTuple(image.Scale.data());
+  data->AddArray(scale);
+  AddNumber(data, "TextureMargin", image.Margin);
+}
+
+//------------------------------------------------------------------------------
+conformal::SphereImage ToSphereImage(vtkFieldData* data)
+{
+  conformal::SphereImage image;
+  image.View.Pole = conformal::Vector3(NumbersOf(data, "SpherePole", 3));
+  image.View.Up = conformal::Vector3(NumbersOf(data, "SphereUp", 3));
+  image.View.Right = conformal::Vector3(NumbersOf(data, "SphereRight", 3));
+  image.Projection = static_cast<conformal::SphereProjection>(static_cast<int>(NumberIn(
+    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap))));
+  image.FieldOfView = NumberIn(
+    data, "TextureFieldOfView", conformal::MinimumFieldOfView, conformal::MaximumFieldOfView);
+  image.Scale = conformal::Vector2(NumbersOf(data, "TextureScale", 2));
+  if (image.Scale.minCoeff() < conformal::MinimumScale)
+  {
+    throw std::invalid_argument("the field data TextureScale are out of range");
+  }
+  image.Margin = NumberIn(data, "TextureMargin", 0.0, conformal::MaximumMargin);
+  return image;
+}
+}

@@ -1,0 +1,31 @@
+// Models and views that the tests of textures share.
+#ifndef TextureFixtures_h
+#define TextureFixtures_h
+
+#include "Types.h"
+
+namespace fixtures
+{
+// An egg with a dent: no symmetry a view could profit from.
+inline conformal::Points egg(const conformal::Points& n)
+{
+  conformal::Points points(n.rows(), 3);
+  for (conformal::Index i = 0; i < n.rows(); ++i)
+  {
+    const double x = n(i, 0), y = n(i, 1), z = n(i, 2);
+    points.row(i) = conformal::Vector3(x * (1.0 + 0.2 * y), 1.4 * y, z * (0.8 + 0.1 * x + 0.1 * y));
+  }
+  return points;
+}
+
+template <typename Options>
+Options seenFrom(const conformal::Vector3& direction, const conformal::Vector3& up)
+{
+  Options options;
+  options.ViewDirection = direction;
+  options.ViewUp = up;
+  return options;
+}
+}
+
+#endif
