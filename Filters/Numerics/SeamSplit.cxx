@@ -1,6 +1,7 @@
 #include "SeamSplit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 

@@ -5,9 +5,9 @@
 
 #include "Parallel.h"
 #include "SphereProjection.h"
+#include "SurfacePlace.h"
 #include "Types.h"
 
-#include <array>
 #include <vector>
 
 namespace conformal
@@ -34,15 +34,6 @@ struct SphericalTextureOptions : SphereViewOptions
 constexpr double MaximumMargin = 0.25;
 constexpr double MinimumScale = 1e-3;
 constexpr double MaximumScale = 1e3;
-
-/// A point of the surface in terms of its vertices; weights are >= 0, of sum 1.
-struct SurfacePlace
-{
-  std::array<int, 3> Ids = { -1, -1, -1 };
-  Vector3 Weights = { 1, 0, 0 };
-
-  bool isVertex() const { return this->Weights[0] == 1.0; }
-};
 
 struct SphericalTexture
 {

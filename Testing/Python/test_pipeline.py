@@ -11,7 +11,8 @@ import numpy as np
 from builtin_figure import bear, figure_cloud
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
-    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkSphericalTextureImage, vtkSphericalTextureMap,
+    vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
@@ -37,13 +38,18 @@ def chain(frequency=18, surface_frequency=40):
     distortion = vtkConformalDistortion()
     distortion.SetInputConnection(mismatch.GetOutputPort())
     distortion.Update()
+    image = vtkSphericalTextureImage()
+    image.SetInputConnection(painted.GetOutputPort())
+    image.SetArrayName("Normals")
+    image.SetImageSize(40, 30)
+    image.Update()
     sphere = vtkGeodesicSphereSource()
     sphere.Update()
     hull = vtkGenusZeroHull()
     hull.SetInputData(scan)
     hull.SetSpacing(0.04)
     hull.Update()
-    stages = (network, surface, painted, mismatch, distortion, sphere, hull)
+    stages = (network, surface, painted, mismatch, distortion, image, sphere, hull)
     return {stage.GetClassName(): stage for stage in stages}
 
 
@@ -74,6 +80,7 @@ class TestPipeline(unittest.TestCase):
         places = {
             "points": lambda stage: stage.GetOutput().GetPointData(),
             "cells": lambda stage: stage.GetOutput().GetCellData(),
+            "image": lambda stage: stage.GetOutput().GetPointData(),
             "field data": lambda stage: stage.GetOutput().GetFieldData(),
             "port 1": lambda stage: stage.GetOutputDataObject(1).GetRowData()}
         promised = list(promised_arrays())

@@ -1,0 +1,94 @@
+/**
+ * @class   vtkSphericalTextureImage
+ * @brief   bake colours or arrays of a surface into an image of the sphere
+ *
+ * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
+ * image lies on the sphere, with the point array "SpherePosition" (3 components). Seams may be
+ * split or not. Polygons and strips are looked at as triangles.
+ *
+ * Input port 1, optional: vtkPointSet, what the values are taken from instead: where it is a
+ * vtkPolyData with triangles, from the point of these closest to the point of the surface, else
+ * from the closest point. So an image can hold all the colours of a scan whose mesh was learned
+ * with far fewer points.
+ *
+ * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its
+ * middle.
+ * - point array of the same name, type and components as the one baked, the active scalars; whole
+ *   numbers are rounded.
+ * - point array "OutsideSurface" (unsigned char, 1 component): 1 where the map to the sphere has a
+ *   hole; values are 0 there.
+ *
+ * Seen through the texture coordinates of vtkSphericalTextureMap the image is the surface's own
+ * look. At the seams it is padded as wide as TextureMargin of vtkSphericalTextureMap allows, with
+ * what the sphere has beyond them.
+ *
+ * The inverse of the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008).
+ *
+ * Implementation note: a pixel shows the point of the surface whose place on the sphere lies in the
+ * direction of the pixel's middle. Where many vertices share a pixel the image has no room for
+ * them.
+ *
+ * @sa
+ * vtkSphericalTextureMap vtkTexturedSurfaceWriter
+ */
+
+#ifndef vtkSphericalTextureImage_h
+#define vtkSphericalTextureImage_h
+
+#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+
+#include <string> // for ArrayName
+
+class vtkAlgorithmOutput;
+
+class VTKFILTERSCONFORMAL_EXPORT vtkSphericalTextureImage : public vtkImageAlgorithm
+{
+public:
+  static vtkSphericalTextureImage* New();
+  vtkTypeMacro(vtkSphericalTextureImage, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Where the values are taken from, if not from the surface itself.
+   */
+  void SetSourceConnection(vtkAlgorithmOutput* algOutput);
+
+  ///@{
+  /**
+   * Name of the point array to bake. Empty for the active scalars. Default is empty.
+   */
+  vtkSetMacro(ArrayName, std::string);
+  vtkGetMacro(ArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Pixels across and up. Square pixels on the sphere's equator come of 2 : 1 for
+   * LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP, whose faces then are squares, and 1 : 1 else. At least
+   * (1, 1), no more pixels than an int counts. Default is (1024, 1024).
+   */
+  vtkSetVector2Macro(ImageSize, int);
+  vtkGetVector2Macro(ImageSize, int);
+  ///@}
+
+protected:
+  vtkSphericalTextureImage();
+  ~vtkSphericalTextureImage() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkSphericalTextureImage(const vtkSphericalTextureImage&) = delete;
+  void operator=(const vtkSphericalTextureImage&) = delete;
+
+  std::string ArrayName;
+  int ImageSize[2] = { 1024, 1024 };
+};
+
+#endif

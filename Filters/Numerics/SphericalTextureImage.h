@@ -1,0 +1,60 @@
+/// What an image of the sphere shows of the surface that is mapped to it.
+
+#ifndef ConformalSphericalTextureImage_h
+#define ConformalSphericalTextureImage_h
+
+#include "Parallel.h"
+#include "SphereProjection.h"
+#include "SurfacePlace.h"
+#include "Types.h"
+
+#include <functional>
+#include <vector>
+
+namespace conformal
+{
+/// Rows of pixels from bottom to top; the middle of pixel (i, j) is the place
+/// ((i + 1/2) / Width, (j + 1/2) / Height) of the image.
+struct PixelGrid
+{
+  Index Width = 0;
+  Index Height = 0;
+
+  Index size() const { return this->Width * this->Height; }
+  Vector2 middleOf(Index pixel) const
+  {
+    return { (static_cast<double>(pixel % this->Width) + 0.5) / static_cast<double>(this->Width),
+      (static_cast<double>(pixel / this->Width) + 0.5) / static_cast<double>(this->Height) };
+  }
+};
+
+/// Receives the places that consecutive pixels show. May be called from several threads at once,
+/// for other pixels each time. Ids are -1 where the map to the sphere has a hole.
+using PixelSink = std::function<void(Index firstPixel, const std::vector<SurfacePlace>& places)>;
+
+/// A surface and its map to the sphere.
+struct SphereMappedSurface
+{
+  PointView Positions;    ///< #V by 3
+  Triangles Faces;        ///< #F by 3 ids in [0, #V)
+  Points SpherePositions; ///< #V by 3 unit vectors
+};
+
+/// Find the point of the surface for every pixel: the direction of its middle is located on the
+/// sphere. Pixels in the margins show what the sphere has beyond the seams.
+/// @throws std::invalid_argument if there are no pixels or no triangles
+void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage& image,
+  const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
+
+/// The same, but the places are those of another surface, or of a cloud without triangles, closest
+/// to the points found: details that the mapped surface has no vertices for.
+/// @param[in] cloud       #P by 3, finite, at least one
+/// @param[in] cloudFaces  #G by 3 ids in [0, #P); none for the points only
+/// @throws std::invalid_argument also if the cloud is empty or not finite
+void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
+  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+  const PixelSink& sink, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+}
+
+#endif
