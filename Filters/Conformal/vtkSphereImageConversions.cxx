@@ -6,9 +6,15 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -80,5 +86,40 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
   }
   image.Margin = NumberIn(data, "TextureMargin", 0.0, conformal::MaximumMargin);
   return image;
+}
+
+//------------------------------------------------------------------------------
+void SetImageInformation(vtkInformation* info, const int size[2])
+{
+  if (size[0] < 1 || size[1] < 1 || size[1] > std::numeric_limits<int>::max() / size[0])
+  {
+    throw std::invalid_argument("ImageSize must be at least (1, 1), and its pixels countable");
+  }
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const double spacing[3] = { 1.0 / size[0], 1.0 / size[1], 1.0 };
+  const double origin[3] = { 0.5 / size[0], 0.5 / size[1], 0.0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like)
+{
+  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  image->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  image->SetSpacing(info->Get(vtkDataObject::SPACING()));
+  const auto pixels = vtkSmartPointer<vtkDataArray>::Take(like->NewInstance());
+  pixels->SetName(like->GetName());
+  pixels->SetNumberOfComponents(like->GetNumberOfComponents());
+  pixels->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->SetScalars(pixels);
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+bool HoldsWholeNumbers(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
 }
 }

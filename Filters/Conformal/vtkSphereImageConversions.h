@@ -1,10 +1,13 @@
-// How an image lies on the sphere, as field data of a surface.
+// Images of the sphere: how they lie there, as field data of a surface, and their pixels.
 #ifndef vtkSphereImageConversions_h
 #define vtkSphereImageConversions_h
 
 #include "SphereProjection.h" // for SphereImage
 
+class vtkDataArray;
 class vtkFieldData;
+class vtkImageData;
+class vtkInformation;
 
 namespace vtkConformalConversions
 {
@@ -15,6 +18,16 @@ void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 /// The same read back.
 /// @throws std::invalid_argument if one of them is missing or not as AddSphereImage writes it
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
+
+/// Announce an image whose pixels' coordinates are the (s, t) of their middles.
+/// @throws std::invalid_argument if it has no pixels, or more than an int counts
+void SetImageInformation(vtkInformation* info, const int size[2]);
+
+/// Give the image as announced pixels of the name, type and components of an array.
+vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like);
+
+/// Whether values have to be rounded.
+bool HoldsWholeNumbers(vtkDataArray* array);
 }
 
 #endif

@@ -12,12 +12,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSphericalTextureImage);
@@ -40,7 +37,7 @@ vtkDataArray* ArrayOf(vtkPointSet* data, const std::string& name)
 conformal::PixelSink Painter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
 {
-  const bool isWhole = values->GetDataType() != VTK_FLOAT && values->GetDataType() != VTK_DOUBLE;
+  const bool isWhole = vtkConformalConversions::HoldsWholeNumbers(values);
   return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
   {
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -90,20 +87,12 @@ int vtkSphericalTextureImage::FillInputPortInformation(int port, vtkInformation*
 int vtkSphericalTextureImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  const int width = this->ImageSize[0], height = this->ImageSize[1];
-  if (width < 1 || height < 1 || height > std::numeric_limits<int>::max() / width)
-  {
-    vtkErrorMacro(<< "ImageSize must be at least (1, 1), and its pixels countable");
-    return 0;
-  }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  const int extent[6] = { 0, width - 1, 0, height - 1, 0, 0 };
-  const double spacing[3] = { 1.0 / width, 1.0 / height, 1.0 };
-  const double origin[3] = { 0.5 / width, 0.5 / height, 0.0 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::SPACING(), spacing, 3);
-  info->Set(vtkDataObject::ORIGIN(), origin, 3);
-  return 1;
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      vtkConformalConversions::SetImageInformation(
+        outputVector->GetInformationObject(0), this->ImageSize);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -122,15 +111,8 @@ int vtkSphericalTextureImage::RequestData(
     [&]()
     {
       using namespace vtkConformalConversions;
-      vtkInformation* info = outputVector->GetInformationObject(0);
-      output->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
-      output->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
-      output->SetSpacing(info->Get(vtkDataObject::SPACING()));
       vtkDataArray* values = ArrayOf(source ? source : surface, this->ArrayName);
-      auto pixels = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
-      pixels->SetName(values->GetName());
-      pixels->SetNumberOfComponents(values->GetNumberOfComponents());
-      pixels->SetNumberOfTuples(output->GetNumberOfPoints());
+      vtkDataArray* pixels = AllocatePixels(output, outputVector->GetInformationObject(0), values);
       vtkNew<vtkUnsignedCharArray> holes;
       holes->SetName("OutsideSurface");
       holes->SetNumberOfValues(output->GetNumberOfPoints());
@@ -152,7 +134,6 @@ int vtkSphericalTextureImage::RequestData(
       {
         conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), ProgressOf(this));
       }
-      output->GetPointData()->SetScalars(pixels);
       output->GetPointData()->AddArray(holes);
     });
 }

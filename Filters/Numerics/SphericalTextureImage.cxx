@@ -43,7 +43,8 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
   return sum;
 }
 
-using Replace = std::function<SurfacePlace(const SurfacePlace&)>;
+// To another surface's place; the hint is what it was told or left there for the pixel before.
+using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const SphereMappedSurface& surface, const SphereImage& image, const PixelGrid& grid,
   const Replace& replace, const PixelSink& sink, const ParallelFor& parallelFor,
@@ -65,12 +66,14 @@ void paint(const SphereMappedSurface& surface, const SphereImage& image, const P
     [&](Index begin, Index end)
     {
       std::vector<SurfacePlace> places(end - begin);
+      int hint = -1;
       for (Index i = begin; i < end; ++i)
       {
         const SphereLocation location = locator.locate(textureToSphere(grid.middleOf(i), image));
         if (location.Triangle >= 0)
         {
-          places[i - begin] = replace(placeIn(faces, location.Triangle, location.Barycentric));
+          places[i - begin] =
+            replace(placeIn(faces, location.Triangle, location.Barycentric), hint);
         }
       }
       sink(begin, places);
@@ -84,7 +87,7 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage
   const Progress& progress)
 {
   paint(
-    surface, image, grid, [](const SurfacePlace& place) { return place; }, sink, parallelFor,
+    surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, sink, parallelFor,
     progress);
 }
 
@@ -102,7 +105,7 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
     const PointTree tree(cloud);
     paint(
       surface, image, grid,
-      [&](const SurfacePlace& place)
+      [&](const SurfacePlace& place, int&)
       {
         const int id = tree.nearest(positionOf(place, surface.Positions)).Id;
         return SurfacePlace{ { id, id, id }, { 1.0, 0.0, 0.0 } };
@@ -122,9 +125,10 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
   const TriangleTree tree(positions, cloudFaces);
   paint(
     surface, image, grid,
-    [&](const SurfacePlace& place)
+    [&](const SurfacePlace& place, int& hint)
     {
-      const FootPoint foot = tree.closestPoint(positionOf(place, surface.Positions));
+      const FootPoint foot = tree.closestPoint(positionOf(place, surface.Positions), hint);
+      hint = foot.Triangle;
       return placeIn(cloudFaces, foot.Triangle, foot.Barycentric);
     },
     sink, parallelFor, progress);

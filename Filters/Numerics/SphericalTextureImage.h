@@ -4,6 +4,7 @@
 #define ConformalSphericalTextureImage_h
 
 #include "Parallel.h"
+#include "PixelGrid.h"
 #include "SphereProjection.h"
 #include "SurfacePlace.h"
 #include "Types.h"
@@ -13,21 +14,6 @@
 
 namespace conformal
 {
-/// Rows of pixels from bottom to top; the middle of pixel (i, j) is the place
-/// ((i + 1/2) / Width, (j + 1/2) / Height) of the image.
-struct PixelGrid
-{
-  Index Width = 0;
-  Index Height = 0;
-
-  Index size() const { return this->Width * this->Height; }
-  Vector2 middleOf(Index pixel) const
-  {
-    return { (static_cast<double>(pixel % this->Width) + 0.5) / static_cast<double>(this->Width),
-      (static_cast<double>(pixel / this->Width) + 0.5) / static_cast<double>(this->Height) };
-  }
-};
-
 /// Receives the places that consecutive pixels show. May be called from several threads at once,
 /// for other pixels each time. Ids are -1 where the map to the sphere has a hole.
 using PixelSink = std::function<void(Index firstPixel, const std::vector<SurfacePlace>& places)>;

@@ -1,8 +1,10 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "GenusZeroHull.h"
 #include "SphericalTexture.h"
+#include "SphericalTextureBlend.h"
 #include "SurfaceMismatch.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkSurfaceMismatch.h"
 
@@ -68,4 +70,12 @@ TEST(OptionsMirrorProperties, SurfaceMismatch)
   EXPECT_EQ(vtkSurfaceMismatch::MAX_RADIUS, static_cast<int>(MismatchUnit::MaxRadius));
   EXPECT_EQ(vtkSurfaceMismatch::HALF_DIAGONAL, static_cast<int>(MismatchUnit::HalfDiagonal));
   EXPECT_EQ(vtkSurfaceMismatch::NONE, static_cast<int>(MismatchUnit::None));
+}
+
+TEST(OptionsMirrorProperties, SphericalTextureBlend)
+{
+  const conformal::TwoPictures options;
+  vtkNew<vtkSphericalTextureBlend> filter;
+  EXPECT_EQ(filter->GetBlendAngle(), options.BlendAngle);
+  EXPECT_EQ(filter->GetFieldOfViewMaxValue(), conformal::MaximumFieldOfView);
 }

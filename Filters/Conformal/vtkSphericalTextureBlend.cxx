@@ -1,0 +1,174 @@
+#include "vtkSphericalTextureBlend.h"
+
+#include "SphericalTextureBlend.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+#include "vtkSphereImageConversions.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSphericalTextureBlend);
+
+namespace
+{
+vtkDataArray* PixelsOf(vtkImageData* picture)
+{
+  vtkDataArray* pixels = picture->GetPointData()->GetScalars();
+  if (!pixels || picture->GetNumberOfPoints() == 0 || picture->GetDimensions()[2] != 1)
+  {
+    throw std::invalid_argument("a picture is no single slice with scalars");
+  }
+  return pixels;
+}
+
+conformal::PixelGrid GridOf(vtkImageData* picture)
+{
+  return { picture->GetDimensions()[0], picture->GetDimensions()[1] };
+}
+
+double Mixed(vtkDataArray* pixels, const conformal::PixelMix& mix, int component)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < mix.Pixels.size(); ++k)
+  {
+    sum += mix.Weights[k] * pixels->GetComponent(mix.Pixels[k], component);
+  }
+  return sum;
+}
+
+conformal::BlendSink Painter(vtkDataArray* front, vtkDataArray* back, vtkDataArray* pixels)
+{
+  const bool isWhole = vtkConformalConversions::HoldsWholeNumbers(pixels);
+  return [=](conformal::Index first, const std::vector<conformal::BlendedPixel>& blended)
+  {
+    for (std::size_t i = 0; i < blended.size(); ++i)
+    {
+      const double share = blended[i].FrontShare;
+      for (int c = 0; c < pixels->GetNumberOfComponents(); ++c)
+      {
+        const double value = share * Mixed(front, blended[i].Front, c) +
+          (1.0 - share) * Mixed(back, blended[i].Back, c);
+        pixels->SetComponent(
+          first + static_cast<vtkIdType>(i), c, isWhole ? std::round(value) : value);
+      }
+    }
+  };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalTextureBlend::vtkSphericalTextureBlend()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTextureBlend::SetFrontConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTextureBlend::SetBackConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(2, algOutput);
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTextureBlend::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTextureBlend::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      vtkConformalConversions::SetImageInformation(
+        outputVector->GetInformationObject(0), this->ImageSize);
+    });
+}
+
+//------------------------------------------------------------------------------
+// All of the pictures, whatever part of the output is asked for.
+int vtkSphericalTextureBlend::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  for (int port = 1; port <= 2; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    int whole[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTextureBlend::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* front = vtkImageData::GetData(inputVector[1]);
+  vtkImageData* back = vtkImageData::GetData(inputVector[2]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro(<< "the surface is empty, there is nothing to lay pictures on");
+    return 1;
+  }
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      using namespace vtkConformalConversions;
+      if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
+      {
+        throw std::invalid_argument("the pictures have not the same number of components");
+      }
+      const conformal::SphereImage image = ToSphereImage(surface->GetFieldData());
+      conformal::SphereViewOptions backView;
+      backView.ViewDirection = conformal::Vector3(this->BackViewDirection);
+      backView.ViewUp = conformal::Vector3(this->BackViewUp);
+      backView.FieldOfView = this->FieldOfView;
+      conformal::TwoPictures pictures;
+      pictures.Front.View = image.View;
+      conformal::Points copy;
+      pictures.Back.View = conformal::chooseSphereView(ViewPoints(surface->GetPoints(), copy),
+        ToTriangles(surface), ToSpherePositions(surface), backView, ProgressOf(this, 0.0, 0.2));
+      pictures.Front.FieldOfView = pictures.Back.FieldOfView = this->FieldOfView;
+      pictures.FrontGrid = GridOf(front);
+      pictures.BackGrid = GridOf(back);
+      pictures.BlendAngle = this->BlendAngle;
+
+      vtkDataArray* pixels =
+        AllocatePixels(output, outputVector->GetInformationObject(0), PixelsOf(front));
+      conformal::blendPictures(pictures, image, { this->ImageSize[0], this->ImageSize[1] },
+        Painter(PixelsOf(front), PixelsOf(back), pixels), SMPFor(), ProgressOf(this, 0.2, 1.0));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTextureBlend::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BackViewDirection: (" << this->BackViewDirection[0] << ", "
+     << this->BackViewDirection[1] << ", " << this->BackViewDirection[2] << ")\n";
+  os << indent << "BackViewUp: (" << this->BackViewUp[0] << ", " << this->BackViewUp[1] << ", "
+     << this->BackViewUp[2] << ")\n";
+  os << indent << "FieldOfView: " << this->FieldOfView << "\n";
+  os << indent << "BlendAngle: " << this->BlendAngle << "\n";
+  os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
+}
