@@ -100,3 +100,67 @@ def rosette(size=1024):
     paint(canvas, radius - 0.062, OCHRE)
     paint(canvas, radius - 0.034, BRICK)
     return to_image(canvas)
+
+
+def noise(x, y, cells, random_seed=1):
+    """Smooth random heights in [0, 1] over the square from -1 to 1, about `cells` hills across."""
+    heights = np.random.RandomState(random_seed).random_sample((cells + 2, cells + 2))
+
+    def part(coordinate):
+        place = np.clip((coordinate + 1.0) / 2.0, 0.0, 1.0) * cells
+        below = np.minimum(place.astype(int), cells)
+        share = place - below
+        return below, share * share * (3.0 - 2.0 * share)
+    (i, u), (j, v) = part(x), part(y)
+    lower = heights[j, i] * (1.0 - u) + heights[j, i + 1] * u
+    upper = heights[j + 1, i] * (1.0 - u) + heights[j + 1, i + 1] * u
+    return lower * (1.0 - v) + upper * v
+
+
+def wood(size=1024, rings=11):
+    """A board sawn close to the heart of a pine: rings drawn out to long arches, pores, rays."""
+    x, y = pixel_centers(size)
+    # The board cuts the trunk, whose axis leans towards it, at a slant: rings become ellipses.
+    wobble = 0.10 * (noise(x, y, 3) - 0.5) + 0.025 * (noise(x, y, 9, 2) - 0.5)
+    radius = np.hypot(x - 0.18 + wobble, 0.16 * (y + 1.35) + 0.5 * wobble)
+    ring = radius * rings
+    grown = ring % 1.0  # light early wood turns slowly into dark late wood, then breaks off
+    late = np.clip((grown - 0.45) / 0.45, 0.0, 1.0) ** 2 * np.clip((1.0 - grown) / 0.06, 0.0, 1.0)
+    year = np.random.RandomState(3).random_sample(4 * rings)[ring.astype(int)]
+    fibre = noise(24.0 * x % 2.0 - 1.0, y, 24, 4) - 0.5
+    fibre = fibre + noise(x, 0.2 * y, 200, 5) - 0.5
+    shade = 0.62 * late * (0.6 + 0.4 * year) + 0.10 * year + 0.14 * fibre
+    early, dark = np.array([0.90, 0.70, 0.45]), np.array([0.42, 0.20, 0.08])
+    return to_image(early + np.clip(shade, 0.0, 1.0)[..., None] * (dark - early))
+
+
+# Digits of five rows of three dots each, first row on top.
+DIGITS = ("111101101101111", "010110010010111", "111001111100111", "111001011001111", "101101111001001",
+          "111100111001111", "111100111101111", "111001010010010", "111101111101111", "111101111001111")
+
+
+def numbered_grid(size=1024, fields=8):
+    """A grid whose fields count from 0 at the lower left, to the right and then upwards.
+
+    A number that stands on its head, is mirrored or missing says what went wrong where.
+    """
+    x, y = pixel_centers(size)
+    u, v = (x + 1.0) / 2.0 * fields, (y + 1.0) / 2.0 * fields
+    column = np.minimum(u.astype(int), fields - 1)
+    row = np.minimum(v.astype(int), fields - 1)
+    u, v = u - column, v - row
+    red, green = column / (fields - 1.0), row / (fields - 1.0)
+    canvas = np.stack([0.72 + 0.26 * red, 0.74 + 0.24 * green, 0.98 - 0.18 * red * green], axis=-1)
+    dots_ = np.array([[c == "1" for c in digit] for digit in DIGITS])
+    number = row * fields + column
+    digits = len(str(fields * fields - 1))
+    for place in range(digits):
+        value = number // 10 ** (digits - 1 - place) % 10
+        a = (u - 0.5) * 10.0 + (4.0 * digits - 1.0) / 2.0 - 4.0 * place  # in dots from the digit's left
+        b = (0.5 - v) * 10.0 + 2.5
+        inside = (a >= 0.0) & (a < 3.0) & (b >= 0.0) & (b < 5.0)
+        dot = np.clip(b.astype(int), 0, 4) * 3 + np.clip(a.astype(int), 0, 2)
+        canvas[inside & dots_[value, dot]] = (0.12, 0.16, 0.24)
+    border = np.minimum(np.minimum(u, 1.0 - u), np.minimum(v, 1.0 - v)) * 2.0 / fields
+    paint(canvas, border - 0.006, np.array([0.25, 0.30, 0.40]))
+    return to_image(canvas)
