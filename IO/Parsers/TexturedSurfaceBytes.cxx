@@ -16,6 +16,8 @@ constexpr int Float = 5126;
 constexpr int UnsignedInt = 5125;
 constexpr int ArrayBuffer = 34962;
 constexpr int ElementArrayBuffer = 34963;
+constexpr int ClampToEdge = 33071;
+constexpr int Repeat = 10497;
 constexpr std::uint32_t Magic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t JSONChunk = 0x4E4F534A; // "JSON"
 constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
@@ -50,6 +52,15 @@ void appendUint32(std::string& bytes, std::uint32_t value)
   {
     bytes += static_cast<char>((value >> shift) & 0xFF);
   }
+}
+
+void appendDouble(std::string& bytes, double value)
+{
+  static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8, "PLY's doubles");
+  std::uint64_t bits = 0;
+  std::copy_n(reinterpret_cast<const char*>(&value), 8, reinterpret_cast<char*>(&bits));
+  appendUint32(bytes, static_cast<std::uint32_t>(bits));
+  appendUint32(bytes, static_cast<std::uint32_t>(bits >> 32));
 }
 
 void appendFloat(std::string& bytes, float value)
@@ -92,8 +103,9 @@ public:
     return this->NumberOfAccessors++;
   }
 
-  std::string file(const std::string& attributes, int indices, int image) const
+  std::string file(const std::string& attributes, int indices, int image, bool repeatsTexture) const
   {
+    const std::string wrap = std::to_string(repeatsTexture ? Repeat : ClampToEdge);
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\"},"
                        "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
                        "\"meshes\":[{\"primitives\":[{\"attributes\":{" +
@@ -102,11 +114,10 @@ public:
       "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0},"
       "\"metallicFactor\":0},\"doubleSided\":true}],"
       "\"textures\":[{\"sampler\":0,\"source\":0}],"
-      "\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":33071,\"wrapT\":33071}],"
-      "\"images\":[{\"bufferView\":" +
-      std::to_string(image) + ",\"mimeType\":\"image/png\"}],\"accessors\":[" + this->Accessors +
-      "],\"bufferViews\":[" + this->Views +
-      "],\"buffers\":[{\"byteLength\":" + std::to_string(this->Bytes.size()) + "}]}";
+      "\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" +
+      wrap + ",\"wrapT\":" + wrap + "}],\"images\":[{\"bufferView\":" + std::to_string(image) +
+      ",\"mimeType\":\"image/png\"}],\"accessors\":[" + this->Accessors + "],\"bufferViews\":[" +
+      this->Views + "],\"buffers\":[{\"byteLength\":" + std::to_string(this->Bytes.size()) + "}]}";
     pad(json, ' ');
     const std::uint64_t size = 12 + 8 + json.size() + 8 + this->Bytes.size();
     if (size > std::numeric_limits<std::uint32_t>::max())
@@ -229,7 +240,7 @@ std::string makeGLB(
   bytes += png;
   const int image = builder.addView(imageBegin, 0);
   report(progress, 1.0);
-  return builder.file(attributes, corners, image);
+  return builder.file(attributes, corners, image, surface.RepeatsTexture);
 }
 
 //------------------------------------------------------------------------------
@@ -262,5 +273,41 @@ std::string makeOBJ(
 std::string makeMTL(const std::string& textureFile)
 {
   return "newmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + textureFile + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string makePLY(
+  const TexturedSurface& surface, const std::string& textureFile, const ParseProgress& progress)
+{
+  const std::size_t count = surface.Positions.size() / 3;
+  const std::size_t triangles = surface.Corners.size() / 3;
+  if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw std::length_error("a PLY file of 32-bit ids holds at most 2^31 points");
+  }
+  const bool hasNormals = !surface.Normals.empty();
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment TextureFile " + textureFile +
+    "\nelement vertex " + std::to_string(count) +
+    "\nproperty double x\nproperty double y\nproperty double z\n" +
+    (hasNormals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
+    "property float texture_u\nproperty float texture_v\nelement face " +
+    std::to_string(triangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  bytes.reserve(bytes.size() + count * (hasNormals ? 44 : 32) + triangles * 13);
+  forEach(count, progress, 0.0, 0.6,
+    [&](std::size_t i)
+    {
+      std::for_each_n(&surface.Positions[3 * i], 3, [&](double v) { appendDouble(bytes, v); });
+      std::for_each_n(surface.Normals.data() + (hasNormals ? 3 * i : 0), hasNormals ? 3 : 0,
+        [&](float v) { appendFloat(bytes, v); });
+      std::for_each_n(&surface.TexCoords[2 * i], 2, [&](float v) { appendFloat(bytes, v); });
+    });
+  forEach(triangles, progress, 0.6, 1.0,
+    [&](std::size_t i)
+    {
+      bytes += static_cast<char>(3);
+      std::for_each_n(
+        &surface.Corners[3 * i], 3, [&](std::uint32_t id) { appendUint32(bytes, id); });
+    });
+  return bytes;
 }
 }

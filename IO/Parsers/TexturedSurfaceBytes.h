@@ -1,4 +1,4 @@
-/// Textured surfaces as files of bytes: binary glTF 2.0 and Wavefront OBJ.
+/// Textured surfaces as files of bytes: binary glTF 2.0, Wavefront OBJ and PLY.
 
 #ifndef ConformalTexturedSurfaceBytes_h
 #define ConformalTexturedSurfaceBytes_h
@@ -19,6 +19,7 @@ struct TexturedSurface
   std::vector<float> Normals;         ///< #P by 3 of unit length, or empty
   std::vector<float> TexCoords;       ///< #P by 2, v counted from the picture's bottom
   std::vector<std::uint32_t> Corners; ///< #F by 3 point ids, counter-clockwise from outside
+  bool RepeatsTexture = false; ///< beyond [0, 1] the picture comes again, instead of its border
 };
 
 /// A binary glTF 2.0 file with the picture inside. Positions become floats, as glTF has no
@@ -35,6 +36,13 @@ std::string makeOBJ(const TexturedSurface& surface, const std::string& materialF
 
 /// The text of a material file whose material "surface" is the texture.
 std::string makeMTL(const std::string& textureFile);
+
+/// A binary PLY file with the texture coordinates at the vertices, as "texture_u" and "texture_v"
+/// with v upwards, that names the picture in a comment "TextureFile". Positions are doubles.
+/// @throws std::length_error if there are more points than a signed 32-bit id counts
+/// @throws ParseError with Aborted if the progress callback says stop
+std::string makePLY(const TexturedSurface& surface, const std::string& textureFile,
+  const ParseProgress& progress = {});
 }
 
 #endif

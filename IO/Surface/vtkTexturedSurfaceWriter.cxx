@@ -242,13 +242,14 @@ void vtkTexturedSurfaceWriter::WriteFiles()
   }
   const std::filesystem::path path = std::filesystem::u8path(this->FileName);
   const std::string extension = LowerCaseExtension(path);
-  if (extension != ".glb" && extension != ".obj")
+  if (extension != ".glb" && extension != ".obj" && extension != ".ply")
   {
     throw WriteError(vtkErrorCode::UnrecognizedFileTypeError,
-      std::string(this->FileName) + " ends in neither .glb nor .obj");
+      std::string(this->FileName) + " ends in none of .glb, .obj and .ply");
   }
-  const conformal::TexturedSurface surface =
+  conformal::TexturedSurface surface =
     ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));
+  surface.RepeatsTexture = this->RepeatTexture;
   const std::string png = ToPNG(vtkImageData::SafeDownCast(this->GetInput(1)));
   const conformal::ParseProgress progress = [this](double fraction)
   {
@@ -261,8 +262,14 @@ void vtkTexturedSurfaceWriter::WriteFiles()
     WriteTogether({ { this->FileName, glb } });
     return;
   }
-  const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
   const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
+  if (extension == ".ply")
+  {
+    const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), progress);
+    WriteTogether({ { texture.u8string(), png }, { this->FileName, ply } });
+    return;
+  }
+  const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
   const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
   WriteTogether(
@@ -274,4 +281,5 @@ void vtkTexturedSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "RepeatTexture: " << (this->RepeatTexture ? "On" : "Off") << "\n";
 }

@@ -1,11 +1,11 @@
 /**
  * @class   vtkTexturedSurfaceWriter
- * @brief   write a surface and its texture as binary glTF or as OBJ
+ * @brief   write a surface and its texture as binary glTF, OBJ or PLY
  *
  * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
  * are left out.
  * - active texture coordinates of the points (any type, 2 components): u to the right and v up, 0
- *   and 1 being the borders of the picture. Values beyond them show the border.
+ *   and 1 being the borders of the picture. What is to be seen beyond them, RepeatTexture says.
  * - active normals of the points (any type, 3 components): optional.
  *
  * Input port 1: vtkImageData, the texture: one slice of unsigned char, 3 (RGB) or 4 (RGBA)
@@ -15,6 +15,8 @@
  * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats.
  * - ".obj": Wavefront OBJ with doubles, and beside it a material (".mtl") and the texture (".png")
  *   of the same name.
+ * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
+ *   vertices, and beside it the texture (".png") of the same name.
  *
  * Files are written whole or not at all: after an error, which sets an error code of vtkErrorCode
  * and makes Write() return 0, an older file of the name is as it was. The text is alike in every
@@ -39,10 +41,21 @@ public:
 
   ///@{
   /**
-   * Name of the file to write, ending in ".glb" or ".obj". Default is none.
+   * Name of the file to write, ending in ".glb", ".obj" or ".ply". Default is none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the picture comes again beyond the texture coordinates 0 and 1, instead of its border
+   * drawn out. Only glTF can say so; what programs make of OBJ and PLY is up to them. Default is
+   * off.
+   */
+  vtkSetMacro(RepeatTexture, bool);
+  vtkGetMacro(RepeatTexture, bool);
+  vtkBooleanMacro(RepeatTexture, bool);
   ///@}
 
   /**
@@ -64,6 +77,7 @@ private:
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
 
   char* FileName = nullptr;
+  bool RepeatTexture = false;
 };
 
 #endif

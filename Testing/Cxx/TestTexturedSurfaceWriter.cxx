@@ -3,6 +3,7 @@
 #include "../CommaLocale.h"
 #include "../TemporaryFolder.h"
 #include "FilterContract.h"
+#include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -14,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
 #include "vtkPNGReader.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -243,6 +245,46 @@ TEST(TexturedSurfaceWriter, OBJIsReadBackTheSame)
   }
 }
 
+// By VTK's reader, which knows the names of the coordinates, and by ours, which keeps doubles.
+TEST(TexturedSurfaceWriter, PLYIsReadBackTheSame)
+{
+  const TemporaryFolder folder;
+  const auto sphere = TexturedSphere();
+  ASSERT_EQ(WriteInCommaLocale(sphere, Picture(3), folder.file("sphere.ply")), 1);
+  EXPECT_EQ(folder.numberOfFiles(), 2u);
+  EXPECT_NE(
+    folder.read("sphere.ply").find("\ncomment TextureFile sphere.png\n"), std::string::npos);
+  vtkNew<vtkPNGReader> png;
+  png->SetFileName(folder.file("sphere.png").c_str());
+  png->Update();
+  ExpectSamePicture(png->GetOutput(), Picture(3));
+
+  vtkNew<vtkPLYReader> theirs;
+  theirs->SetFileName(folder.file("sphere.ply").c_str());
+  theirs->Update();
+  ExpectSameTriangles(theirs->GetOutput(), sphere);
+  vtkNew<vtkConformalPLYReader> ours;
+  ours->SetFileName(folder.file("sphere.ply").c_str());
+  ours->Update();
+  ExpectSameTriangles(ours->GetOutput(), sphere);
+  vtkDataArray* expected = sphere->GetPointData()->GetTCoords();
+  vtkDataArray* texCoords = theirs->GetOutput()->GetPointData()->GetTCoords();
+  ASSERT_NE(texCoords, nullptr);
+  ASSERT_NE(theirs->GetOutput()->GetPointData()->GetNormals(), nullptr);
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_EQ(ours->GetOutput()->GetPoint(i)[c], sphere->GetPoint(i)[c]);
+      ASSERT_EQ(theirs->GetOutput()->GetPoint(i)[c], static_cast<float>(sphere->GetPoint(i)[c]));
+    }
+    for (int c = 0; c < 2; ++c)
+    {
+      ASSERT_EQ(texCoords->GetComponent(i, c), expected->GetComponent(i, c)); // v upwards
+    }
+  }
+}
+
 TEST(TexturedSurfaceWriter, TriangulatesPolygonsAndLeavesNormalsOut)
 {
   const TemporaryFolder folder;
@@ -286,7 +328,7 @@ TEST(TexturedSurfaceWriter, RefusesBadNamesAndPlaces)
     ExpectRefused(
       Writing(sphere, picture, folder.file(name)), vtkErrorCode::UnrecognizedFileTypeError, name);
   }
-  for (const char* name : { "missing/sphere.glb", "missing/sphere.obj" })
+  for (const char* name : { "missing/sphere.glb", "missing/sphere.obj", "missing/sphere.ply" })
   {
     ExpectRefused(
       Writing(sphere, picture, folder.file(name)), vtkErrorCode::CannotOpenFileError, "missing");
@@ -301,7 +343,7 @@ TEST(TexturedSurfaceWriter, RefusesWhatCannotBeWritten)
   const auto picture = Picture(3);
   const auto refuse = [&](vtkPolyData* surface, vtkImageData* texture, const char* part)
   {
-    for (const char* name : { "sphere.glb", "sphere.obj" })
+    for (const char* name : { "sphere.glb", "sphere.obj", "sphere.ply" })
     {
       ExpectRefused(Writing(surface, texture, folder.file(name)), vtkErrorCode::UserError, part);
     }
@@ -388,4 +430,5 @@ TEST(TexturedSurfaceWriter, StopsWhenAskedAndLeavesItsInputsAlone)
   EXPECT_EQ(sphere->GetMTime(), sphereTime);
   EXPECT_EQ(picture->GetMTime(), pictureTime);
   contract::ExpectPrints(writer, "FileName");
+  contract::ExpectPrints(writer, "RepeatTexture");
 }

@@ -84,11 +84,46 @@ TEST(TexturedSurfaceBytes, OBJCountsFromOneAndRefersToItsMaterial)
   EXPECT_NE(conformal::makeMTL("a.png").find("map_Kd a.png\n"), std::string::npos);
 }
 
+TEST(TexturedSurfaceBytes, PLYHasItsCoordinatesAtTheVertices)
+{
+  const CommaLocale locale;
+  conformal::TexturedSurface surface = triangle();
+  const std::string ply = conformal::makePLY(surface, "a b.png");
+  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment TextureFile a b.png\n"
+                             "element vertex 3\n"
+                             "property double x\nproperty double y\nproperty double z\n"
+                             "property float texture_u\nproperty float texture_v\n"
+                             "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  ASSERT_EQ(ply.substr(0, header.size()), header);
+  ASSERT_EQ(ply.size(), header.size() + 3 * 32 + 13);
+  double y = 0.0;
+  std::memcpy(
+    &y, ply.data() + header.size() + 64 + 8, 8); // the tests run on little-endian machines
+  EXPECT_EQ(y, 0.1);
+  EXPECT_EQ(floatAt(ply, header.size() + 32 + 28), 0.25F); // v as it is, upwards
+  EXPECT_EQ(ply[header.size() + 96], 3);
+  EXPECT_EQ(uint32At(ply, header.size() + 97 + 8), 2u);
+  surface.Normals = { 0, 0, 1, 0, 0, 1, 0, 1, 0 };
+  EXPECT_EQ(conformal::makePLY(surface, "a b.png").size(),
+    ply.size() + std::strlen("property float nx\nproperty float ny\nproperty float nz\n") + 36);
+}
+
+TEST(TexturedSurfaceBytes, GLBSaysWhetherTheTextureRepeats)
+{
+  conformal::TexturedSurface surface = triangle();
+  EXPECT_NE(
+    conformal::makeGLB(surface, "").find("\"wrapS\":33071,\"wrapT\":33071"), std::string::npos);
+  surface.RepeatsTexture = true;
+  EXPECT_NE(
+    conformal::makeGLB(surface, "").find("\"wrapS\":10497,\"wrapT\":10497"), std::string::npos);
+}
+
 TEST(TexturedSurfaceBytes, StopsWhenAsked)
 {
   const auto stop = [](double) { return false; };
   EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);
   EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::ParseError);
+  EXPECT_THROW(conformal::makePLY(triangle(), "", stop), conformal::ParseError);
 }
 
 TEST(TexturedSurfaceBytes, FilesAreWrittenTogetherOrNotAtAll)
