@@ -3,6 +3,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
@@ -76,7 +77,7 @@ def textured_actor(surface, image):
     return actor
 
 
-def camera_on(points, view, up, aspect):
+def camera_on(points, view, up, aspect, azimuth=18, elevation=8):
     """A camera that sees the points from the direction view, a little from the side and above.
 
     They fill a panel whose width is aspect times its height, but for a margin.
@@ -84,8 +85,8 @@ def camera_on(points, view, up, aspect):
     camera = vtkCamera()
     camera.SetPosition(view)
     camera.SetViewUp(up)
-    camera.Azimuth(18)
-    camera.Elevation(8)
+    camera.Azimuth(azimuth)
+    camera.Elevation(elevation)
     camera.OrthogonalizeViewUp()
     upward, toward = np.array(camera.GetViewUp()), np.array(camera.GetDirectionOfProjection()) * -1
     axes = np.stack([np.cross(upward, toward), upward, toward])
@@ -101,9 +102,10 @@ def camera_on(points, view, up, aspect):
     return camera
 
 
-def scene(actor, label):
-    """A renderer that shows the actor above a label."""
+def scene(actor, label, camera):
+    """A renderer that shows the actor by a camera, above a label."""
     renderer = vtkRenderer()
+    renderer.SetActiveCamera(camera)
     renderer.SetBackground(0.86, 0.88, 0.91)
     renderer.SetBackground2(0.98, 0.98, 0.98)
     renderer.GradientBackgroundOn()
@@ -123,15 +125,33 @@ def scene(actor, label):
     return renderer
 
 
-def write_side_by_side(path, scenes, camera, width, height):
-    """Draw the scenes from left to right, all by one camera, into a PNG file."""
+def image_scene(image, label, aspect):
+    """A renderer that shows an image by itself above a label, in a panel of the given aspect."""
+    columns, rows, _ = image.GetDimensions()
+    plane = vtkPlaneSource()
+    plane.SetPoint1(columns / rows - 0.5, -0.5, 0.0)
+    plane.Update()
+    actor = textured_actor(plane.GetOutput(), image)
+    actor.GetProperty().LightingOff()
+    camera = camera_on(
+        plane.GetOutput(), (0, 0, 1), (0, 1, 0), aspect, azimuth=0, elevation=0)
+    return scene(actor, label, camera)
+
+
+def draw_side_by_side(scenes, width, height, rows=1):
+    """Draw the scenes, each by its own camera, from left to right: a filter that puts out the picture.
+
+    They share its width and height, in as many rows as asked for.
+    """
+    columns = len(scenes) // rows
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
     window.SetSize(width * FINER, height * FINER)
     for i, renderer in enumerate(scenes):
-        renderer.SetViewport(i / len(scenes), 0.0, (i + 1) / len(scenes), 1.0)
-        renderer.SetActiveCamera(camera)
+        column, row = i % columns, rows - 1 - i // columns
+        renderer.SetViewport(
+            column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
         window.AddRenderer(renderer)
     window.Render()
     grab = vtkWindowToImageFilter()
@@ -141,8 +161,15 @@ def write_side_by_side(path, scenes, camera, width, height):
     shrink.SetInputConnection(grab.GetOutputPort())
     shrink.SetShrinkFactors(FINER, FINER, 1)
     shrink.AveragingOn()
+    shrink.Update()
+    return shrink
+
+
+def write_side_by_side(path, scenes, width, height, rows=1):
+    """Draw the scenes into a PNG file."""
+    drawn = draw_side_by_side(scenes, width, height, rows)
     writer = vtkPNGWriter()
-    writer.SetInputConnection(shrink.GetOutputPort())
+    writer.SetInputConnection(drawn.GetOutputPort())
     writer.SetFileName(path)
     writer.Write()
 
@@ -151,9 +178,9 @@ def write_stages(path, scan, mesh, surface, image, view, up):
     """Draw the cloud, the mesh, the surface and the surface with the image side by side."""
     camera = camera_on(scan, view, up, aspect=0.8)
     scenes = [
-        scene(cloud_actor(scan, view), f"Scan: {scan.GetNumberOfPoints():,} points"),
-        scene(mesh_actor(mesh), f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles"),
-        scene(actor_of(surface), f"Smooth surface: {surface.GetNumberOfPolys():,} triangles"),
-        scene(textured_actor(surface, image), "Painted surface"),
+        scene(cloud_actor(scan, view), f"Scan: {scan.GetNumberOfPoints():,} points", camera),
+        scene(mesh_actor(mesh), f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles", camera),
+        scene(actor_of(surface), f"Smooth surface: {surface.GetNumberOfPolys():,} triangles", camera),
+        scene(textured_actor(surface, image), "Painted surface", camera),
     ]
-    write_side_by_side(path, scenes, camera, 1600, 500)
+    write_side_by_side(path, scenes, 1600, 500)
