@@ -5,7 +5,7 @@ from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkCamera, vtkLightKit, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTextActor,
     vtkTexture, vtkWindowToImageFilter)
@@ -166,9 +166,13 @@ def draw_side_by_side(scenes, width, height, rows=1):
 
 
 def write_side_by_side(path, scenes, width, height, rows=1):
-    """Draw the scenes into a PNG file."""
+    """Draw the scenes into a PNG file, or into a JPEG file by the ending .jpg."""
     drawn = draw_side_by_side(scenes, width, height, rows)
-    writer = vtkPNGWriter()
+    if path.endswith(".jpg"):
+        writer = vtkJPEGWriter()
+        writer.SetQuality(90)
+    else:
+        writer = vtkPNGWriter()
     writer.SetInputConnection(drawn.GetOutputPort())
     writer.SetFileName(path)
     writer.Write()

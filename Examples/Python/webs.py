@@ -22,14 +22,15 @@ def learned(scan, starting_shape):
 
 def write(path):
     scan = figure_cloud(30000, figure=dancer)
-    scenes = [pictures.scene(pictures.cloud_actor(scan, VIEW), "30,000 points")]
+    camera = pictures.camera_on(scan, VIEW, UP, 0.9)
+    scenes = [pictures.scene(pictures.cloud_actor(scan, VIEW), "30,000 points", camera)]
     for shape, label in ((vtkConformalSOM.SPHERE, "Learned from a sphere"),
                          (vtkConformalSOM.AUTOMATIC, "Learned by default")):
         mesh = learned(scan, shape).GetOutput()
         bare = mesh.GetFieldData().GetArray("UnsupportedFraction").GetValue(0)
         scenes.append(pictures.scene(pictures.mesh_actor(mesh),
-                                     f"{label}: {100 * bare:.1f} % without points"))
-    pictures.write_side_by_side(path, scenes, pictures.camera_on(scan, VIEW, UP, 0.9), 1350, 500)
+                                     f"{label}: {100 * bare:.1f} % without points", camera))
+    pictures.write_side_by_side(path, scenes, 1350, 500)
 
 
 if __name__ == "__main__":

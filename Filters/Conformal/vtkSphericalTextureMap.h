@@ -114,8 +114,7 @@ public:
   /**
    * Degrees of the sphere from one side to the other of the circle inscribed in the image. 180 lays
    * that circle on the equator, so that the image covers a hemisphere and a little more in its
-   * corners. Only for STEREOGRAPHIC, which has no image within 10 degrees of the opposite pole. In
-   * [0.001, 340]. Default is 180.
+   * corners. Only for STEREOGRAPHIC. In [0.001, 340]. Default is 180.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);
@@ -161,8 +160,9 @@ public:
   /**
    * Whether to cut the surface along the projection's seams and folds and the image's borders, and
    * to give the points there a copy for each side, so that no triangle shows the image backwards or
-   * squeezed and OutsideImage is the same at all corners of each. The output then consists of
-   * triangles and is no closed mesh any more. Default is off.
+   * squeezed and OutsideImage is the same at all corners of each. STEREOGRAPHIC then has no image
+   * within 10 degrees of the opposite pole. The output consists of triangles and is no closed mesh
+   * any more. Default is off.
    */
   vtkSetMacro(SplitSeam, bool);
   vtkGetMacro(SplitSeam, bool);
