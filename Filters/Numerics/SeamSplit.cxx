@@ -217,6 +217,22 @@ bool hasArea(const Corner& a, const Corner& b, const Corner& c)
   return (b.Weights - a.Weights).cross(c.Weights - a.Weights).norm() > 1e-9;
 }
 
+double areaInImage(const Vector2& a, const Vector2& b, const Vector2& c)
+{
+  const Vector2 u = b - a, v = c - a;
+  return 0.5 * (u[0] * v[1] - u[1] * v[0]);
+}
+
+// A triangle that is being cut.
+struct Whole
+{
+  Index Triangle;
+  std::array<int, 3> Ids;    // ascending
+  Eigen::Matrix3d Positions; // their places on the sphere, in columns
+
+  Vector3 place(const Corner& corner) const { return this->Positions * corner.Weights; }
+};
+
 //------------------------------------------------------------------------------
 // The surface as it is cut.
 class Splitter
@@ -293,6 +309,12 @@ private:
     {
       return false;
     }
+    const auto at = [&](int k) { return Vector2(this->InPatch.row(ids[k])); };
+    const auto n = [&](int k) { return Vector3(this->Positions.row(ids[k])); };
+    if (inImage && this->isTurned(areaInImage(at(0), at(1), at(2)), n(0), n(1), n(2)))
+    {
+      return false;
+    }
     const Vector2 middle = 0.5 * (box.min() + box.max());
     const bool outside = !inImage || isOutside(middle, this->Wrap);
     std::array<int, 3> corners;
@@ -313,57 +335,88 @@ private:
     return this->Wrap == TextureWrap::Clamp ? Vector2(copy.cwiseMax(-1.0).cwiseMin(1.0)) : copy;
   }
 
+  // Whether the image shows a triangle backwards that is not so on the sphere: beside the poles of
+  // longitude and latitude even small ones bend more than thin ones can stand.
+  bool isTurned(double area, const Vector3& a, const Vector3& b, const Vector3& c) const
+  {
+    const SphereView& view = this->Texture.Image.View;
+    return area <= 0.0 && a.cross(b).dot(c) * view.Right.cross(view.Up).dot(view.Pole) > 0.0;
+  }
+
   void addCut(Index triangle)
   {
-    std::array<int, 3> ids = { this->Faces(triangle, 0), this->Faces(triangle, 1),
-      this->Faces(triangle, 2) };
-    std::array<int, 3> sorted = ids;
-    std::sort(sorted.begin(), sorted.end());
-    Polygon whole;
-    for (int id : ids)
+    const auto ids = this->Faces.row(triangle);
+    Whole whole = { triangle, { ids[0], ids[1], ids[2] }, {} };
+    std::sort(whole.Ids.begin(), whole.Ids.end());
+    Polygon corners;
+    for (int id : { ids[0], ids[1], ids[2] })
     {
-      whole.push_back(
-        { Vector3::Unit(std::find(sorted.begin(), sorted.end(), id) - sorted.begin()) });
+      corners.push_back(
+        { Vector3::Unit(std::find(whole.Ids.begin(), whole.Ids.end(), id) - whole.Ids.begin()) });
     }
-    Eigen::Matrix<double, 4, 3> homogeneous; // a border's values are linear on the flat triangle
     for (int k = 0; k < 3; ++k)
     {
-      homogeneous.col(k) << this->Positions.row(sorted[k]).transpose(), 1.0;
+      whole.Positions.col(k) = this->Positions.row(whole.Ids[k]).transpose();
     }
+    const Eigen::Matrix<double, 4, 3> homogeneous = whole.Positions.colwise().homogeneous();
     for (std::size_t p = 0; p < this->Patches.size(); ++p)
     {
-      Polygon piece = whole;
+      Polygon piece = corners;
       for (Index b = 0; b < this->Patches[p].Borders.rows() && !piece.empty(); ++b)
       {
+        // A border's values are linear on the flat triangle.
         piece = clippedBy(piece, (this->Patches[p].Borders.row(b) * homogeneous).transpose());
       }
+      const int patch = static_cast<int>(p);
       for (Corner& corner : piece)
       {
-        const Vector3 n = homogeneous.topRows<3>() * corner.Weights;
-        corner.Texture = patchToTexture(n, this->Texture.Image, static_cast<int>(p));
+        corner.Texture = patchToTexture(whole.place(corner), this->Texture.Image, patch);
       }
-      this->addPiece(piece, this->Patches[p].InImage, sorted, triangle);
-    }
-  }
-
-  // A piece within a patch, cut up where it is not within the image or one copy of it.
-  void addPiece(
-    const Polygon& piece, bool inImage, const std::array<int, 3>& sorted, Index triangle)
-  {
-    for (std::size_t i = 2; i < piece.size(); ++i)
-    {
-      const Polygon fan = { piece[0], piece[i - 1], piece[i] };
-      const bool visible =
-        inImage && (this->Wrap == TextureWrap::Clamp || boxOf(fan).sizes().maxCoeff() < MostCopies);
-      for (const Polygon& part :
-        visible ? slicedAtBorders(fan, this->Wrap) : std::vector<Polygon>{ fan })
+      for (std::size_t i = 2; i < piece.size(); ++i)
       {
-        this->addPart(part, visible, sorted, triangle);
+        this->addPiece({ piece[0], piece[i - 1], piece[i] }, patch, whole, 0);
       }
     }
   }
 
-  void addPart(const Polygon& part, bool visible, const std::array<int, 3>& sorted, Index triangle)
+  // A triangle within a patch. One that is turned is cut in two across its longest side, as often
+  // as that takes.
+  void addPiece(const Polygon& piece, int patch, const Whole& whole, int depth)
+  {
+    constexpr int deepest = 8;
+    if (!hasArea(piece[0], piece[1], piece[2]))
+    {
+      return;
+    }
+    const bool inImage = this->Patches[patch].InImage;
+    if (inImage && depth < deepest &&
+      this->isTurned(areaInImage(piece[0].Texture, piece[1].Texture, piece[2].Texture),
+        whole.place(piece[0]), whole.place(piece[1]), whole.place(piece[2])))
+    {
+      const auto lengthOf = [&](int k)
+      { return (whole.place(piece[(k + 1) % 3]) - whole.place(piece[k])).squaredNorm(); };
+      const int longest = lengthOf(0) >= std::max(lengthOf(1), lengthOf(2)) ? 0
+        : lengthOf(1) >= lengthOf(2)                                        ? 1
+                                                                            : 2;
+      const Corner &a = piece[longest], &b = piece[(longest + 1) % 3],
+                   &c = piece[(longest + 2) % 3];
+      Corner middle = { 0.5 * (a.Weights + b.Weights) };
+      middle.Texture = patchToTexture(whole.place(middle), this->Texture.Image, patch);
+      this->addPiece({ a, middle, c }, patch, whole, depth + 1);
+      this->addPiece({ middle, b, c }, patch, whole, depth + 1);
+      return;
+    }
+    // Cut up where it is not within the image or one copy of it.
+    const bool visible =
+      inImage && (this->Wrap == TextureWrap::Clamp || boxOf(piece).sizes().maxCoeff() < MostCopies);
+    for (const Polygon& part :
+      visible ? slicedAtBorders(piece, this->Wrap) : std::vector<Polygon>{ piece })
+    {
+      this->addPart(part, visible, whole);
+    }
+  }
+
+  void addPart(const Polygon& part, bool visible, const Whole& whole)
   {
     Vector2 middle = Vector2::Zero();
     for (const Corner& corner : part)
@@ -375,13 +428,13 @@ private:
     for (const Corner& corner : part)
     {
       ids.push_back(this->pointAt(
-        placeOf(corner, sorted), this->coordinatesOf(corner.Texture, middle, outside), outside));
+        placeOf(corner, whole.Ids), this->coordinatesOf(corner.Texture, middle, outside), outside));
     }
     for (std::size_t i = 2; i < ids.size(); ++i)
     {
       if (hasArea(part[0], part[i - 1], part[i]))
       {
-        this->addTriangle({ ids[0], ids[i - 1], ids[i] }, triangle);
+        this->addTriangle({ ids[0], ids[i - 1], ids[i] }, whole.Triangle);
       }
     }
   }
@@ -392,7 +445,7 @@ private:
   }
 
   // Weights that are not zero first, by ascending ids.
-  static SurfacePlace placeOf(const Corner& corner, const std::array<int, 3>& sorted)
+  static SurfacePlace placeOf(const Corner& corner, const std::array<int, 3>& ids)
   {
     SurfacePlace place;
     int size = 0;
@@ -400,7 +453,7 @@ private:
     {
       if (corner.Weights[k] != 0.0)
       {
-        place.Ids[size] = sorted[k];
+        place.Ids[size] = ids[k];
         place.Weights[size++] = corner.Weights[k];
       }
     }

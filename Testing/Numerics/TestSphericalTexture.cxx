@@ -289,6 +289,44 @@ TEST(SphericalTexture, SplitLeavesNoCracks)
   }
 }
 
+// Beside a pole of longitude and latitude: corners as far from it as the middle of the side between
+// the others would make the straight triangle turn over.
+TEST(SphericalTexture, SplitKeepsThinTrianglesBesideAPoleTheRightWayRound)
+{
+  const auto at = [](double longitude, double fromPole)
+  {
+    return Eigen::RowVector3d(std::sin(fromPole) * std::sin(longitude), std::cos(fromPole),
+      std::sin(fromPole) * std::cos(longitude));
+  };
+  SphericalTextureOptions options;
+  options.Projection = SphereProjection::LongitudeLatitude;
+  options.SplitSeam = true;
+  auto sphere = conformal::makeGeodesicSphere(4); // decides on the view
+  const auto count = static_cast<int>(sphere.Positions.rows());
+  Points positions(count + 3, 3);
+  positions << sphere.Positions, at(0.02, 0.2), at(0.76, 0.2), at(0.39, 0.195);
+  Triangles faces(sphere.Faces.rows() + 1, 3);
+  faces << sphere.Faces, count, count + 1, count + 2;
+  // 0.195 is farther from the pole than the side's middle, 0.2 cos(0.37) = 0.186, so from outside,
+  // with the pole above, the third corner lies below.
+  faces.bottomRows(1) << count, count + 2, count + 1;
+  options.ViewUp = { 0, 1, 0 };
+  const SphericalTexture texture = makeSphericalTexture(positions, faces, positions, options);
+  double area = 0.0;
+  int pieces = 0;
+  for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
+  {
+    if (texture.TriangleIds[r] == sphere.Faces.rows())
+    {
+      ASSERT_GT(signedArea(texture, r), 0.0);
+      area += signedArea(texture, r);
+      ++pieces;
+    }
+  }
+  EXPECT_GT(pieces, 1);
+  EXPECT_GT(area, 0.0);
+}
+
 TEST(SphericalTexture, WrapsAsAsked)
 {
   const auto sphere = conformal::makeGeodesicSphere(20);
