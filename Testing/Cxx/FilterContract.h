@@ -3,7 +3,9 @@
 #define FilterContract_h
 
 #include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -72,6 +74,31 @@ inline void ExpectPrints(vtkObject* object, const std::string& property)
   std::ostringstream text;
   object->Print(text);
   EXPECT_NE(text.str().find(property + ":"), std::string::npos) << property;
+}
+
+/// Asked to stop on the way, the filter leaves nothing and reports nothing.
+inline void ExpectStopsWhenAsked(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.3);
+    });
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Modified();
+  filter->Update();
+  EXPECT_FALSE(observer->GetError() || observer->GetWarning());
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  EXPECT_GT(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
 }
 
 /// Counts errors and warnings of a filter and of its executive, and keeps their texts.

@@ -160,3 +160,8 @@ TEST_F(SphericalTextureBlend, RunsOnlyWhenModifiedAndPrints)
     contract::ExpectPrints(this->Filter, property);
   }
 }
+
+TEST_F(SphericalTextureBlend, StopsWhenAsked)
+{
+  contract::ExpectStopsWhenAsked(this->Filter);
+}

@@ -266,3 +266,8 @@ TEST_F(SphericalTextureImage, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectPrints(this->Filter, "ArrayName");
   contract::ExpectPrints(this->Filter, "ImageSize");
 }
+
+TEST_F(SphericalTextureImage, StopsWhenAsked)
+{
+  contract::ExpectStopsWhenAsked(this->Filter);
+}

@@ -350,3 +350,9 @@ TEST_F(SphericalTextureMap, RunsOnlyWhenModifiedAndPrints)
     contract::ExpectPrints(this->Filter, property);
   }
 }
+
+TEST_F(SphericalTextureMap, StopsWhenAsked)
+{
+  this->Filter->SplitSeamOn();
+  contract::ExpectStopsWhenAsked(this->Filter);
+}
