@@ -61,6 +61,15 @@ def sources(args, steps):
     return scan, texture
 
 
+def texture_map(surface, args):
+    """The filter that lays the texture on a surface, in its middle what the viewer sees first."""
+    painted = vtkSphericalTextureMap()
+    painted.SetInputConnection(surface.GetOutputPort())
+    painted.SetViewDirection(args.view)
+    painted.SetViewUp(args.up)
+    return painted
+
+
 def write(steps, writer, folder, name, *inputs):
     """Write the inputs, one to each port, into a file."""
     for port, source in enumerate(inputs):
@@ -85,18 +94,18 @@ def main():
     surface.SetFrequency(args.surface_frequency)
     steps.run("Build the smooth surface", surface)
 
-    painted = vtkSphericalTextureMap()
-    painted.SetInputConnection(surface.GetOutputPort())
-    painted.SetViewDirection(args.view)
-    painted.SetViewUp(args.up)
+    painted = texture_map(surface, args)
     steps.run("Lay the texture", painted)
 
     mesh = report.measured(steps, "mesh", network, scan)
     result = report.measured(steps, "surface", painted, scan)
 
     write(steps, vtkXMLPolyDataWriter(), args.output, "surface.vtp", result)
+    cut = texture_map(result, args)  # for programs that draw each triangle as it is
+    cut.SplitSeamOn()
+    steps.run("Cut along the picture", cut)
     for name in ("surface.glb", "surface.obj"):
-        write(steps, vtkTexturedSurfaceWriter(), args.output, name, result, texture)
+        write(steps, vtkTexturedSurfaceWriter(), args.output, name, cut, texture)
     stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, texture)]
     pictures.write_stages(
         os.path.join(args.output, "quickstart.png"), *stages, args.view, args.up)

@@ -71,7 +71,7 @@ class TestQuickstart(unittest.TestCase):
 
     def test_obj_has_texture_coordinates_and_its_picture(self):
         surface = read(vtkOBJReader(), self.output, "surface.obj")
-        self.assertEqual(surface.GetNumberOfPolys(), TRIANGLES)
+        self.assertGreater(surface.GetNumberOfPolys(), TRIANGLES)  # cut along the picture
         self.assertIsNotNone(surface.GetPointData().GetTCoords())
         with open(os.path.join(self.output, "surface.mtl"), encoding="ascii") as file:
             names = [line.split(None, 1)[1].strip() for line in file if line.startswith("map_Kd")]
@@ -84,7 +84,7 @@ class TestQuickstart(unittest.TestCase):
         iterator = scene.NewIterator()
         iterator.InitTraversal()
         surface = iterator.GetCurrentDataObject()
-        self.assertEqual(surface.GetNumberOfCells(), TRIANGLES)
+        self.assertGreater(surface.GetNumberOfCells(), TRIANGLES)  # cut along the picture
         self.assertIsNotNone(surface.GetPointData().GetTCoords())
 
     def test_picture_shows_four_views(self):
