@@ -3,6 +3,7 @@
 #include "PointTree.h"
 #include "SphereLocator.h"
 #include "TriangleTree.h"
+#include "UnitBox.h"
 
 #include <stdexcept>
 
@@ -100,6 +101,7 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
   {
     throw std::invalid_argument("there are no points to take values from");
   }
+  unitBoxOf(surface.Positions); // throws where they are not finite
   if (cloudFaces.rows() == 0)
   {
     const PointTree tree(cloud);
@@ -129,6 +131,10 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
     {
       const FootPoint foot = tree.closestPoint(positionOf(place, surface.Positions), hint);
       hint = foot.Triangle;
+      if (hint < 0) // squares of distances have left the numbers' range
+      {
+        return SurfacePlace();
+      }
       return placeIn(cloudFaces, foot.Triangle, foot.Barycentric);
     },
     sink, parallelFor, progress);

@@ -139,4 +139,24 @@ TEST(SphericalTextureImage, RefusesWhatHasNoPixelsOrPoints)
     paintSphericalTexture(surface, broken, sphere.Faces, {}, Grid, sink), std::invalid_argument);
   EXPECT_THROW(
     paintSphericalTexture(surface, broken, Triangles(0, 3), {}, Grid, sink), std::invalid_argument);
+  EXPECT_THROW(paintSphericalTexture({ broken, sphere.Faces, sphere.Positions }, sphere.Positions,
+                 sphere.Faces, {}, Grid, sink),
+    std::invalid_argument);
+}
+
+// Too large to be squared: nothing is found, nothing breaks.
+TEST(SphericalTextureImage, LeavesOutWhatNumbersCannotHold)
+{
+  const auto sphere = conformal::makeGeodesicSphere(2);
+  const Points huge = 1e200 * sphere.Positions;
+  paintSphericalTexture({ huge, sphere.Faces, sphere.Positions }, sphere.Positions, sphere.Faces,
+    {}, Grid,
+    [&](Index, const std::vector<SurfacePlace>& places)
+    {
+      for (const SurfacePlace& place : places)
+      {
+        ASSERT_TRUE(place.Ids[0] < static_cast<int>(sphere.Positions.rows()));
+        ASSERT_TRUE(place.Weights.allFinite());
+      }
+    });
 }
