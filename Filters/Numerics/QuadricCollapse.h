@@ -68,7 +68,8 @@ private:
   const Points& Places;
   VertexRings& Rings;
   std::vector<Quadric> Quadrics;
-  std::vector<int> Stamps; // a candidate of an older stamp is out of date
+  std::vector<double> Aspects; // of the surface's worst triangles, around what went into a vertex
+  std::vector<int> Stamps;     // a candidate of an older stamp is out of date
   std::priority_queue<Candidate> Queue;
 };
 }
