@@ -50,6 +50,29 @@ void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& m
   AddNumber(data, "NumberOfInfiniteStringConstants",
     static_cast<long long>(map.NumberOfInfiniteStringConstants));
 }
+
+void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map)
+{
+  const bool published = self->GetMethod() == vtkGlobalConformalMap::GUYAU;
+  if (map.NumberOfInfiniteStringConstants > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << map.NumberOfInfiniteStringConstants << " edges belong to triangles without area: "
+            << (published ? "their string constants are infinite and left out"
+                          : "these are mapped as if they had a little"));
+  }
+  if (map.NumberOfFlippedTriangles > 0)
+  {
+    vtkWarningWithObjectMacro(self, << map.NumberOfFlippedTriangles << " triangles are flipped, "
+                                    << map.NumberOfNegativeStringConstants
+                                    << " string constants are negative");
+  }
+  else if (!map.Converged)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the map has not converged in " << map.NumberOfIterations << " iterations");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -84,19 +107,7 @@ int vtkGlobalConformalMap::RequestData(
       vtkConformalConversions::AddVectors(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);
       AddFigures(output->GetFieldData(), map);
-      if (map.NumberOfInfiniteStringConstants > 0)
-      {
-        vtkWarningMacro(<< map.NumberOfInfiniteStringConstants
-                        << " edges belong to triangles without area: "
-                        << (this->Method == GUYAU
-                               ? "their string constants are infinite and left out"
-                               : "these are mapped as if they had a little"));
-      }
-      if (!map.Converged)
-      {
-        vtkWarningMacro(<< "the map has not converged, " << map.NumberOfFlippedTriangles
-                        << " triangles are flipped");
-      }
+      WarnOf(this, map);
     });
 }
 

@@ -12,13 +12,12 @@
  * Field data (one value):
  * - "Energy" (double): harmonic energy of the map. 4 pi means conformal.
  * - "NumberOfIterations" (vtkIdType): steps of GUYAU; linear solves of ROBUST.
- * - "Converged" (vtkIdType): GUYAU: 1 if both phases ended by Tolerance; ROBUST: 1 if no triangle
- * is flipped.
+ * - "Converged" (vtkIdType): 1 if no triangle is flipped and, for GUYAU, both phases ended by
+ *   Tolerance and no string constant is infinite.
  * - "NumberOfFlippedTriangles" (vtkIdType): by exact arithmetic, flat ones included.
- * - "SphereMapTier" (vtkIdType): what ROBUST had to do. 0: one linear solve was enough. 1: folds
- * were repaired in places, or misshapen triangles relaxed. 2: vertices were inserted one by one,
- * which never folds: areas were asked for, or a conformal map would need triangles too small for
- * numbers.
+ * - "SphereMapTier" (vtkIdType): what ROBUST had to do. 0: solve linear equations. 1: also unfold
+ *   triangles in places. 2: insert the vertices one by one, which never folds, since areas were
+ *   asked for, or a conformal map would have triangles too small for numbers.
  * - "NumberOfNegativeStringConstants" (vtkIdType): edges whose opposite angles add up to more than
  *   180 degrees.
  * - "NumberOfInfiniteStringConstants" (vtkIdType): edges of triangles without area.

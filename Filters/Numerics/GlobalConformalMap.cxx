@@ -370,7 +370,7 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
     result.Positions = std::move(map.Positions);
     result.Energy = map.Energy;
     result.NumberOfIterations = map.NumberOfIterations;
-    result.Converged = map.Converged;
+    result.Converged = map.Converged && map.NumberOfInfiniteStringConstants == 0;
     result.NumberOfNegativeStringConstants = map.NumberOfNegativeStringConstants;
     result.NumberOfInfiniteStringConstants = map.NumberOfInfiniteStringConstants;
   }
@@ -398,12 +398,10 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
       map.place(result.Positions, false);
     }
     result.Energy = stringEnergy(strings.Strings, result.Positions);
+    result.Converged = true;
   }
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
-  if (options.Method == GlobalConformalMethod::Robust)
-  {
-    result.Converged = result.NumberOfFlippedTriangles == 0;
-  }
+  result.Converged = result.Converged && result.NumberOfFlippedTriangles == 0;
   report(progress, 1.0);
   return result;
 }

@@ -37,7 +37,9 @@ struct GlobalConformalMapResult
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
   double Energy = 0.0;                       ///< harmonic; 4 pi if conformal, never below
   Index NumberOfIterations = 0;              ///< GuYau: steps; Robust: linear solves
-  bool Converged = false;                    ///< GuYau: by Tolerance; Robust: no triangle flipped
+  /// No triangle is flipped and, for GuYau, both phases ended by Tolerance and no string constant
+  /// is infinite.
+  bool Converged = false;
   Index NumberOfFlippedTriangles = 0;        ///< by exact arithmetic
   Index NumberOfNegativeStringConstants = 0; ///< edges between angles of more than pi in sum
   Index NumberOfInfiniteStringConstants = 0; ///< edges of triangles without area

@@ -1,8 +1,12 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "GenusZeroHull.h"
+#include "GlobalConformalMap.h"
+#include "SphericalAlignment.h"
 #include "SphericalTexture.h"
 #include "SurfaceMismatch.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGlobalConformalMap.h"
+#include "vtkSphericalAlignment.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkSurfaceMismatch.h"
 
@@ -26,6 +30,26 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::LeastPersistence);
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::LargestPersistence);
   EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::LargestSmoothingPasses);
+}
+
+TEST(OptionsMirrorProperties, GlobalConformalMap)
+{
+  const conformal::GlobalConformalMapOptions options;
+  vtkNew<vtkGlobalConformalMap> filter;
+  EXPECT_EQ(filter->GetMethod(), static_cast<int>(options.Method));
+  EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
+  EXPECT_EQ(filter->GetMaximumNumberOfIterations(), options.MaximumNumberOfIterations);
+  EXPECT_EQ(filter->GetTolerance(), options.Tolerance);
+  using conformal::GlobalConformalMethod;
+  EXPECT_EQ(vtkGlobalConformalMap::ROBUST, static_cast<int>(GlobalConformalMethod::Robust));
+  EXPECT_EQ(vtkGlobalConformalMap::GUYAU, static_cast<int>(GlobalConformalMethod::GuYau));
+}
+
+TEST(OptionsMirrorProperties, SphericalAlignment)
+{
+  using conformal::AlignmentKind;
+  EXPECT_EQ(vtkSphericalAlignment::ROTATION, static_cast<int>(AlignmentKind::Rotation));
+  EXPECT_EQ(vtkSphericalAlignment::MOEBIUS, static_cast<int>(AlignmentKind::Moebius));
 }
 
 TEST(OptionsMirrorProperties, SphericalTexture)

@@ -231,8 +231,14 @@ TEST(GlobalConformalMap, NeverFolds)
       const double radius = 0.05 + n[2] * n[2];
       return Vector3(radius * n[0], radius * n[1], 1.5 * n[2]);
     });
-  for (const auto& mesh : { spikes, needles, neck, noisy(16, 0.02), noisy(16, 0.3), noisy(8, 1.5),
-         valenceThree(60), valenceThree(600), conformal::makeGeodesicSphere(1) })
+  GeodesicSphere bottles = tube(8.0, 32); // joined by necks of needles
+  for (Index v = 0; v < bottles.Positions.rows(); ++v)
+  {
+    bottles.Positions.row(v).head<2>() *=
+      0.02 + std::abs(std::cos(0.375 * bottles.Positions(v, 2)));
+  }
+  for (const auto& mesh : { spikes, needles, neck, bottles, noisy(16, 0.02), noisy(16, 0.3),
+         noisy(8, 1.5), valenceThree(60), valenceThree(600), conformal::makeGeodesicSphere(1) })
   {
     const auto map = mapOf(mesh);
     expectOneToOne(mesh, map.Positions);
