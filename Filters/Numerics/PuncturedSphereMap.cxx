@@ -54,19 +54,8 @@ public:
     , Faces(triangles)
     , Threads(parallelFor)
     , Map(map)
-    , VertexAreas(Eigen::VectorXd::Zero(points.rows()))
+    , VertexAreas(vertexAreas(points, triangles))
   {
-    for (Index r = 0; r < triangles.rows(); ++r)
-    {
-      const Vector3 a = points.row(triangles(r, 0));
-      const double twiceArea = (points.row(triangles(r, 1)).transpose() - a)
-                                 .cross(points.row(triangles(r, 2)).transpose() - a)
-                                 .norm();
-      for (int k = 0; k < 3; ++k)
-      {
-        this->VertexAreas[triangles(r, k)] += twiceArea;
-      }
-    }
     this->VertexAreas /= this->VertexAreas.sum();
   }
 
@@ -84,12 +73,13 @@ public:
     this->Map /= size;
   }
 
-  // Add sum d_k conj(z)^k, k = 1 ... powers, so that the Beltrami coefficients vanish in the mean
+  // Add sum d_k conj(z)^k, k = 1 ... Powers, so that the Beltrami coefficients vanish in the mean
   // over the sphere. Only up to a radius; `robustly` leaves out the triangles that are misshapen.
-  void correct(int powers, double radius, bool robustly)
+  template <int Powers>
+  void correct(double radius, bool robustly)
   {
-    using Matrix = Eigen::Matrix<Complex, MostPowers, MostPowers>;
-    using Vector = Eigen::Matrix<Complex, MostPowers, 1>;
+    using Matrix = Eigen::Matrix<Complex, Powers, Powers>;
+    using Vector = Eigen::Matrix<Complex, Powers, 1>;
     const Index blocks = (this->Faces.rows() + BlockSize - 1) / BlockSize;
     std::vector<Matrix> matrices(blocks, Matrix::Zero());
     std::vector<Vector> sides(blocks, Vector::Zero());
@@ -102,13 +92,13 @@ public:
         {
           const auto [z, weight, wanted] = this->beltrami(r);
           const double largest = robustly ? LargestSquared : 1.0; // beyond 1 it is flipped
-          if (!(weight > 0.0) || std::abs(z) > radius || !(std::norm(wanted) < largest))
+          if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < largest))
           {
             continue;
           }
-          Vector row = Vector::Zero();
+          Vector row;
           Complex power = 1.0;
-          for (int k = 0; k < powers; ++k)
+          for (int k = 0; k < Powers; ++k)
           {
             row[k] = static_cast<double>(k + 1) * power;
             power *= std::conj(z) / radius;
@@ -124,10 +114,7 @@ public:
       matrix += matrices[block];
       side += sides[block];
     }
-    for (int k = 0; k < MostPowers; ++k)
-    {
-      matrix(k, k) += k < powers ? 1e-12 : 1.0;
-    }
+    matrix.diagonal().array() += 1e-12;
     const Vector found = matrix.ldlt().solve(side);
     if (!found.allFinite())
     {
@@ -136,12 +123,12 @@ public:
     for (Index v = 0; v < this->Map.size(); ++v)
     {
       const Complex z = std::conj(this->Map[v]);
-      if (std::abs(z) > radius)
+      if (std::norm(z) > radius * radius)
       {
         continue;
       }
       Complex power = z;
-      for (int k = 0; k < powers; ++k)
+      for (int k = 0; k < Powers; ++k)
       {
         this->Map[v] += found[k] * power;
         power *= z / radius;
@@ -274,7 +261,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   constexpr int rounds = 6, roundsForAll = 3;
   for (int i = 0; i < rounds; ++i)
   {
-    plane.correct(1, everywhere, i >= roundsForAll);
+    plane.correct<1>(everywhere, i >= roundsForAll);
     plane.normalize();
     report(progress, 0.75 + 0.02 * i);
   }
@@ -287,7 +274,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
       free.push_back(v);
     }
   }
-  plane.correct(MostPowers, Fit * radius, true);
+  plane.correct<MostPowers>(Fit * radius, true);
   for (Index v = 0; v < size; ++v)
   {
     const Complex w = 1.0 / map[v];
