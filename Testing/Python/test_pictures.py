@@ -1,4 +1,5 @@
 """Four pictures of the bear and one of a dancer, as baselines."""
+"""Pictures of the bear, as baselines."""
 import os
 import sys
 import tempfile
@@ -6,6 +7,9 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkReverseSense
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import pictures
@@ -14,9 +18,47 @@ import webs
 from baselines import expect_picture
 from builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
-    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureMap,
+    vtkSurfaceMismatch)
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400
+
+
+def conformal_map(surface, method="Robust", balance=0.0):
+    """The surface mapped to the sphere."""
+    conformal = vtkGlobalConformalMap()
+    conformal.SetInputData(surface)
+    getattr(conformal, "SetMethodTo" + method)()
+    conformal.SetAreaBalance(balance)
+    conformal.Update()
+    return conformal.GetOutput()
+
+
+def painted_actor(surface):
+    """A checkerboard on a mapped surface, its middle in front."""
+    painted = vtkSphericalTextureMap()
+    painted.SetInputData(surface)
+    painted.SetViewDirection(VIEW)
+    painted.SetViewUp(UP)
+    painted.Update()
+    return pictures.textured_actor(painted.GetOutput(), textures.checkerboard())
+
+
+def outward_figure():
+    """The figure's triangles as they come, with needles and obtuse angles, but not inside out."""
+    outward = vtkReverseSense()
+    outward.SetInputData(figure_surface())
+    outward.Update()
+    return outward.GetOutput()
+
+
+def sphere_of(surface):
+    """The sphere as the surface's triangles cover it."""
+    points, sphere = vtkPoints(), vtkPolyData()
+    points.SetData(surface.GetPointData().GetArray("SpherePosition"))
+    sphere.SetPoints(points)
+    sphere.SetPolys(surface.GetPolys())
+    return sphere
 
 
 class TestPictures(unittest.TestCase):
@@ -31,17 +73,19 @@ class TestPictures(unittest.TestCase):
         cls.surface.SetFrequency(48)
         cls.surface.Update()
 
-    def expect_actor(self, name, actor):
-        """Draw the actor and compare with the baseline of that name."""
-        renderer = vtkRenderer()
-        renderer.SetBackground(1.0, 1.0, 1.0)
-        renderer.AddActor(actor)
-        renderer.SetActiveCamera(pictures.camera_on(self.scan, VIEW, UP, 1.0))
+    def expect_actor(self, name, *actors, seen=None):
+        """Draw the actors side by side and compare with the baseline of that name."""
         window = vtkRenderWindow()
         window.SetOffScreenRendering(True)
         window.SetMultiSamples(0)
-        window.SetSize(SIZE, SIZE)
-        window.AddRenderer(renderer)
+        window.SetSize(SIZE * len(actors), SIZE)
+        for i, actor in enumerate(actors):
+            renderer = vtkRenderer()
+            renderer.SetBackground(1.0, 1.0, 1.0)
+            renderer.SetViewport(i / len(actors), 0.0, (i + 1) / len(actors), 1.0)
+            renderer.AddActor(actor)
+            renderer.SetActiveCamera(pictures.camera_on(seen or self.scan, VIEW, UP, 1.0))
+            window.AddRenderer(renderer)
         window.Render()
         drawn = vtkWindowToImageFilter()
         drawn.SetInput(window)
@@ -59,13 +103,7 @@ class TestPictures(unittest.TestCase):
         self.expect_actor("CurvedSeamlessSurface", pictures.actor_of(self.surface.GetOutput()))
 
     def test_checkerboard_on_the_surface(self):
-        painted = vtkSphericalTextureMap()
-        painted.SetInputConnection(self.surface.GetOutputPort())
-        painted.SetViewDirection(VIEW)
-        painted.SetViewUp(UP)
-        painted.Update()
-        self.expect_actor("SphericalTextureMap",
-                          pictures.textured_actor(painted.GetOutput(), textures.checkerboard()))
+        self.expect_actor("SphericalTextureMap", painted_actor(self.surface.GetOutput()))
 
     def test_distance_to_the_figure_in_colours(self):
         mismatch = vtkSurfaceMismatch()
@@ -82,6 +120,21 @@ class TestPictures(unittest.TestCase):
         actor.GetMapper().UseLookupTableScalarRangeOn()
         actor.GetMapper().SetLookupTable(colors)
         self.expect_actor("SurfaceMismatch", actor)
+
+    def test_checkerboard_by_the_conformal_map(self):
+        self.expect_actor(
+            "GlobalConformalMap", painted_actor(conformal_map(self.surface.GetOutput())))
+
+    def test_gu_yau_folds_where_robust_does_not(self):
+        figure = outward_figure()
+        self.expect_actor("GuYauAndRobust", *(
+            painted_actor(conformal_map(figure, method)) for method in ("GuYau", "Robust")))
+
+    def test_balance_gives_limbs_room_on_the_sphere(self):
+        spheres = [sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
+                   for balance in (0.0, 0.1, 0.5)]
+        self.expect_actor("AreaBalance", *(pictures.mesh_actor(sphere) for sphere in spheres),
+                          seen=spheres[0])
 
 
 class TestWebs(unittest.TestCase):
