@@ -11,7 +11,8 @@ import numpy as np
 from builtin_figure import bear, figure_cloud
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
-    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
+    vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
@@ -43,7 +44,13 @@ def chain(frequency=18, surface_frequency=40):
     hull.SetInputData(scan)
     hull.SetSpacing(0.04)
     hull.Update()
-    stages = (network, surface, painted, mismatch, distortion, sphere, hull)
+    conformal = vtkGlobalConformalMap()
+    conformal.SetInputConnection(network.GetOutputPort())
+    alignment = vtkSphericalAlignment()
+    alignment.SetInputConnection(0, conformal.GetOutputPort())
+    alignment.SetInputConnection(1, network.GetOutputPort())
+    alignment.Update()
+    stages = (network, surface, painted, mismatch, distortion, sphere, hull, conformal, alignment)
     return {stage.GetClassName(): stage for stage in stages}
 
 
@@ -120,14 +127,16 @@ class TestPipeline(unittest.TestCase):
         self.assertLess(p2s, 1e-5)
 
     def test_same_bits_on_any_threads(self):
-        expected = all_bytes(self.result)
+        expected = {name: all_bytes(self.stages[name].GetOutput())
+                    for name in ("vtkConformalDistortion", "vtkSphericalAlignment")}
         for backend in ("Sequential", "STDThread", "TBB"):
             for threads in (1, 2):
                 with self.subTest(f"{backend}, {threads} threads"):
                     self.assertTrue(vtkSMPTools.SetBackend(backend))
                     vtkSMPTools.Initialize(threads)
-                    again = chain()["vtkConformalDistortion"].GetOutput()
-                    self.assertEqual(all_bytes(again), expected)
+                    again = chain()
+                    for name, bytes_ in expected.items():
+                        self.assertEqual(all_bytes(again[name].GetOutput()), bytes_)
 
 
 if __name__ == "__main__":
