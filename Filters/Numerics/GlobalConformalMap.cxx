@@ -74,15 +74,23 @@ public:
     report(progress, 0.1);
   }
 
-  void run(GlobalConformalMapResult& result)
+  void run(double areaBalance, GlobalConformalMapResult& result)
   {
-    const bool done = this->conformal(result);
-    if (!done)
+    if (areaBalance > 0.0)
     {
-      this->progressive(result);
+      this->progressive(areaBalance, result, partOf(this->Callback, 0.1, 1.0));
+    }
+    else if (!this->conformal(result))
+    {
+      this->progressive(0.0, result, partOf(this->Callback, 0.7, 1.0));
+    }
+    if (result.Tier == GlobalConformalTier::Progressive)
+    {
+      this->place(result.Positions, false);
     }
   }
 
+private:
   // Moebius transforms leave angles alone, rotations areas, too.
   void place(Points& positions, bool center) const
   {
@@ -97,7 +105,6 @@ public:
     turn.applyTo(positions);
   }
 
-private:
   SourceTriangle shapeOf(Index r) const
   {
     return this->Shapes.triangle(this->Faces(r, 0), this->Faces(r, 1), this->Faces(r, 2));
@@ -284,41 +291,44 @@ private:
 
   double energyOf(const Points& positions) const { return stringEnergy(this->Strings, positions); }
 
-  // With as little balance of areas as leaves room for every triangle. Each insertion that first
-  // has to make room can take a second, so few are allowed as long as there is another attempt.
-  void progressive(GlobalConformalMapResult& result) const
+  // With as little more balance of areas as leaves room for every triangle. Insertions that first
+  // have to make room can take a second each, so few are allowed while there is another attempt.
+  void progressive(
+    double leastBalance, GlobalConformalMapResult& result, const Progress& progress) const
   {
-    struct Attempt
-    {
-      double Balance;
-      Index Relaxations;
-      double Begin, End; // of the progress
-    };
-    constexpr Attempt attempts[] = { { 0.0, 3, 0.7, 0.8 }, { 0.02, 3, 0.8, 0.85 },
-      { 0.05, 3, 0.85, 0.9 }, { 0.2, 10, 0.9, 0.95 } };
+    constexpr Index fewRelaxations = 10;
+    constexpr double share = 0.8; // of what is left of the progress, for each attempt
     result.Tier = GlobalConformalTier::Progressive;
-    for (const Attempt& attempt : attempts)
+    double begin = 0.0, last = -1.0;
+    for (double balance : { leastBalance, 0.02, 0.05, 0.2, 0.5 })
     {
+      if (balance < leastBalance || balance == last)
+      {
+        continue;
+      }
+      const double end = begin + share * (1.0 - begin);
       try
       {
-        result.Positions = this->balanced(this->Places, attempt.Balance, attempt.Relaxations,
-          partOf(this->Callback, attempt.Begin, attempt.End));
+        result.Positions =
+          this->balanced(this->Places, balance, fewRelaxations, partOf(progress, begin, end));
         return;
       }
       catch (const std::runtime_error&)
       {
-        // No room: the next attempt leaves more.
+        begin = end;
+        last = balance;
       }
     }
     // The surface is shapeless, or too strange: as if all triangles were equal.
     result.Positions = this->balanced(Points::Zero(this->Places.rows(), 3), 0.5,
-      std::numeric_limits<Index>::max(), partOf(this->Callback, 0.95, 1.0));
+      std::numeric_limits<Index>::max(), partOf(progress, begin, 1.0));
   }
 
   Points balanced(
     const Points& places, double balance, Index relaxations, const Progress& progress) const
   {
     ProgressiveSphereMapOptions options;
+    options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
     options.AreaBalance = balance;
     options.MaximumNumberOfRelaxations = relaxations;
     return mapToSphere(places, this->Faces, options, progress).Positions;
@@ -380,23 +390,7 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
     result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
     result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
     report(progress, 0.04);
-    RobustMap map(places, triangles, parallelFor, progress);
-    if (options.AreaBalance > 0.0)
-    {
-      ProgressiveSphereMapOptions balanced;
-      balanced.AreaBalance = options.AreaBalance;
-      result.Tier = GlobalConformalTier::Progressive;
-      result.Positions =
-        mapToSphere(places, triangles, balanced, partOf(progress, 0.1, 1.0)).Positions;
-    }
-    else
-    {
-      map.run(result);
-    }
-    if (result.Tier == GlobalConformalTier::Progressive)
-    {
-      map.place(result.Positions, false);
-    }
+    RobustMap(places, triangles, parallelFor, progress).run(options.AreaBalance, result);
     result.Energy = stringEnergy(strings.Strings, result.Positions);
     result.Converged = true;
   }

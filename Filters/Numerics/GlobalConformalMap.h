@@ -35,8 +35,8 @@ struct GlobalConformalMapResult
 {
   Points Positions; ///< #V by 3 unit vectors
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
-  double Energy = 0.0;                       ///< harmonic; 4 pi if conformal, never below
-  Index NumberOfIterations = 0;              ///< GuYau: steps; Robust: linear solves
+  double Energy = 0.0;          ///< harmonic; 4 pi if conformal, never below
+  Index NumberOfIterations = 0; ///< GuYau: steps; Robust: linear solves
   /// No triangle is flipped and, for GuYau, both phases ended by Tolerance and no string constant
   /// is infinite.
   bool Converged = false;

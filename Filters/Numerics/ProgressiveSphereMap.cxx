@@ -49,21 +49,21 @@ SphereEnergy smoothing(SphereEnergy energy)
 class Mapper
 {
 public:
-  Mapper(const Points& places, const Triangles& triangles, const SphereEnergy& energy,
-    const Progress& progress)
+  Mapper(const Points& places, const Triangles& triangles,
+    const ProgressiveSphereMapOptions& options, const Progress& progress)
     : Shapes(places, triangles)
-    , Energy(energy)
-    , Mesh(makeProgressiveMesh(places, triangles,
+    , Options(options)
+    , Energy(energyFor(options.AreaBalance))
+    , Mesh(makeProgressiveMesh(places, triangles, options.SurfaceNeedles,
         progress ? [&progress](double f) { return progress(0.2 * f); } : Progress()))
     , Positions(places.rows())
     , Callback(progress)
   {
   }
 
-  ProgressiveSphereMapResult run(const ProgressiveSphereMapOptions& options)
+  ProgressiveSphereMapResult run()
   {
-    this->WorkToDo = this->countWork(options);
-    this->MostRelaxations = options.MaximumNumberOfRelaxations;
+    this->WorkToDo = this->countWork();
     this->layTetrahedron();
     std::size_t level = this->Active.size();
     for (const QuadricCollapse::Collapse& split : this->Mesh.Splits)
@@ -75,8 +75,8 @@ public:
         this->sweep(sweepsOfLevel(level), this->Energy);
       }
     }
-    this->sweep(options.NumberOfSweeps, this->Energy);
-    this->sweep(options.NumberOfSmoothingSweeps, smoothing(this->Energy));
+    this->sweep(this->Options.NumberOfSweeps, this->Energy);
+    this->sweep(this->Options.NumberOfSmoothingSweeps, smoothing(this->Energy));
     ProgressiveSphereMapResult result;
     result.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
     for (std::size_t v = 0; v < this->Positions.size(); ++v)
@@ -89,7 +89,7 @@ public:
 
 private:
   // Relaxations of a vertex, but for those that make room.
-  double countWork(const ProgressiveSphereMapOptions& options) const
+  double countWork() const
   {
     std::size_t count = 4, level = 4;
     double work = 0.0;
@@ -103,7 +103,7 @@ private:
         work += sweepsOfLevel(level) * count;
       }
     }
-    return work + (options.NumberOfSweeps + options.NumberOfSmoothingSweeps) * count;
+    return work + (this->Options.NumberOfSweeps + this->Options.NumberOfSmoothingSweeps) * count;
   }
 
   void layTetrahedron()
@@ -127,7 +127,7 @@ private:
     std::optional<Vector3> place = kernelCentroid(this->Positions, split.Neighbors);
     if (!place)
     {
-      if (++this->Relaxations > this->MostRelaxations)
+      if (++this->Relaxations > this->Options.MaximumNumberOfRelaxations)
       {
         throw std::runtime_error(NoRoom);
       }
@@ -221,13 +221,14 @@ private:
   }
 
   SurfaceShapes Shapes;
+  const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;
   std::vector<int> Active; // in order of insertion
   std::vector<Vector3> Positions;
   std::vector<Corner> Scratch;
   const Progress& Callback;
-  Index Relaxations = 0, MostRelaxations = 0;
+  Index Relaxations = 0;
   Index WorkDone = 0;
   double WorkToDo = 0.0;
 };
@@ -247,8 +248,8 @@ ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& tr
   }
   requireGenusZero(triangles, points.rows());
   const Points places = inUnitBox(points);
-  Mapper mapper(places, triangles, energyFor(options.AreaBalance), progress);
-  ProgressiveSphereMapResult result = mapper.run(options);
+  Mapper mapper(places, triangles, options, progress);
+  ProgressiveSphereMapResult result = mapper.run();
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
   report(progress, 1.0);
   return result;

@@ -3,6 +3,7 @@
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
 
+#include "QuadricCollapse.h"
 #include "Types.h"
 
 #include <limits>
@@ -15,6 +16,8 @@ struct ProgressiveSphereMapOptions
   double AreaBalance = 0.5;
   int NumberOfSweeps = 30;          ///< over all vertices at the end, at least 0
   int NumberOfSmoothingSweeps = 30; ///< after these, with more weight on the worst triangles
+  /// Thin is needed where bodies are joined by necks of needles: they cannot come before the necks.
+  QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
   /// Insertions that may have to make room, each of which can take a second.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
 };

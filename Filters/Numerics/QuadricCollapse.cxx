@@ -17,8 +17,8 @@ constexpr double UnwantedCost = 1e3;
 constexpr double TurnedOverCost = 1e6;
 
 constexpr double ShapeWeight = 1e-4;
-constexpr double WorstAspect = 8.0;    // 1 is equilateral; what has needles already may keep them
-constexpr double SmallestCosine = 0.2; // between a triangle's normals before and after
+constexpr double WorstAspect = 8.0;          // 1 is equilateral
+constexpr double SmallestCosine = 0.2;       // between a triangle's normals before and after
 constexpr std::size_t MostNeighbors = 10;    // after a collapse
 constexpr std::size_t TooManyNeighbors = 24; // of a vertex to be taken out: not now
 
@@ -30,7 +30,7 @@ double aspectOf(const Vector3& a, const Vector3& b, const Vector3& c, double twi
 }
 
 //------------------------------------------------------------------------------
-QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings)
+QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings, Needles needles)
   : Places(points)
   , Rings(rings)
   , Quadrics(rings.size())
@@ -46,7 +46,10 @@ QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings)
       const Vector3 p = this->point(ring[i]), q = this->point(ring[(i + 1) % ring.size()]);
       const Vector3 normal = (p - x).cross(q - x); // twice area
       const double length = normal.norm();
-      this->Aspects[v] = std::max(this->Aspects[v], aspectOf(x, p, q, length));
+      if (needles == Needles::Thin)
+      {
+        this->Aspects[v] = std::max(this->Aspects[v], aspectOf(x, p, q, length));
+      }
       if (length > 0.0)
       {
         const Vector3 unit = normal / length;

@@ -310,7 +310,7 @@ TEST(GlobalConformalMap, BalanceTradesAnglesForAreas)
     lastArea = distortion.AreaDistortionDeviation;
     lastAngle = distortion.MeanQuasiConformalError;
   }
-  EXPECT_LT(lastArea, 0.25);
+  EXPECT_LT(lastArea, 0.35);
 }
 
 // On acute triangles both methods find the same map, but for a Moebius transform.
