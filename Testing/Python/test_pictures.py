@@ -9,7 +9,6 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkReverseSense
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import pictures
@@ -20,6 +19,7 @@ from builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureMap,
     vtkSurfaceMismatch)
+from obtuse import obtuse_surface
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400
 
@@ -42,14 +42,6 @@ def painted_actor(surface):
     painted.SetViewUp(UP)
     painted.Update()
     return pictures.textured_actor(painted.GetOutput(), textures.checkerboard())
-
-
-def outward_figure():
-    """The figure's triangles as they come, with needles and obtuse angles, but not inside out."""
-    outward = vtkReverseSense()
-    outward.SetInputData(figure_surface())
-    outward.Update()
-    return outward.GetOutput()
 
 
 def sphere_of(surface):
@@ -126,9 +118,9 @@ class TestPictures(unittest.TestCase):
             "GlobalConformalMap", painted_actor(conformal_map(self.surface.GetOutput())))
 
     def test_gu_yau_folds_where_robust_does_not(self):
-        figure = outward_figure()
+        surface = obtuse_surface(self.network, 32)
         self.expect_actor("GuYauAndRobust", *(
-            painted_actor(conformal_map(figure, method)) for method in ("GuYau", "Robust")))
+            painted_actor(conformal_map(surface, method)) for method in ("GuYau", "Robust")))
 
     def test_balance_gives_limbs_room_on_the_sphere(self):
         spheres = [sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
