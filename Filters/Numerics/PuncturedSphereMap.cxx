@@ -26,13 +26,15 @@ constexpr double CapShare = 0.35;       // of the vertices, the outermost ones
 constexpr double LargestSquared = 0.25; // Beltrami coefficients beyond are the mesh's own
 constexpr double Fit = 1.4;             // the powers are fitted up to here, the cap beginning at 1
 
+constexpr double WorstIrregularity = 1e6;
+
 // 0 for an equilateral triangle.
 double irregularity(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   const double twiceArea = (b - a).cross(c - a).norm();
-  constexpr double worst = 1e6;
-  return sides < worst * twiceArea ? sides / (2.0 * std::sqrt(3.0) * twiceArea) - 1.0 : worst;
+  return sides < WorstIrregularity * twiceArea ? sides / (2.0 * std::sqrt(3.0) * twiceArea) - 1.0
+                                               : WorstIrregularity;
 }
 
 // A triangle in its own plane, its first corner at 0.
@@ -226,6 +228,36 @@ Index choosePuncture(const Points& points, const Triangles& triangles)
     if (score < least)
     {
       least = score;
+      best = r;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+Index choosePuncture(
+  const Points& points, const Triangles& triangles, const Points& spherePositions)
+{
+  Index best = 0;
+  double greatest = -1.0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const auto corner = [&](const Points& of, int k) { return Vector3(of.row(triangles(r, k))); };
+    const auto twiceArea = [&](const Points& of)
+    {
+      const Vector3 a = corner(of, 0);
+      return (corner(of, 1) - a).cross(corner(of, 2) - a).norm();
+    };
+    const double irregular = irregularity(corner(points, 0), corner(points, 1), corner(points, 2));
+    if (irregular == WorstIrregularity)
+    {
+      continue; // of no area
+    }
+    const double score =
+      std::pow(1.0 + irregular, -4.0) * twiceArea(spherePositions) / twiceArea(points);
+    if (score > greatest)
+    {
+      greatest = score;
       best = r;
     }
   }

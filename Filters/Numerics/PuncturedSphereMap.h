@@ -13,6 +13,10 @@ namespace conformal
 /// rest of the surface would become too small.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
+/// Likewise, given some map to the sphere: regular, and with much room there.
+Index choosePuncture(
+  const Points& points, const Triangles& triangles, const Points& spherePositions);
+
 /// Take a triangle out, keep its shape, and let all other vertices find their rest in the plane
 /// inside of it, as \cite Haker2000 and \cite Choi2015 do; correct what the triangle's finite size
 /// has distorted; solve anew around the triangle; and carry the plane to the sphere.
