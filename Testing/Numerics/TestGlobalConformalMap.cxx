@@ -2,6 +2,7 @@
 
 #include "Distortion.h"
 #include "GeodesicSphere.h"
+#include "MoebiusTransform.h"
 #include "Random.h"
 #include "SphereOrientation.h"
 
@@ -328,6 +329,10 @@ TEST(GlobalConformalMap, GuYauAgreesOnAcuteTriangles)
   EXPECT_GT(published.NumberOfIterations, 10);
   const double k = meanK(mesh, robust.Positions);
   EXPECT_NEAR(meanK(mesh, published.Positions), k, 0.01 * k);
+  Points moved = published.Positions;
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(moved.rows());
+  conformal::closestMoebiusTransform(moved, robust.Positions, ones).applyTo(moved);
+  EXPECT_LT((moved - robust.Positions).rowwise().norm().maxCoeff(), 0.02);
 }
 
 // What the paper says of it: obtuse triangles make it fold.
