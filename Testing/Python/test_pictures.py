@@ -81,12 +81,12 @@ class TestPictures(unittest.TestCase):
         cls.surface.SetFrequency(48)
         cls.surface.Update()
 
-    def expect_actor(self, name, *actors, seen=None):
+    def expect_actor(self, name, *actors, seen=None, size=SIZE):
         """Draw the actors side by side and compare with the baseline of that name."""
         window = vtkRenderWindow()
         window.SetOffScreenRendering(True)
         window.SetMultiSamples(0)
-        window.SetSize(SIZE * len(actors), SIZE)
+        window.SetSize(size * len(actors), size)
         for i, actor in enumerate(actors):
             renderer = vtkRenderer()
             renderer.SetBackground(1.0, 1.0, 1.0)
@@ -142,7 +142,7 @@ class TestPictures(unittest.TestCase):
         spheres = [sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
                    for balance in (0.0, 0.1, 0.5)]
         self.expect_actor("AreaBalance", *(pictures.mesh_actor(sphere) for sphere in spheres),
-                          seen=spheres[0])
+                          seen=spheres[0], size=280)
 
 
 class TestWebs(unittest.TestCase):
