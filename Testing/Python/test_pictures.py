@@ -1,16 +1,14 @@
-"""Four pictures of the bear and one of a dancer, as baselines."""
-"""Pictures of the bear, as baselines."""
+"""Pictures of the bear and one of a dancer, as baselines."""
 import os
 import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkIOImage import vtkPNGReader
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import pictures
