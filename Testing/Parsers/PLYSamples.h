@@ -2,23 +2,13 @@
 #ifndef PLYSamples_h
 #define PLYSamples_h
 
-#include <algorithm>
-#include <cstring>
+#include "MadeBytes.h"
+
 #include <string>
 #include <vector>
 
 namespace samples
 {
-inline std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
 // A tetrahedron with an attribute of every sort, elements around it that nobody knows.
 inline const std::string& AsciiMesh()
 {
@@ -111,51 +101,18 @@ inline const std::string& AsciiGrid()
   return text;
 }
 
-// Builds binary files of either order.
-class Binary
+// A binary file of either order, behind its header.
+inline Bytes Binary(bool isBig, const std::string& header)
 {
-public:
-  Binary(bool isBig, const std::string& header)
-    : IsBig(isBig)
-    , Bytes("ply\nformat binary_" + std::string(isBig ? "big" : "little") + "_endian 1.0\n" +
-        header + "end_header\n")
-  {
-  }
-  template <typename T>
-  Binary& add(T value)
-  {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    const std::uint16_t one = 1;
-    char first = 0;
-    std::memcpy(&first, &one, 1);
-    if (this->IsBig == (first == 1))
-    {
-      std::reverse(bytes, bytes + sizeof(T));
-    }
-    this->Bytes.append(bytes, sizeof(T));
-    return *this;
-  }
-  template <typename T>
-  Binary& add(const std::vector<T>& values)
-  {
-    for (const T value : values)
-    {
-      this->add(value);
-    }
-    return *this;
-  }
-  const std::string& bytes() const { return this->Bytes; }
-
-private:
-  bool IsBig;
-  std::string Bytes;
-};
+  return Bytes(isBig,
+    "ply\nformat binary_" + std::string(isBig ? "big" : "little") + "_endian 1.0\n" + header +
+      "end_header\n");
+}
 
 // The mesh of AsciiMesh() in binary, properties in another order.
 inline std::string BinaryMesh(bool isBig)
 {
-  Binary file(isBig,
+  Bytes file = Binary(isBig,
     "element face 4\n"
     "property list uint8 uint32 vertex_index\n"
     "property int32 group\n"
@@ -195,6 +152,12 @@ inline std::string BinaryCloud(bool isBig)
   return Binary(isBig, "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n")
     .add(std::vector<float>{ 1.5F, -2.25F, 3.0F, 1e-30F, 1e30F, 0.1F })
     .bytes();
+}
+
+inline std::vector<std::string> PLYFiles()
+{
+  return { AsciiMesh(), AsciiCloud(), AsciiStrips(), AsciiGrid(), BinaryMesh(false),
+    BinaryMesh(true), BinaryCloud(false), BinaryCloud(true) };
 }
 }
 

@@ -11,6 +11,12 @@
 
 namespace
 {
+conformal::SurfaceResult parsePLY(std::string_view bytes)
+{
+  conformal::ByteReader input(bytes);
+  return conformal::parsePLY(input);
+}
+
 // Numbers that break readers.
 const char* const Words[] = { "-1", "0", "4294967295", "18446744073709551615", "nan", "1e999", "x",
   "3", "255", "list", "double", "face", "tristrips", "\n", "\r", "\t" };
@@ -80,7 +86,7 @@ void ExpectWhole(const conformal::NamedArray& array, std::size_t tuples)
   }
 }
 
-void ExpectWhole(const conformal::PLYData& data)
+void ExpectWhole(const conformal::SurfaceData& data)
 {
   const std::size_t points = data.Points.numberOfTuples();
   ExpectWhole(data.Points, points);
@@ -119,7 +125,7 @@ TEST(PLYMutations, EndInAStatusAndWholeData)
     std::mt19937 random(seed);
     const std::string bytes = mutated(files[seed % std::size(files)], random);
     SCOPED_TRACE(seed);
-    const conformal::PLYResult result = conformal::parsePLY(bytes);
+    const conformal::SurfaceResult result = parsePLY(bytes);
     if (result.Status.ok())
     {
       ++read;
