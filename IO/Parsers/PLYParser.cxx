@@ -1,15 +1,15 @@
 #include "PLYParser.h"
 
+#include "ByteOrder.h"
+#include "FileValues.h"
 #include "PLYHeader.h"
 #include "PLYRecords.h"
-#include "PLYValues.h"
 #include "PolygonList.h"
 #include "ProgressReport.h"
 #include "RangeGrid.h"
 #include "TriangleStrips.h"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -18,14 +18,6 @@ namespace conformal
 namespace
 {
 constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
-
-bool isLittleEndianMachine()
-{
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
 
 class BodyReader
 {

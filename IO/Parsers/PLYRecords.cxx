@@ -149,11 +149,7 @@ void PLYRecords::addArray(
   {
     this->Slots[members[component]] = { this->Arrays.size(), component };
   }
-  NamedArray array;
-  array.Name = name;
-  array.Type = type;
-  array.Components = members.size();
-  this->Arrays.push_back(std::move(array));
+  this->Arrays.push_back(makeArray(name, type, members.size()));
 }
 
 //------------------------------------------------------------------------------

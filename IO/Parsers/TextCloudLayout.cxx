@@ -242,15 +242,6 @@ std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)
   return names;
 }
 
-NamedArray emptyArray(const std::string& name, ScalarType type, std::size_t components)
-{
-  NamedArray array;
-  array.Name = name;
-  array.Type = type;
-  array.Components = components;
-  return array;
-}
-
 // Gives each column its place. Names that make a known array together do, all others keep theirs.
 void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextCloudLayout& layout)
 {
@@ -286,7 +277,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
     {
       layout.Columns[members[c]] = { layout.Arrays.size(), c };
     }
-    layout.Arrays.push_back(emptyArray(array, type, components));
+    layout.Arrays.push_back(makeArray(array, type, components));
   };
   group("Points", ScalarType::Float64, 3);
   group("Normals", ScalarType::Float64, 3);
@@ -297,7 +288,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
     if (layout.Columns[i].Array == nowhere)
     {
       layout.Columns[i] = { layout.Arrays.size(), 0 };
-      layout.Arrays.push_back(emptyArray(names[i], ScalarType::Float64, 1));
+      layout.Arrays.push_back(makeArray(names[i], ScalarType::Float64, 1));
     }
   }
 }

@@ -2,9 +2,11 @@
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
+#include "../Parsers/OFFSamples.h"
 #include "../Parsers/PLYSamples.h"
 #include "../Parsers/TextCloudSamples.h"
 
+#include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextCloudReader.h"
@@ -37,6 +39,7 @@ ReaderCase CaseOf(std::vector<std::string> files)
 inline std::vector<ReaderCase> ReaderCases()
 {
   return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles()),
+    CaseOf<vtkConformalOFFReader>(samples::OFFFiles()),
     CaseOf<vtkTextCloudReader>(samples::TextCloudFiles()) };
 }
 }

@@ -1,7 +1,7 @@
-/// The numbers in the body of a PLY file, one after another, from bytes or from text.
+/// The numbers in the body of a file, one after another, from bytes or from text.
 
-#ifndef ConformalPLYValues_h
-#define ConformalPLYValues_h
+#ifndef ConformalFileValues_h
+#define ConformalFileValues_h
 
 #include "ByteReader.h"
 #include "NumberText.h"
@@ -64,12 +64,13 @@ private:
 };
 
 /// Numbers as words between blanks. A record ends where a line ends; line ends within a record are
-/// blanks.
+/// blanks. From a hash to its line's end is a remark, if the format has such.
 class TextValues
 {
 public:
-  explicit TextValues(ByteReader& input)
+  explicit TextValues(ByteReader& input, bool hasRemarks = false)
     : Input(input)
+    , HasRemarks(hasRemarks)
   {
   }
 
@@ -77,7 +78,7 @@ public:
   T next()
   {
     constexpr std::size_t longestNumber = 4096;
-    this->skipWhile(isBlank);
+    this->skipBlanks();
     const std::string_view text = this->Input.peek(longestNumber);
     T value = T();
     const std::size_t length = readNumber(text, value);
@@ -104,17 +105,50 @@ public:
 
   void endRecord()
   {
+    if (!this->isLineEnd())
+    {
+      this->failAtWord(this->Input.peek(1), "the end of the line");
+    }
+  }
+
+  /// Whether nothing but blanks and a remark is left of a line.
+  bool isLineEnd()
+  {
     this->skipWhile([](char c) { return c == ' ' || c == '\t'; });
     const std::string_view text = this->Input.peek(1);
-    if (!text.empty() && !isBlank(text[0]))
+    return text.empty() || isBlank(text[0]) || this->isRemark(text);
+  }
+
+  /// @throws ParseError unless nothing but blanks and remarks is left
+  void endFile()
+  {
+    this->skipBlanks();
+    const std::string_view text = this->Input.peek(1);
+    if (!text.empty())
     {
-      this->failAtWord(text, "the end of the line");
+      this->failAtWord(text, "the end of the file");
+    }
+  }
+
+  /// Go to the next word or the end.
+  void skipBlanks()
+  {
+    this->skipWhile(isBlank);
+    while (this->isRemark(this->Input.peek(1)))
+    {
+      this->skipWhile([](char c) { return c != '\n' && c != '\r'; });
+      this->skipWhile(isBlank);
     }
   }
 
   static std::size_t leastBytes(ScalarType) { return 2; }
 
 private:
+  bool isRemark(std::string_view text) const
+  {
+    return this->HasRemarks && !text.empty() && text[0] == '#';
+  }
+
   template <typename Predicate>
   void skipWhile(Predicate isSkipped)
   {
@@ -143,6 +177,7 @@ private:
   }
 
   ByteReader& Input;
+  const bool HasRemarks;
 };
 }
 
