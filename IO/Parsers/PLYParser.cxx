@@ -3,10 +3,10 @@
 #include "ByteOrder.h"
 #include "FileValues.h"
 #include "PLYHeader.h"
-#include "PLYRecords.h"
 #include "PolygonList.h"
 #include "ProgressReport.h"
 #include "RangeGrid.h"
+#include "Records.h"
 #include "TriangleStrips.h"
 
 #include <algorithm>
@@ -117,10 +117,10 @@ private:
   template <typename Values>
   void readPoints(Values& values, const PLYElement& element, std::size_t count)
   {
-    PLYRecords records = this->recordsOf(element, true);
+    Records records = this->recordsOf(element, true);
     records.resize(count);
     std::size_t kept = 0;
-    if (this->Header.Format != PLYFormat::Ascii && records.canCopy())
+    if (this->Header.Format != PLYFormat::Ascii && !element.hasLists() && records.canCopy())
     {
       kept = this->copyPoints(records, element, count);
     }
@@ -150,7 +150,7 @@ private:
     this->Data.PointArrays = std::move(records.arrays());
   }
 
-  std::size_t copyPoints(PLYRecords& records, const PLYElement& element, std::size_t count)
+  std::size_t copyPoints(Records& records, const PLYElement& element, std::size_t count)
   {
     std::size_t recordBytes = 0;
     for (const PLYProperty& property : element.Properties)
@@ -184,7 +184,7 @@ private:
     return kept;
   }
 
-  bool keepsPoint(const PLYRecords& records, std::size_t record)
+  bool keepsPoint(const Records& records, std::size_t record)
   {
     if (records.isFinitePoint(record))
     {
@@ -204,7 +204,7 @@ private:
   void readPolygons(Values& values, const PLYElement& element, std::size_t count)
   {
     const PLYProperty& list = this->idsOf(element);
-    PLYRecords records = this->recordsOf(element, false);
+    Records records = this->recordsOf(element, false);
     records.resize(count);
     PolygonList polygons(this->Input, this->NumberOfPoints, this->Data);
     polygons.reserve(count);
@@ -385,11 +385,16 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  PLYRecords recordsOf(const PLYElement& element, bool hasPoints)
+  Records recordsOf(const PLYElement& element, bool hasPoints)
   {
     try
     {
-      return PLYRecords(element, hasPoints);
+      std::vector<RecordField> fields;
+      for (const PLYProperty& property : element.Properties)
+      {
+        fields.push_back({ property.Name, property.Type, !property.IsList });
+      }
+      return Records(std::move(fields), hasPoints);
     }
     catch (const std::invalid_argument& e)
     {

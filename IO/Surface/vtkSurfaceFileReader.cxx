@@ -65,6 +65,10 @@ int VTKTypeOf(conformal::ScalarType type)
       return VTK_UNSIGNED_INT;
     case conformal::ScalarType::Float32:
       return VTK_FLOAT;
+    case conformal::ScalarType::Int64:
+      return VTK_TYPE_INT64;
+    case conformal::ScalarType::UInt64:
+      return VTK_TYPE_UINT64;
     case conformal::ScalarType::Float64:
       break;
   }

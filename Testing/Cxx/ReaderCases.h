@@ -3,11 +3,13 @@
 #define ReaderCases_h
 
 #include "../Parsers/OFFSamples.h"
+#include "../Parsers/PCDSamples.h"
 #include "../Parsers/PLYSamples.h"
 #include "../Parsers/TextCloudSamples.h"
 
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
+#include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextCloudReader.h"
 
@@ -39,7 +41,7 @@ ReaderCase CaseOf(std::vector<std::string> files)
 inline std::vector<ReaderCase> ReaderCases()
 {
   return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles()),
-    CaseOf<vtkConformalOFFReader>(samples::OFFFiles()),
+    CaseOf<vtkConformalOFFReader>(samples::OFFFiles()), CaseOf<vtkPCDReader>(samples::PCDFiles()),
     CaseOf<vtkTextCloudReader>(samples::TextCloudFiles()) };
 }
 }

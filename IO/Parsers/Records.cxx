@@ -1,4 +1,4 @@
-#include "PLYRecords.h"
+#include "Records.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,15 +87,16 @@ bool isFiniteTriple(const unsigned char* bytes)
 }
 
 //------------------------------------------------------------------------------
-PLYRecords::PLYRecords(const PLYElement& element, bool hasPoints)
-  : Element(element)
-  , Slots(element.Properties.size())
+Records::Records(std::vector<RecordField> fields, bool hasPoints)
+  : Fields(std::move(fields))
+  , Slots(this->Fields.size())
 {
   if (hasPoints)
   {
     this->groupPoints();
   }
   this->group("Normals", { "nx", "ny", "nz" }, isFloating);
+  this->group("Normals", { "normal_x", "normal_y", "normal_z" }, isFloating);
   this->group("RGBA", { "red", "green", "blue", "alpha" }, isByte);
   this->group("RGB", { "red", "green", "blue" }, isByte);
   this->group("RGBA", { "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha" }, isByte);
@@ -103,28 +104,21 @@ PLYRecords::PLYRecords(const PLYElement& element, bool hasPoints)
   this->group("TCoords", { "s", "t" }, isFloating);
   this->group("TCoords", { "u", "v" }, isFloating);
   this->group("TCoords", { "texture_u", "texture_v" }, isFloating);
-  for (std::size_t i = 0; i < this->Slots.size(); ++i)
-  {
-    const PLYProperty& property = element.Properties[i];
-    if (!property.IsList && this->Slots[i].Array == None)
-    {
-      this->addArray(property.Name, property.Type, { i });
-    }
-  }
+  this->groupNeighbours();
   this->findRuns();
 }
 
 //------------------------------------------------------------------------------
-// The properties of these names, empty unless all are scalars that have no array yet.
-std::vector<std::size_t> PLYRecords::find(const std::vector<std::string>& names) const
+// The fields of these names, empty unless all have no array yet.
+std::vector<std::size_t> Records::find(const std::vector<std::string>& names) const
 {
   std::vector<std::size_t> found;
   for (const std::string& name : names)
   {
     for (std::size_t i = 0; i < this->Slots.size(); ++i)
     {
-      const PLYProperty& property = this->Element.Properties[i];
-      if (property.Name == name && !property.IsList && this->Slots[i].Array == None)
+      const RecordField& field = this->Fields[i];
+      if (field.Name == name && field.IsKept && this->Slots[i].Array == None)
       {
         found.push_back(i);
       }
@@ -134,15 +128,15 @@ std::vector<std::size_t> PLYRecords::find(const std::vector<std::string>& names)
 }
 
 //------------------------------------------------------------------------------
-bool PLYRecords::isTaken(const std::string& name) const
+bool Records::isTaken(const std::string& name) const
 {
   const auto hasName = [&](const auto& named) { return named.Name == name; };
   return std::any_of(this->Arrays.begin(), this->Arrays.end(), hasName) ||
-    std::any_of(this->Element.Properties.begin(), this->Element.Properties.end(), hasName);
+    std::any_of(this->Fields.begin(), this->Fields.end(), hasName);
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::addArray(
+void Records::addArray(
   const std::string& name, ScalarType type, const std::vector<std::size_t>& members)
 {
   for (std::size_t component = 0; component < members.size(); ++component)
@@ -153,20 +147,20 @@ void PLYRecords::addArray(
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::groupPoints()
+void Records::groupPoints()
 {
   const std::vector<std::size_t> members = this->find({ "x", "y", "z" });
   if (members.empty())
   {
-    throw std::invalid_argument("found no scalars x, y and z in the element vertex");
+    throw std::invalid_argument("found no scalars x, y and z of the points");
   }
   const bool areFloats = std::all_of(members.begin(), members.end(),
-    [&](std::size_t i) { return this->Element.Properties[i].Type == ScalarType::Float32; });
+    [&](std::size_t i) { return this->Fields[i].Type == ScalarType::Float32; });
   this->addArray("Points", areFloats ? ScalarType::Float32 : ScalarType::Float64, members);
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::group(
+void Records::group(
   const std::string& name, const std::vector<std::string>& names, bool (*fits)(ScalarType))
 {
   const std::vector<std::size_t> members = this->find(names);
@@ -174,9 +168,9 @@ void PLYRecords::group(
   {
     return;
   }
-  const ScalarType type = this->Element.Properties[members[0]].Type;
-  const bool isOneType = std::all_of(members.begin(), members.end(),
-    [&](std::size_t i) { return this->Element.Properties[i].Type == type; });
+  const ScalarType type = this->Fields[members[0]].Type;
+  const bool isOneType = std::all_of(
+    members.begin(), members.end(), [&](std::size_t i) { return this->Fields[i].Type == type; });
   if (isOneType && fits(type))
   {
     this->addArray(name, type, members);
@@ -184,21 +178,49 @@ void PLYRecords::group(
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::findRuns()
+void Records::groupNeighbours()
+{
+  for (std::size_t i = 0; i < this->Fields.size();)
+  {
+    const RecordField& field = this->Fields[i];
+    std::vector<std::size_t> members;
+    for (; i < this->Fields.size() && this->Fields[i].IsKept && this->Slots[i].Array == None &&
+         this->Fields[i].Name == field.Name && this->Fields[i].Type == field.Type;
+         ++i)
+    {
+      members.push_back(i);
+    }
+    if (members.empty())
+    {
+      ++i;
+      continue;
+    }
+    this->addArray(field.Name, field.Type, members);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Records::findRuns()
 {
   for (std::size_t i = 0; i < this->Slots.size(); ++i)
   {
-    const PLYProperty& property = this->Element.Properties[i];
+    const RecordField& field = this->Fields[i];
     const Slot slot = this->Slots[i];
-    if (property.IsList || this->Arrays[slot.Array].Type != property.Type)
+    const std::size_t bytes = sizeOf(field.Type);
+    if (!field.IsKept)
+    {
+      this->RecordBytes += bytes;
+      continue;
+    }
+    if (this->Arrays[slot.Array].Type != field.Type)
     {
       this->Runs.clear();
       return;
     }
-    const std::size_t bytes = sizeOf(property.Type);
     const std::size_t place = slot.Component * bytes;
     Run* last = this->Runs.empty() ? nullptr : &this->Runs.back();
-    if (last && last->Array == slot.Array && last->TupleOffset + last->Bytes == place)
+    if (last && last->Array == slot.Array && last->TupleOffset + last->Bytes == place &&
+      last->RecordOffset + last->Bytes == this->RecordBytes)
     {
       last->Bytes += bytes;
     }
@@ -211,7 +233,7 @@ void PLYRecords::findRuns()
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::resize(std::size_t numberOfRecords)
+void Records::resize(std::size_t numberOfRecords)
 {
   for (NamedArray& array : this->Arrays)
   {
@@ -221,7 +243,7 @@ void PLYRecords::resize(std::size_t numberOfRecords)
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap)
+void Records::copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap)
 {
   for (const Run& run : this->Runs)
   {
@@ -241,7 +263,43 @@ void PLYRecords::copy(const char* packed, std::size_t numberOfRecords, std::size
 }
 
 //------------------------------------------------------------------------------
-void PLYRecords::move(std::size_t from, std::size_t to)
+void Records::copyField(std::size_t field, const char* from, std::size_t stride,
+  std::size_t numberOfRecords, std::size_t first, bool swap)
+{
+  const Slot slot = this->Slots[field];
+  NamedArray& array = this->Arrays[slot.Array];
+  const std::size_t tupleBytes = array.tupleBytes();
+  unsigned char* to =
+    array.Values.data() + first * tupleBytes + slot.Component * sizeOf(array.Type);
+  withType(this->Fields[field].Type,
+    [&](auto zero)
+    {
+      const bool isSameType = array.Type == this->Fields[field].Type;
+      for (std::size_t i = 0; i < numberOfRecords; ++i)
+      {
+        auto value = zero;
+        char bytes[sizeof(value)];
+        std::memcpy(bytes, from + i * stride, sizeof(value));
+        if (swap)
+        {
+          std::reverse(bytes, bytes + sizeof(value));
+        }
+        std::memcpy(&value, bytes, sizeof(value));
+        if (isSameType)
+        {
+          std::memcpy(to + i * tupleBytes, &value, sizeof(value));
+        }
+        else
+        {
+          const auto converted = static_cast<double>(value);
+          std::memcpy(to + i * tupleBytes, &converted, sizeof(converted));
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void Records::move(std::size_t from, std::size_t to)
 {
   for (NamedArray& array : this->Arrays)
   {
@@ -251,7 +309,7 @@ void PLYRecords::move(std::size_t from, std::size_t to)
 }
 
 //------------------------------------------------------------------------------
-bool PLYRecords::isFinitePoint(std::size_t record) const
+bool Records::isFinitePoint(std::size_t record) const
 {
   const NamedArray& points = this->Arrays.front();
   const unsigned char* point = points.Values.data() + record * points.tupleBytes();

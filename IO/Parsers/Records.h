@@ -1,10 +1,10 @@
-/// The scalar properties of a PLY element as named arrays, filled record by record.
+/// The numbers of records as named arrays, filled record by record or field by field.
 
-#ifndef ConformalPLYRecords_h
-#define ConformalPLYRecords_h
+#ifndef ConformalRecords_h
+#define ConformalRecords_h
 
 #include "NamedArray.h"
-#include "PLYHeader.h"
+#include "ScalarType.h"
 
 #include <cstring>
 #include <string>
@@ -12,29 +12,36 @@
 
 namespace conformal
 {
-/// Properties that belong together share an array (see parsePLY()), every other one has its own.
-/// A record that is given up is overwritten by the next one.
-class PLYRecords
+struct RecordField
+{
+  std::string Name;
+  ScalarType Type = ScalarType::Float32;
+  bool IsKept = true; ///< otherwise it has no array, and its bytes are passed over
+};
+
+/// Fields that belong together share an array (see parsePLY()), and so do neighbours of one name
+/// and type; every other one has its own. A record that is given up is overwritten by the next one.
+class Records
 {
 public:
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
   /// @throws std::invalid_argument if they should and are not there
-  PLYRecords(const PLYElement& element, bool hasPoints);
+  Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
 
-  /// Read a property of a record from BinaryValues or TextValues.
+  /// Read a field of a record from BinaryValues or TextValues.
   template <typename Values>
-  void read(Values& values, std::size_t property, std::size_t record)
+  void read(Values& values, std::size_t field, std::size_t record)
   {
-    const ScalarType type = this->Element.Properties[property].Type;
+    const ScalarType type = this->Fields[field].Type;
     withType(type,
       [&](auto zero)
       {
         const auto value = values.template next<decltype(zero)>();
-        NamedArray& array = this->Arrays[this->Slots[property].Array];
+        NamedArray& array = this->Arrays[this->Slots[field].Array];
         unsigned char* place = array.Values.data() + record * array.tupleBytes() +
-          this->Slots[property].Component * sizeOf(array.Type);
+          this->Slots[field].Component * sizeOf(array.Type);
         if (array.Type == type)
         {
           std::memcpy(place, &value, sizeof(value));
@@ -47,12 +54,15 @@ public:
       });
   }
 
-  /// Whether records without lists lie in a file as they lie in the arrays, but for the order of
-  /// bytes.
+  /// Whether packed records lie in a file as they lie in the arrays, but for the order of bytes.
   bool canCopy() const { return !this->Runs.empty(); }
 
   /// Copy packed binary records to the records from `first` on.
   void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
+
+  /// Copy one field of records that lie `stride` bytes apart in a file.
+  void copyField(std::size_t field, const char* from, std::size_t stride,
+    std::size_t numberOfRecords, std::size_t first, bool swap);
 
   void move(std::size_t from, std::size_t to);
 
@@ -64,7 +74,7 @@ public:
 private:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  // Where a property goes.
+  // Where a field goes.
   struct Slot
   {
     std::size_t Array = None;
@@ -86,10 +96,11 @@ private:
   void groupPoints();
   void group(
     const std::string& name, const std::vector<std::string>& names, bool (*fits)(ScalarType));
+  void groupNeighbours();
   void findRuns();
 
-  const PLYElement& Element;
-  std::vector<Slot> Slots; ///< one for each property
+  std::vector<RecordField> Fields;
+  std::vector<Slot> Slots; ///< one for each field
   std::vector<NamedArray> Arrays;
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
