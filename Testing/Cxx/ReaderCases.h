@@ -25,24 +25,35 @@ struct ReaderCase
   std::function<vtkSmartPointer<vtkSurfaceFileReader>()> Make;
   std::function<int(const char*)> CanReadFile;
   std::vector<std::string> Files;
+  std::vector<std::string> BadFiles;
 };
 
 template <typename Reader>
-ReaderCase CaseOf(std::vector<std::string> files)
+ReaderCase CaseOf(std::vector<std::string> files, std::vector<std::string> badFiles)
 {
   ReaderCase result;
   result.Make = []() { return vtkSmartPointer<Reader>::New(); };
   result.CanReadFile = [](const char* name) { return Reader::CanReadFile(name); };
   result.Files = std::move(files);
+  result.BadFiles = std::move(badFiles);
   result.Name = result.Make()->GetClassName();
   return result;
 }
 
+/// What no reader of ours reads.
+inline std::vector<std::string> FilesOfNobody()
+{
+  return { "", " ", "\n\n\n", std::string(100, '\0'), std::string(100, '\xFF'), "\xEF\xBB\xBF",
+    std::string(1 << 20, 'x'), "hello world\n", "\x89PNG\r\n\x1A\n", "<html>\n",
+    "{ \"points\": [1] }\n", "\x1F\x8B\x08 compressed" };
+}
+
 inline std::vector<ReaderCase> ReaderCases()
 {
-  return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles()),
-    CaseOf<vtkConformalOFFReader>(samples::OFFFiles()), CaseOf<vtkPCDReader>(samples::PCDFiles()),
-    CaseOf<vtkTextCloudReader>(samples::TextCloudFiles()) };
+  return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
+    CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
+    CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
+    CaseOf<vtkTextCloudReader>(samples::TextCloudFiles(), samples::BadTextCloudFiles()) };
 }
 }
 

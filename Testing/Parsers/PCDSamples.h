@@ -145,6 +145,42 @@ inline std::vector<std::string> PCDFiles()
   return { AsciiPCD(), BinaryPCD(), CompressedPCD(),
     "FIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n" };
 }
+
+// Each breaks another rule.
+inline std::vector<std::string> BadPCDFiles()
+{
+  const auto& ascii = AsciiPCD();
+  const std::string binary = BinaryPCD();
+  const std::string compressed = CompressedPCD();
+  return { replaced(ascii, "VERSION .7", "VERSION .8"),
+    replaced(ascii, "VERSION .7", "VERSION seven"), replaced(ascii, "SIZE", "SIZES"),
+    replaced(ascii, "HEIGHT 1", "WIDTH 1"), replaced(ascii, "WIDTH 3", "WIDTH -3"),
+    replaced(ascii, "WIDTH 3", "WIDTH 4"),
+    replaced(ascii, "HEIGHT 1", "HEIGHT 18446744073709551615"),
+    replaced(ascii, "POINTS 3", "POINTS 4"),
+    replaced(ascii, "WIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n", ""),
+    replaced(ascii, "SIZE 4 4 4 4 2", "SIZE 4 4 4 4"),
+    replaced(ascii, "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 3"),
+    replaced(ascii, "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 -2"),
+    replaced(ascii, "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 0"),
+    replaced(ascii, "TYPE F F F U I", "TYPE F F F U X"),
+    replaced(ascii, "TYPE F F F U I", "TYPE F F F U"),
+    replaced(ascii, "COUNT 1 1 1 1 1", "COUNT 1 1 1 1 4000000000"),
+    replaced(ascii, "COUNT 1 1 1 1 1", "COUNT 2 1 1 1 1"),
+    replaced(ascii, "COUNT 1 1 1 1 1", "COUNT 1 1 1 1 2"),
+    replaced(ascii, "FIELDS x y z", "FIELDS x y w"), replaced(ascii, "FIELDS x y z", "FIELDS x y"),
+    replaced(ascii, "DATA ascii", "DATA text"), replaced(ascii, "DATA ascii", "DATA"),
+    replaced(ascii, "POINTS 3", "POINTS 3x"),
+    replaced(ascii, "DATA ascii", "DATA binary_compressed"), replaced(ascii, "1.5", "1.2.3"),
+    replaced(ascii, "1.5", "--5"), replaced(ascii, "1.5", "0x1p3"), replaced(ascii, "1.5", "1e999"),
+    replaced(ascii, "1.5", "one"), replaced(ascii, "1.5", ""), replaced(ascii, "32767", "32768"),
+    replaced(ascii, "32767", "32767 1"), replaced(ascii, "32767", "32767\n1 2 3 4 5"),
+    binary.substr(0, binary.size() - 1), replaced(binary, "POINTS 4", "POINTS 400"),
+    replaced(binary, "POINTS 4", "POINTS 99999999999999"),
+    compressed.substr(0, compressed.size() - 1), replaced(compressed, "POINTS 4", "POINTS 5"),
+    replaced(compressed, "POINTS 4", "POINTS 3"),
+    compressed.substr(0, compressed.size() - 20) + std::string(20, '\xE0') };
+}
 }
 
 #endif

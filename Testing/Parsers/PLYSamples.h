@@ -159,6 +159,39 @@ inline std::vector<std::string> PLYFiles()
   return { AsciiMesh(), AsciiCloud(), AsciiStrips(), AsciiGrid(), BinaryMesh(false),
     BinaryMesh(true), BinaryCloud(false), BinaryCloud(true) };
 }
+
+// Each breaks another rule.
+inline std::vector<std::string> BadPLYFiles()
+{
+  const auto& mesh = AsciiMesh();
+  const std::string binary = BinaryMesh(true);
+  return { replaced(mesh, "ascii", "ebcdic"), replaced(mesh, "ascii 1.0", "ascii 2.0"),
+    replaced(mesh, "format ascii 1.0\n", ""),
+    replaced(mesh, "comment a", "format ascii 1.0\ncomment a"),
+    replaced(mesh, "obj_info some", "vertices 4"),
+    replaced(mesh, "element camera 1", "element camera"),
+    replaced(mesh, "element camera 1", "element camera -1"),
+    replaced(mesh, "element camera 1", "element camera 1x"),
+    replaced(mesh, "vertex 4", "vertex 99999999999999999999"),
+    replaced(mesh, "vertex 4", "vertex 999999999"), replaced(mesh, "vertex 4", "vertex 5"),
+    replaced(mesh, "vertex 4", "vertex 3"), replaced(mesh, "element camera 1\n", ""),
+    replaced(mesh, "element camera", "element vertex"),
+    replaced(mesh, "property float y", "property float x"),
+    replaced(mesh, "property float y", "property quaternion y"),
+    replaced(mesh, "property float y", "property float"), replaced(mesh, "property float y\n", ""),
+    replaced(mesh, "list uchar int", "list float int"), replaced(mesh, "uchar int", "uchar float"),
+    replaced(mesh, "vertex_indices", "corners"), replaced(mesh, "end_header", "end_head"),
+    replaced(mesh, "1 0 0  0 1 0", "1.2.3 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "nan 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "1e999 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "1,5 0 0  0 1 0"), replaced(mesh, "4 5 6", "4 256 6"),
+    replaced(mesh, "8 3 0 1 3", "8 3 0 1 4"), replaced(mesh, "8 3 0 1 3", "8 3 0 1 -1"),
+    replaced(mesh, "8 3 0 1 3", "8 -3 0 1 3"), replaced(mesh, "8 3 0 1 3", "8 4 0 1 3"),
+    replaced(mesh, "face 4", "face 5"), replaced(mesh, "face 4", "face 4294967296"),
+    replaced(mesh, "35.5 2 0.1", "35.5 200 0.1"), mesh.substr(0, mesh.size() / 2),
+    binary.substr(0, binary.size() - 1), binary.substr(0, 30),
+    replaced(AsciiGrid(), "num_rows 3", "num_rows 2"), replaced(AsciiStrips(), "4 5", "4 6") };
+}
 }
 
 #endif

@@ -2,8 +2,7 @@
 #ifndef TextCloudSamples_h
 #define TextCloudSamples_h
 
-#include <string>
-#include <vector>
+#include "MadeBytes.h"
 
 namespace samples
 {
@@ -36,6 +35,29 @@ inline std::vector<std::string> TextCloudFiles()
     "//X;Y;Z\n# a remark\n0;0;1\n1;0;1\n\n; another\n0;1;1",
     "0 0 1 0 0 1\n1 0 0 1 0 0\n0 1 0 0 0.6 0.8\n",
     "0\t0\t1\t10\t20\t30\t0\t0\t1\n0\t0\t2\t11\t21\t31\t0\t1\t0\n" };
+}
+
+// Each breaks another rule.
+inline std::vector<std::string> BadTextCloudFiles()
+{
+  const auto& plain = PlainCloud();
+  const auto& named = NamedCloud();
+  const auto& laser = LaserCloud();
+  return { replaced(plain, "1234567.123456789", "1.2.3"),
+    replaced(plain, "1234567.123456789", "--5"), replaced(plain, "1234567.123456789", "0x1p3"),
+    replaced(plain, "1234567.123456789", "1e999"), replaced(plain, "1234567.123456789", "1,5"),
+    replaced(plain, "1234567.123456789", "one"), replaced(plain, "1234567.123456789", "5 5"),
+    replaced(plain, "1234567.123456789", ""), replaced(plain, "0.5", "1.2.3"),
+    replaced(plain, "0.5", "--5"), replaced(plain, "0.5", "0x1p3"), replaced(plain, "0.5", "1e999"),
+    replaced(plain, "0.5", "x 1"), replaced(plain, "7 8 9", "7 8"),
+    replaced(plain, "7 8 9", "7 8 9 10"), replaced(plain, "7 8 9", "x y z"),
+    replaced(plain, "7 8 9", "7;8;9"), replaced(plain, "7 8 9", "7,8,9"),
+    replaced(named, "\"X\"", "\"A\""), replaced(named, "Red,", ""),
+    replaced(named, "255, 254", "255; 254"), replaced(named, "2047", "2047, 1"),
+    replaced(named, "0.5,", "0.5."), replaced(named, "5,0.5", "5,\"0.5\""), "5\n" + plain,
+    "2\n" + plain, "2000000000\n" + plain, "99999999999999999999\n" + plain, "-3\n" + plain,
+    "1 2\n", "x y z\n", "# x y z\n", replaced(laser, "1 2 3", "1 2"), laser + "7 7 7 7 7 7 7\n",
+    laser + "5\n", plain + "1 2 3 \x01\n", plain + "1 2 3 4 \n" };
 }
 }
 
