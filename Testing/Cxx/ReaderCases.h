@@ -2,6 +2,7 @@
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
+#include "../Parsers/GuMeshSamples.h"
 #include "../Parsers/OFFSamples.h"
 #include "../Parsers/PCDSamples.h"
 #include "../Parsers/PLYSamples.h"
@@ -9,6 +10,7 @@
 
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
+#include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextCloudReader.h"
@@ -53,6 +55,7 @@ inline std::vector<ReaderCase> ReaderCases()
   return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
     CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
+    CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),
     CaseOf<vtkTextCloudReader>(samples::TextCloudFiles(), samples::BadTextCloudFiles()) };
 }
 }
