@@ -2,6 +2,7 @@
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
+#include "../Parsers/FreeSurferSamples.h"
 #include "../Parsers/GuMeshSamples.h"
 #include "../Parsers/OFFSamples.h"
 #include "../Parsers/PCDSamples.h"
@@ -10,6 +11,7 @@
 
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
+#include "vtkFreeSurferReader.h"
 #include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
@@ -56,6 +58,7 @@ inline std::vector<ReaderCase> ReaderCases()
     CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
     CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),
+    CaseOf<vtkFreeSurferReader>(samples::FreeSurferFiles(), samples::BadFreeSurferFiles()),
     CaseOf<vtkTextCloudReader>(samples::TextCloudFiles(), samples::BadTextCloudFiles()) };
 }
 }
