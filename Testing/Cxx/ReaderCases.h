@@ -3,6 +3,7 @@
 #define ReaderCases_h
 
 #include "../Parsers/FreeSurferSamples.h"
+#include "../Parsers/GIFTISamples.h"
 #include "../Parsers/GuMeshSamples.h"
 #include "../Parsers/OFFSamples.h"
 #include "../Parsers/PCDSamples.h"
@@ -12,6 +13,7 @@
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkFreeSurferReader.h"
+#include "vtkGIFTIReader.h"
 #include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
@@ -59,6 +61,7 @@ inline std::vector<ReaderCase> ReaderCases()
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
     CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),
     CaseOf<vtkFreeSurferReader>(samples::FreeSurferFiles(), samples::BadFreeSurferFiles()),
+    CaseOf<vtkGIFTIReader>(samples::GIFTIFiles(), samples::BadGIFTIFiles()),
     CaseOf<vtkTextCloudReader>(samples::TextCloudFiles(), samples::BadTextCloudFiles()) };
 }
 }
