@@ -39,6 +39,7 @@ struct Contestant
   std::string Name;
   std::function<vtkSmartPointer<vtkPolyDataAlgorithm>(const std::string&)> Make;
   std::vector<std::string> Files;
+  std::vector<std::pair<std::string, std::string>> Beside;
 };
 
 template <typename Reader>
@@ -51,7 +52,7 @@ Contestant Of(std::vector<std::string> files)
       reader->SetFileName(path.c_str());
       return vtkSmartPointer<vtkPolyDataAlgorithm>(reader);
     },
-    std::move(files) };
+    std::move(files), {} };
 }
 
 std::vector<Contestant> Contestants()
@@ -66,7 +67,7 @@ std::vector<Contestant> Contestants()
         reader->SetFileName(path.c_str());
         return vtkSmartPointer<vtkPolyDataAlgorithm>(reader);
       },
-      test.Files });
+      test.Files, test.Beside });
   }
   all.push_back(Of<vtkPLYReader>(samples::PLYFiles()));
   all.push_back(Of<vtkPTSReader>({ samples::LaserCloud() }));
@@ -111,15 +112,20 @@ Outcome ReadInChild(const Contestant& contestant, const std::string& path)
 int main(int argc, char* argv[])
 {
   const int mutations = argc > 1 ? std::atoi(argv[1]) : 2000;
-  const std::string path =
-    (std::filesystem::temp_directory_path() / ("compare-readers-" + std::to_string(getpid())))
-      .string();
+  const auto folder =
+    std::filesystem::temp_directory_path() / ("compare-readers-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "a file").string();
   std::printf("%d mutations for each reader\n%-24s %8s %8s %8s %8s %8s\n", mutations, "", "crashed",
     "hung", "wrong", "refused", "read");
   std::fflush(stdout); // children must not inherit it
   for (const Contestant& contestant : Contestants())
   {
     int counts[NumberOfOutcomes] = {};
+    for (const auto& [name, bytes] : contestant.Beside)
+    {
+      std::ofstream(folder / name, std::ios::binary) << bytes;
+    }
     for (int seed = 0; seed < mutations; ++seed)
     {
       const std::string& file = contestant.Files[seed % contestant.Files.size()];
@@ -131,6 +137,6 @@ int main(int argc, char* argv[])
       counts[Hung], counts[Wrong], counts[Refused], counts[Read]);
     std::fflush(stdout);
   }
-  std::filesystem::remove(path);
+  std::filesystem::remove_all(folder);
   return 0;
 }

@@ -2,6 +2,7 @@
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
+#include "../Parsers/AlignedScansSamples.h"
 #include "../Parsers/FreeSurferSamples.h"
 #include "../Parsers/GIFTISamples.h"
 #include "../Parsers/GuMeshSamples.h"
@@ -17,10 +18,12 @@
 #include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
 #include "vtkSmartPointer.h"
+#include "vtkStanfordScansReader.h"
 #include "vtkTextCloudReader.h"
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contract
@@ -32,6 +35,7 @@ struct ReaderCase
   std::function<int(const char*)> CanReadFile;
   std::vector<std::string> Files;
   std::vector<std::string> BadFiles;
+  std::vector<std::pair<std::string, std::string>> Beside; // names and bytes of what files name
 };
 
 template <typename Reader>
@@ -56,7 +60,10 @@ inline std::vector<std::string> FilesOfNobody()
 
 inline std::vector<ReaderCase> ReaderCases()
 {
-  return { CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
+  ReaderCase scans =
+    CaseOf<vtkStanfordScansReader>(samples::AlignedScansFiles(), samples::BadAlignedScansFiles());
+  scans.Beside = samples::SphereScans();
+  return { scans, CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
     CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
     CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),

@@ -55,6 +55,7 @@ TEST(ReaderMutations, EndInAnErrorOrInWholeData)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     std::size_t largest = 0;
     int read = 0;
     const std::size_t memoryBefore = PeakMemory();
@@ -80,6 +81,7 @@ TEST(ReaderMutations, HandMadeBadFilesAreRefused)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     std::vector<std::string> files = contract::FilesOfNobody();
     files.insert(files.end(), test.BadFiles.begin(), test.BadFiles.end());
     EXPECT_GE(files.size(), 40u);

@@ -24,6 +24,7 @@ TEST(SurfaceFileReader, EveryReaderReadsItsFilesInEveryLocale)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     ASSERT_FALSE(test.Files.empty());
     for (const std::string& file : test.Files)
     {
@@ -87,6 +88,7 @@ TEST(SurfaceFileReader, EveryReaderRefusesWhatIsNoFile)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     const auto refuse = [&](const std::string& path, unsigned long code, const char* part)
     {
       ExpectRefused(Reading(test.Make(), path), code, part);
@@ -124,6 +126,7 @@ TEST(SurfaceFileReader, EveryReaderStopsWhenAskedWithoutAWord)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     const vtkSmartPointer<vtkSurfaceFileReader> reader = test.Make();
     const contract::Observed observed(reader);
     vtkNew<vtkCallbackCommand> abort;
@@ -148,6 +151,7 @@ TEST(SurfaceFileReader, EveryReaderRecoversFromAnErrorAndRunsOnlyWhenModified)
   for (const contract::ReaderCase& test : contract::ReaderCases())
   {
     SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
     const vtkSmartPointer<vtkSurfaceFileReader> reader = test.Make();
     contract::Observed observed(reader);
     reader->SetFileName(folder.file("missing").c_str());
