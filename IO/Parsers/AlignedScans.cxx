@@ -157,7 +157,8 @@ private:
     }
     if (!result.Status.ok())
     {
-      this->Input.fail(result.Status.Code, "in " + conformal::quoted(name) + ": " + result.Status.text());
+      this->Input.fail(
+        result.Status.Code, "in " + conformal::quoted(name) + ": " + result.Status.text());
     }
     this->append(result.Data, rotationOf(motion, !this->Options.InvertRotation), motion);
   }

@@ -183,19 +183,26 @@ void Records::groupNeighbours()
   for (std::size_t i = 0; i < this->Fields.size();)
   {
     const RecordField& field = this->Fields[i];
-    std::vector<std::size_t> members;
-    for (; i < this->Fields.size() && this->Fields[i].IsKept && this->Slots[i].Array == None &&
-         this->Fields[i].Name == field.Name && this->Fields[i].Type == field.Type;
-         ++i)
-    {
-      members.push_back(i);
-    }
-    if (members.empty())
+    if (!field.IsKept || this->Slots[i].Array != None)
     {
       ++i;
       continue;
     }
-    this->addArray(field.Name, field.Type, members);
+    const auto goOn = [&](std::size_t next, const std::string& name)
+    {
+      return next < this->Fields.size() && this->Fields[next].IsKept &&
+        this->Slots[next].Array == None && this->Fields[next].Name == name &&
+        this->Fields[next].Type == field.Type;
+    };
+    const bool isFirst = field.Name.size() > 2 && field.Name.substr(field.Name.size() - 2) == "_0";
+    const std::string stem = isFirst ? field.Name.substr(0, field.Name.size() - 2) : "";
+    const bool isNumbered = isFirst && goOn(i + 1, stem + "_1") && !this->isTaken(stem);
+    std::vector<std::size_t> members;
+    do
+    {
+      members.push_back(i++);
+    } while (goOn(i, isNumbered ? stem + "_" + std::to_string(members.size()) : field.Name));
+    this->addArray(isNumbered ? stem : field.Name, field.Type, members);
   }
 }
 

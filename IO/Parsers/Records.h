@@ -19,8 +19,9 @@ struct RecordField
   bool IsKept = true; ///< otherwise it has no array, and its bytes are passed over
 };
 
-/// Fields that belong together share an array (see parsePLY()), and so do neighbours of one name
-/// and type; every other one has its own. A record that is given up is overwritten by the next one.
+/// Fields that belong together share an array (see parsePLY()), and so do neighbours of one type
+/// that have one name, or that are named NAME_0, NAME_1 and so on; every other one has its own. A
+/// record that is given up is overwritten by the next one.
 class Records
 {
 public:
