@@ -99,6 +99,34 @@ private:
   std::set<std::string> Names;
   std::string Text;
 };
+
+// Triangles between points that are those of the surface or others.
+std::string makeFreeSurfer(
+  const SurfaceData& surface, const NamedArray& points, double scale, const ParseProgress& progress)
+{
+  requireTriangles(surface);
+  std::string bytes = "\xFF\xFF\xFE"
+                      "created by ConformalSOM\n\n";
+  appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
+  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons(surface)), true);
+  walk(
+    surface, progress,
+    [&](std::size_t point)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        appendBytes(bytes, static_cast<float>(scale * valueOf(points, 3 * point + c)), true);
+      }
+    },
+    [&](std::size_t, const std::int64_t* ids, std::size_t count)
+    {
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        appendBytes(bytes, static_cast<std::int32_t>(ids[c]), true);
+      }
+    });
+  return bytes;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -154,28 +182,19 @@ std::string makePLY(const SurfaceData& surface, const ParseProgress& progress)
 //------------------------------------------------------------------------------
 std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress)
 {
-  requireTriangles(surface);
-  std::string bytes = "\xFF\xFF\xFE"
-                      "created by ConformalSOM\n\n";
-  appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
-  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons(surface)), true);
-  walk(
-    surface, progress,
-    [&](std::size_t point)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        appendBytes(bytes, static_cast<float>(valueOf(surface.Points, 3 * point + c)), true);
-      }
-    },
-    [&](std::size_t, const std::int64_t* ids, std::size_t count)
-    {
-      for (std::size_t c = 0; c < count; ++c)
-      {
-        appendBytes(bytes, static_cast<std::int32_t>(ids[c]), true);
-      }
-    });
-  return bytes;
+  return makeFreeSurfer(surface, surface.Points, 1.0, progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
+{
+  constexpr double radius = 100.0;
+  const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
+  if (!sphere)
+  {
+    throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
+  }
+  return makeFreeSurfer(surface, *sphere, radius, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -168,6 +168,10 @@ void BinaryTextDecoder::addBytes(const unsigned char* bytes, std::size_t count)
     throw BinaryTextError(
       "found more bytes than the " + std::to_string(this->Expected) + " of the dimensions");
   }
+  if (count == 0)
+  {
+    return;
+  }
   this->Bytes.extend(count);
   std::memcpy(this->Bytes.data() + this->Bytes.size() - count, bytes, count);
 }

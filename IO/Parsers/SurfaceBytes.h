@@ -30,6 +30,10 @@ std::string makePLY(const SurfaceData& surface, const ParseProgress& progress = 
 /// @throws std::invalid_argument if a polygon has more than 3 corners
 std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress = {});
 
+/// FreeSurfer's triangles on the sphere of radius 100: "SpherePosition" are the points.
+/// @throws std::invalid_argument if it is missing, or a polygon has more than 3 corners
+std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress = {});
+
 /// FreeSurfer's curv, the new layout, of an array of 1 component. Values are written as floats.
 std::string makeFreeSurferCurv(const NamedArray& values, std::size_t numberOfPolygons);
 
