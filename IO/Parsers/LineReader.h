@@ -7,6 +7,7 @@
 #include "NumberText.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -31,14 +32,11 @@ public:
   {
     this->Input.advance(this->Passed);
     this->Passed = 0;
-    std::size_t length = 0;
+    const std::uint64_t begin = this->Input.offset();
     for (std::string_view window = this->Input.peek(1); !window.empty();)
     {
-      const char* const data = window.data();
-      while (length < window.size() && data[length] != '\n' && data[length] != '\r')
-      {
-        ++length;
-      }
+      const std::size_t length =
+        std::min(this->LineFeed.find(window, begin), this->Return.find(window, begin));
       if (length + 1 < window.size() || window.size() == this->Input.left())
       {
         this->Text = window.substr(0, length);
@@ -72,7 +70,31 @@ public:
   }
 
 private:
+  // The next place of a letter, kept until it is passed: a text has but one sort of line end, and
+  // the other must not be looked for in all that is left at every line.
+  struct NextPlace
+  {
+    const char Letter;
+    std::uint64_t Offset = 0; ///< in the input
+    bool IsFound = false;     ///< otherwise it is not before Offset
+
+    // Place in a window that begins at that offset; the window's size if it is not there.
+    std::size_t find(std::string_view window, std::uint64_t begin)
+    {
+      if (!this->IsFound || this->Offset < begin)
+      {
+        const std::size_t from = this->Offset > begin ? this->Offset - begin : 0;
+        const std::size_t place = std::min(window.find(this->Letter, from), window.size());
+        this->IsFound = place < window.size();
+        this->Offset = begin + place;
+      }
+      return static_cast<std::size_t>(this->Offset - begin);
+    }
+  };
+
   ByteReader& Input;
+  NextPlace LineFeed = { '\n' };
+  NextPlace Return = { '\r' };
   std::string_view Text;
   std::size_t Passed = 0; ///< bytes of the line at hand with its end
 };

@@ -17,8 +17,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -125,14 +127,27 @@ void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes*
   }
 }
 
+// Ids of 4 bytes where they suffice: for a large cloud they would else be most of its memory.
+template <typename Ids>
 vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
 {
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetNumberOfValues(count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType(0));
+  const auto countUp = [](vtkIdType end)
+  {
+    auto numbers = vtkSmartPointer<Ids>::New();
+    numbers->SetNumberOfValues(end);
+    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + end, 0);
+    return numbers;
+  };
   auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(1, ids);
+  cells->SetData(countUp(count + 1), countUp(count));
   return cells;
+}
+
+vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
+{
+  return count < std::numeric_limits<vtkTypeInt32>::max()
+    ? VertexOfEachPoint<vtkTypeInt32Array>(count)
+    : VertexOfEachPoint<vtkTypeInt64Array>(count);
 }
 
 void Fill(vtkPolyData* output, conformal::SurfaceData& data)
