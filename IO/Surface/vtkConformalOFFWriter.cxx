@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkConformalOFFWriter);
 
 //------------------------------------------------------------------------------
-std::string vtkConformalOFFWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkConformalOFFWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  return conformal::makeOFF(surface, progress);
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makeOFF(surface, progress); });
 }
 
 //------------------------------------------------------------------------------

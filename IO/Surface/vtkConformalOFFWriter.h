@@ -29,8 +29,7 @@ protected:
   vtkConformalOFFWriter() = default;
   ~vtkConformalOFFWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkConformalOFFWriter(const vtkConformalOFFWriter&) = delete;

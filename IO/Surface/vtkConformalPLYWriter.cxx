@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkConformalPLYWriter);
 
 //------------------------------------------------------------------------------
-std::string vtkConformalPLYWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkConformalPLYWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  return conformal::makePLY(surface, progress);
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makePLY(surface, progress); });
 }
 
 //------------------------------------------------------------------------------

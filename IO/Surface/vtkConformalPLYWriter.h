@@ -30,8 +30,7 @@ protected:
   vtkConformalPLYWriter() = default;
   ~vtkConformalPLYWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkConformalPLYWriter(const vtkConformalPLYWriter&) = delete;

@@ -24,19 +24,22 @@ const conformal::NamedArray& Find(const conformal::SurfaceData& surface, const s
 }
 
 //------------------------------------------------------------------------------
-std::string vtkFreeSurferWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  if (this->Content == CURVATURE)
-  {
-    return conformal::makeFreeSurferCurv(
-      Find(surface, this->ArrayName), conformal::numberOfPolygons(surface));
-  }
-  if (this->Content == SPHERE)
-  {
-    return conformal::makeFreeSurferSphere(surface, progress);
-  }
-  return conformal::makeFreeSurferSurface(surface, progress);
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface)
+    {
+      if (this->Content == CURVATURE)
+      {
+        return conformal::makeFreeSurferCurv(
+          Find(surface, this->ArrayName), conformal::numberOfPolygons(surface));
+      }
+      if (this->Content == SPHERE)
+      {
+        return conformal::makeFreeSurferSphere(surface, progress);
+      }
+      return conformal::makeFreeSurferSurface(surface, progress);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -57,8 +57,7 @@ protected:
   vtkFreeSurferWriter() = default;
   ~vtkFreeSurferWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkFreeSurferWriter(const vtkFreeSurferWriter&) = delete;

@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkGIFTIWriter);
 
 //------------------------------------------------------------------------------
-std::string vtkGIFTIWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkGIFTIWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  return conformal::makeGIFTI(surface, progress);
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makeGIFTI(surface, progress); });
 }
 
 //------------------------------------------------------------------------------

@@ -28,8 +28,7 @@ protected:
   vtkGIFTIWriter() = default;
   ~vtkGIFTIWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkGIFTIWriter(const vtkGIFTIWriter&) = delete;

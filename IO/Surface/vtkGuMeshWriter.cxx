@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkGuMeshWriter);
 
 //------------------------------------------------------------------------------
-std::string vtkGuMeshWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkGuMeshWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  return conformal::makeGuMesh(surface, progress);
+  this->WriteSurface([&](const conformal::SurfaceData& surface)
+    { return conformal::makeGuMesh(surface, progress); });
 }
 
 //------------------------------------------------------------------------------

@@ -32,8 +32,7 @@ protected:
   vtkGuMeshWriter() = default;
   ~vtkGuMeshWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkGuMeshWriter(const vtkGuMeshWriter&) = delete;

@@ -148,12 +148,11 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
   }
   conformal::SurfaceData data;
   data.Points = ToNamedArray(surface->GetPoints()->GetData(), "Points");
-  conformal::NamedArray checked = ToNamedArray(surface->GetPoints()->GetData(), "Points");
   if (!isFloating(data.Points.Type))
   {
     throw WriteError(vtkErrorCode::UserError, "the points are neither floats nor doubles");
   }
-  if (conformal::replaceNonFinite(checked) > 0)
+  if (conformal::replaceNonFinite(data.Points) > 0)
   {
     throw WriteError(vtkErrorCode::UserError, "a coordinate is not finite");
   }

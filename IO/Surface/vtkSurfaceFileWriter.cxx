@@ -70,19 +70,12 @@ void vtkSurfaceFileWriter::WriteData()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceFileWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkSurfaceFileWriter::WriteSurface(
+  const std::function<std::string(const conformal::SurfaceData&)>& make)
 {
-  const conformal::SurfaceData surface =
-    vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0)));
-  const std::string bytes = this->MakeBytes(surface, progress);
+  const std::string bytes =
+    make(vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
   vtkSurfaceConversions::WriteTogether({ { this->FileName, bytes } });
-}
-
-//------------------------------------------------------------------------------
-std::string vtkSurfaceFileWriter::MakeBytes(
-  const conformal::SurfaceData&, const std::function<bool(double)>&)
-{
-  return {};
 }
 
 //------------------------------------------------------------------------------

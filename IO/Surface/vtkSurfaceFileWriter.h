@@ -52,13 +52,12 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 
-  // Write everything; the file's name is set. Exceptions become errors. By default the bytes of the
-  // input are written to one file.
-  virtual void WriteFiles(const std::function<bool(double)>& progress);
+  // Write everything; the file's name is set. Exceptions become errors.
+  virtual void WriteFiles(const std::function<bool(double)>& progress) = 0;
 
-  // Throws std::invalid_argument if the format cannot hold the surface.
-  virtual std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress);
+  // Write what is made of the input to the one file. A std::invalid_argument says that the format
+  // cannot hold the surface.
+  void WriteSurface(const std::function<std::string(const conformal::SurfaceData&)>& make);
 
   char* FileName = nullptr;
 

@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkTextCloudWriter);
 
 //------------------------------------------------------------------------------
-std::string vtkTextCloudWriter::MakeBytes(
-  const conformal::SurfaceData& surface, const std::function<bool(double)>& progress)
+void vtkTextCloudWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  return conformal::makeTextCloud(surface, progress);
+  this->WriteSurface([&](const conformal::SurfaceData& surface)
+    { return conformal::makeTextCloud(surface, progress); });
 }
 
 //------------------------------------------------------------------------------

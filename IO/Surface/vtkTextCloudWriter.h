@@ -30,8 +30,7 @@ protected:
   vtkTextCloudWriter() = default;
   ~vtkTextCloudWriter() override = default;
 
-  std::string MakeBytes(
-    const conformal::SurfaceData& surface, const std::function<bool(double)>& progress) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
   vtkTextCloudWriter(const vtkTextCloudWriter&) = delete;
