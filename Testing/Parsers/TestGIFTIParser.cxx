@@ -118,7 +118,7 @@ TEST(GIFTIParser, DecodesKnownTexts)
   EXPECT_EQ(decoded("eJzLSM3JyQcABiwCFQ==", 5, true), "hello"); // as Python's zlib writes it
   EXPECT_EQ(conformal::encodeBinaryText("Ma", false), "TWE=");
   std::string bytes;
-  for (int i = 0; i < 100000; ++i)
+  for (unsigned int i = 0; i < 100000; ++i)
   {
     bytes += static_cast<char>((i * i) >> 5);
   }
