@@ -3,8 +3,8 @@
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
 
+#include "NetworkShapes.h"
 #include "Parallel.h"
-#include "SchwarzChristoffel.h"
 #include "SphereLocator.h"
 #include "Types.h"
 
