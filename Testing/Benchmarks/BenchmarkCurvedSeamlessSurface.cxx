@@ -3,7 +3,7 @@
 #include "BenchmarkFixtures.h"
 #include "CurvedSeamlessSurface.h"
 #include "GeodesicSphere.h"
-#include "SchwarzChristoffel.h"
+#include "NetworkShapes.h"
 #include "SphereLocator.h"
 
 #include <benchmark/benchmark.h>
@@ -45,7 +45,7 @@ void surface(benchmark::State& state, int frequency, int surfaceFrequency, int t
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(conformal::buildCurvedSeamlessSurface(
-      network.Positions, model, network.Faces, directions, parallelFor));
+      network.Positions, model, network.Faces, directions, {}, nullptr, parallelFor));
   }
   state.counters["Points"] = static_cast<double>(directions.rows());
 }
