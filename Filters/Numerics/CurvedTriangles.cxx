@@ -14,11 +14,20 @@ CurvedTriangle::CurvedTriangle(
 {
   for (int k = 0; k < 3; ++k)
   {
-    this->Directions[k] = normals[k].stableNormalized();
+    this->Ends[k] = normals[k].stableNormalized();
     for (int j = 0; j < 3; ++j)
     {
       this->Rise(k, j) = (this->W[j] - this->W[k]).dot(this->N[k]);
     }
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    // The mean of the two normals, mirrored at the plane across the edge.
+    const Vector3 edge = this->W[(k + 2) % 3] - this->W[(k + 1) % 3];
+    const Vector3 sum = this->Ends[(k + 1) % 3] + this->Ends[(k + 2) % 3];
+    const double square = edge.squaredNorm();
+    this->Middles[k] =
+      (square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum).stableNormalized();
   }
 }
 
@@ -66,19 +75,9 @@ Eigen::Matrix3d CurvedTriangle::derivative(const Vector3& barycentric) const
 Vector3 CurvedTriangle::smoothNormal(const Vector3& barycentric) const
 {
   const Vector3& m = barycentric;
-  Vector3 ends = Vector3::Zero(), middles = Vector3::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    ends += m[k] * m[k] * this->Directions[k];
-    // The mean of the two normals, mirrored at the plane across the edge.
-    const Vector3 edge = this->W[j] - this->W[i];
-    const Vector3 sum = this->Directions[i] + this->Directions[j];
-    const double square = edge.squaredNorm();
-    const Vector3 middle = square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum;
-    const double length = middle.norm();
-    middles += m[i] * m[j] / (length > 0.0 ? length : 1.0) * middle;
-  }
+  const std::array<Vector3, 3>&e = this->Ends, &c = this->Middles;
+  const Vector3 ends = m[0] * m[0] * e[0] + m[1] * m[1] * e[1] + m[2] * m[2] * e[2];
+  const Vector3 middles = m[1] * m[2] * c[0] + m[2] * m[0] * c[1] + m[0] * m[1] * c[2];
   return (ends + middles).stableNormalized();
 }
 

@@ -56,8 +56,9 @@ public:
 private:
   Vector3 controlPoint(int k, int j) const;
 
-  std::array<Vector3, 3> W, N, Directions;
-  Eigen::Matrix3d Rise; // (w_j - w_k) n_k at (k, j)
+  std::array<Vector3, 3> W, N;
+  std::array<Vector3, 3> Ends, Middles; // of the quadratic field of normals
+  Eigen::Matrix3d Rise;                 // (w_j - w_k) n_k at (k, j)
 };
 
 /// Curved triangles over a mesh.

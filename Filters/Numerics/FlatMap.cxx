@@ -38,11 +38,15 @@ std::array<long, 3> roundedLengths(const Points& points, const Triangles& faces,
   Vector3 lengths;
   for (int k = 0; k < 3; ++k)
   {
-    lengths[k] = (points.row(faces(triangle, next(k))) - points.row(faces(triangle, previous(k))))
-                   .stableNorm();
+    lengths[k] =
+      (points.row(faces(triangle, next(k))) - points.row(faces(triangle, previous(k)))).norm();
   }
   const double sum = lengths.sum(), digits = 1e9;
-  lengths *= sum > 0.0 ? digits / sum : 0.0;
+  if (!(sum > 0.0) || !std::isfinite(sum))
+  {
+    return {};
+  }
+  lengths *= digits / sum;
   return { std::lround(lengths[0]), std::lround(lengths[1]), std::lround(lengths[2]) };
 }
 
@@ -91,7 +95,10 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& fac
     {
       for (Index r = begin; r < end; ++r)
       {
-        this->Order[r] = orderOf(sphere, model, faces, r);
+        if (this->Slides)
+        {
+          this->Order[r] = orderOf(sphere, model, faces, r);
+        }
         TriangleShape& shape = this->Model[r];
         shape =
           TriangleShape(model.row(faces(r, 0)), model.row(faces(r, 1)), model.row(faces(r, 2)));

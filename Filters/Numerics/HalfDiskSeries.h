@@ -107,6 +107,17 @@ inline double sumSeries(const double* coefficients, int terms, double s)
   return s * (odd + s * even);
 }
 
+/// 1, 1/2, 1/3, ...
+inline constexpr auto Reciprocals = []()
+{
+  std::array<double, MaximumTerms> result{};
+  for (int n = 0; n < MaximumTerms; ++n)
+  {
+    result[n] = 1.0 / (n + 1.0);
+  }
+  return result;
+}();
+
 /// The series of one corner. With f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n, d_0 = 1, the map
 /// is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
@@ -127,7 +138,7 @@ public:
       // (1 - s^2) f' = (2 (c - b) + 2 a s) f
       const int n = this->Terms;
       const double d =
-        (this->Twist * this->Last + (n - 1 + 2.0 * this->A) * this->BeforeLast) / (n + 1.0);
+        (this->Twist * this->Last + (n - 1 + 2.0 * this->A) * this->BeforeLast) * Reciprocals[n];
       this->Slope[n] = d;
       this->Map[n] = this->A * d / (n + 1.0 + this->A);
       this->BeforeLast = this->Last;

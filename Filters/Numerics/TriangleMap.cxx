@@ -192,7 +192,7 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
       const double step = -newton / (1.0 - 0.5 * newton * bend);
       point.LogS += step;
       point.S *= std::exp(step);
-      const double enough = 1e-5; // what is left is of the order of its cube
+      const double enough = 1e-4; // what is left is less than its cube
       if (std::abs(step) < enough)
       {
         return point;
