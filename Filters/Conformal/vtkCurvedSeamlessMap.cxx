@@ -119,9 +119,10 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   const conformal::Index degenerate = this->Surface->numberOfDegenerateTriangles();
   if (degenerate > 0)
   {
-    vtkWarningWithObjectMacro(self, << degenerate
-                                    << " triangles of the surface are degenerate: the construction "
-                                       "is replaced there by an affine map");
+    vtkWarningWithObjectMacro(
+      self, << degenerate
+            << " triangles of the surface are degenerate: they have no shape and are mapped "
+               "affinely, or would turn over and are flattened");
   }
 }
 

@@ -112,7 +112,7 @@ public:
   ///@{
   /**
    * FITTED: how often the closest points of the cloud's points are looked up and the surface drawn
-   * to them. In [0, 100]. Default is 4.
+   * to them. In [0, 100]. Default is 6.
    */
   vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
   vtkGetMacro(NumberOfFitRounds, int);
@@ -121,7 +121,7 @@ public:
   ///@{
   /**
    * FITTED: weight of a smooth surface against a close one, per point of a vertex. In [0, 1000].
-   * Default is 0.02; more irons out noise.
+   * Default is 0.01; more irons out noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);
@@ -164,7 +164,9 @@ public:
     vtkDataArray* points, vtkDoubleArray* directions, vtkDoubleArray* closestPoints = nullptr);
 
   /**
-   * Triangles of the surface without a shape in space or on the sphere.
+   * Triangles of the surface where the construction is replaced: without a shape in space or on the
+   * sphere, mapped affinely; with CURVATURE and FITTED those that would turn over, and are flatter;
+   * with PUBLISHED and SCALED those with a neighbor that faces the opposite way.
    */
   vtkIdType GetNumberOfDegenerateTriangles();
 
@@ -190,8 +192,8 @@ private:
   int SeamMode = EDGE_MATCHED;
   int DomeHeight = CURVATURE;
   double VertexShift = 0.75;
-  int NumberOfFitRounds = 4;
-  double FitSmoothness = 0.02;
+  int NumberOfFitRounds = 6;
+  double FitSmoothness = 0.01;
   std::unique_ptr<conformal::CurvedSeamlessSurface> Surface;
 };
 

@@ -26,9 +26,9 @@
  * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
  *   degenerate triangle of port 0.
  * - field array "NumberOfDegenerateTriangles" (vtkIdType): of the triangles of port 0, how many
- *   have no shape in space or on the sphere, or with DomeHeight PUBLISHED and SCALED a neighbor
- * that faces the opposite way. The construction is undefined there and replaced by an affine map,
- * or by the triangle's own normal; a warning tells.
+ *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
+ *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
+ *   faces the opposite way and use their own normal. A warning tells.
  *
  * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11 with
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Rounds of FITTED, in [0, 100]. Default is 4: vtkCurvedSeamlessMap::SetNumberOfFitRounds.
+   * Rounds of FITTED, in [0, 100]. Default is 6: vtkCurvedSeamlessMap::SetNumberOfFitRounds.
    */
   void SetNumberOfFitRounds(int rounds);
   int GetNumberOfFitRounds();
@@ -135,7 +135,7 @@ public:
 
   ///@{
   /**
-   * Smoothness of FITTED, in [0, 1000]. Default is 0.02: vtkCurvedSeamlessMap::SetFitSmoothness.
+   * Smoothness of FITTED, in [0, 1000]. Default is 0.01: vtkCurvedSeamlessMap::SetFitSmoothness.
    */
   void SetFitSmoothness(double smoothness);
   double GetFitSmoothness();

@@ -12,8 +12,8 @@ namespace conformal
 {
 struct CurvedTriangleFitOptions
 {
-  int NumberOfFitRounds = 4;   ///< at least 0
-  double FitSmoothness = 0.02; ///< not negative; larger values smooth noise
+  int NumberOfFitRounds = 6;   ///< at least 0
+  double FitSmoothness = 0.01; ///< not negative; larger values smooth noise
 };
 
 /// So many times: the foot point of every sample on the curved triangles, then one Gauss-Newton
