@@ -148,8 +148,11 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& fac
 //------------------------------------------------------------------------------
 EdgeShares FlatMap::Edge::image(const EdgeShares& t) const
 {
-  return sharesOf(std::exp(this->AtSecond * std::log(t.First) - this->HalfFactor),
-    std::exp(this->AtFirst * std::log(t.Second) + this->HalfFactor));
+  const double first = this->AtSecond * std::log(t.First) - this->HalfFactor,
+               second = this->AtFirst * std::log(t.Second) + this->HalfFactor;
+  const double ratio = std::exp(-std::abs(first - second));
+  const double larger = 1.0 / (1.0 + ratio), smaller = ratio * larger;
+  return first > second ? EdgeShares{ larger, smaller } : EdgeShares{ smaller, larger };
 }
 
 //------------------------------------------------------------------------------

@@ -191,12 +191,13 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
       const double newton = miss / slope;
       const double step = -newton / (1.0 - 0.5 * newton * bend);
       point.LogS += step;
-      point.S *= std::exp(step);
       const double enough = 1e-4; // what is left is less than its cube
       if (std::abs(step) < enough)
       {
+        point.S *= 1.0 + step * (1.0 + step * (0.5 + step / 6.0));
         return point;
       }
+      point.S *= std::exp(step);
     }
     // The other end is nearer.
     point.AtSecond = !point.AtSecond;
