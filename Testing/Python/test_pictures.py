@@ -11,6 +11,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
+import numpy as np
+
 import pictures
 import textures
 import webs
@@ -107,6 +109,44 @@ class TestPictures(unittest.TestCase):
 
     def test_smooth_surface_shaded(self):
         self.expect_actor("CurvedSeamlessSurface", pictures.actor_of(self.surface.GetOutput()))
+
+    def coarse_surface(self, frequency, dome_height, seam_mode="EdgeMatched"):
+        """The surface over a mesh that is coarse enough to see the construction."""
+        network = vtkConformalSOM()
+        network.SetInputData(self.scan)
+        network.SetFrequency(frequency)
+        surface = vtkCurvedSeamlessSurface()
+        surface.SetInputConnection(network.GetOutputPort())
+        surface.SetCloudData(self.scan)
+        surface.SetFrequency(120)
+        getattr(surface, "SetDomeHeightTo" + dome_height)()
+        getattr(surface, "SetSeamModeTo" + seam_mode)()
+        surface.Update()
+        return surface.GetOutput()
+
+    def test_dome_heights_over_a_coarse_mesh(self):
+        self.expect_actor("DomeHeights", *(
+            pictures.actor_of(self.coarse_surface(8, dome_height))
+            for dome_height in ("None", "Published", "Curvature", "Fitted")))
+
+    def test_lines_across_the_seams_of_a_coarse_mesh(self):
+        """Lines of constant direction break where the published map jumps."""
+        actors = []
+        for seam_mode in ("PerTriangle", "EdgeMatched"):
+            surface = self.coarse_surface(5, "Curvature", seam_mode)
+            directions = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
+            stripes = numpy_to_vtk(np.sin(40.0 * directions[:, 0]), deep=True)
+            surface.GetPointData().SetScalars(stripes)
+            actor = pictures.actor_of(surface)
+            actor.GetMapper().ScalarVisibilityOn()
+            actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+            black_and_white = vtkLookupTable()
+            black_and_white.SetNumberOfTableValues(2)
+            black_and_white.SetTableValue(0, 0.2, 0.24, 0.3, 1.0)
+            black_and_white.SetTableValue(1, 0.95, 0.92, 0.87, 1.0)
+            actor.GetMapper().SetLookupTable(black_and_white)
+            actors.append(actor)
+        self.expect_actor("SeamModes", *actors)
 
     def test_checkerboard_on_the_surface(self):
         self.expect_actor("SphericalTextureMap", painted_actor(self.surface.GetOutput()))
