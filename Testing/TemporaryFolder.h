@@ -9,6 +9,8 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 class TemporaryFolder
 {
@@ -38,6 +40,15 @@ public:
     std::ofstream file(std::filesystem::u8path(this->file(name)), std::ios::binary);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return this->file(name);
+  }
+
+  /// Write files of these names and bytes.
+  void write(const std::vector<std::pair<std::string, std::string>>& files) const
+  {
+    for (const auto& [name, bytes] : files)
+    {
+      this->write(name, bytes);
+    }
   }
 
   std::string read(const std::string& name) const

@@ -9,6 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkObject.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -83,45 +84,70 @@ conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
 }
 
 //------------------------------------------------------------------------------
-int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
+bool ReportErrors(vtkObject* self, const std::function<void()>& core)
 {
   try
   {
     core();
-    return 1;
-  }
-  catch (const conformal::Aborted&)
-  {
-    EmptyOutputs(self);
-    return 1;
+    return true;
   }
   catch (const std::bad_alloc&)
   {
-    EmptyOutputs(self);
     vtkErrorWithObjectMacro(self, << "out of memory");
   }
   catch (const std::exception& e)
   {
-    EmptyOutputs(self);
     vtkErrorWithObjectMacro(self, << e.what());
   }
-  return 0;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
+{
+  bool whole = true;
+  const bool good = ReportErrors(self,
+    [&]()
+    {
+      try
+      {
+        core();
+      }
+      catch (const conformal::Aborted&)
+      {
+        whole = false;
+      }
+    });
+  if (!good || !whole)
+  {
+    EmptyOutputs(self);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy)
+{
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    throw std::invalid_argument(std::string(what) + " must be an array of 3 components");
+  }
+  if (auto* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    return { floats->GetPointer(0), floats->GetNumberOfTuples() };
+  }
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(array))
+  {
+    return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
+  }
+  ToVectors(array, copy);
+  return copy;
 }
 
 //------------------------------------------------------------------------------
 conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
 {
-  vtkDataArray* data = points ? points->GetData() : nullptr;
-  if (auto* floats = vtkFloatArray::SafeDownCast(data))
-  {
-    return { floats->GetPointer(0), floats->GetNumberOfTuples() };
-  }
-  if (auto* doubles = vtkDoubleArray::SafeDownCast(data))
-  {
-    return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
-  }
-  copy = ToPoints(points);
-  return copy;
+  return points ? ViewVectors(points->GetData(), "points", copy) : conformal::PointView();
 }
 
 //------------------------------------------------------------------------------
@@ -215,6 +241,24 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions)
+{
+  vtkDataArray* array = surface->GetPointData()->GetArray(SpherePositionName());
+  if (!array)
+  {
+    return false;
+  }
+  if (!ToVectors(array, positions) || positions.rows() != surface->GetNumberOfPoints())
+  {
+    throw std::invalid_argument("the array SpherePosition has " +
+      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(array->GetNumberOfComponents()) + " components, but must have " +
+      std::to_string(surface->GetNumberOfPoints()) + " of 3");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors)
 {
   vtkNew<vtkDoubleArray> array;
@@ -270,6 +314,12 @@ void SetSurface(
 {
   surface->Initialize();
   SetPoints(surface, points);
+  SetTriangles(surface, triangles);
+}
+
+//------------------------------------------------------------------------------
+void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles)
+{
   vtkNew<vtkIdTypeArray> connectivity;
   connectivity->SetNumberOfValues(triangles.size());
   std::copy_n(triangles.data(), triangles.size(), connectivity->GetPointer(0));

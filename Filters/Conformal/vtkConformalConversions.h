@@ -12,6 +12,7 @@ class vtkAlgorithm;
 class vtkCellArray;
 class vtkDataArray;
 class vtkFieldData;
+class vtkObject;
 class vtkPoints;
 class vtkPointSet;
 class vtkPolyData;
@@ -31,6 +32,9 @@ conformal::ParallelFor SMPFor();
 /// Maps [0, 1] to [begin, end] of the filter's own progress.
 conformal::Progress ProgressOf(vtkAlgorithm* self, double begin = 0.0, double end = 1.0);
 
+/// Run the core. What it throws becomes an error of the object, and false.
+bool ReportErrors(vtkObject* self, const std::function<void()>& core);
+
 /// Run the core. What it throws becomes an error of the filter and 0; an abort asked for by the
 /// user is no error. In both cases the outputs are emptied, so that no partial result looks whole.
 /// The result is what RequestData should return.
@@ -49,6 +53,11 @@ conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy
 /// there are no ghosts.
 std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 
+/// The vectors of an array of 3 components where they lie, or else in the given copy, which must
+/// outlive the view.
+/// @throws std::invalid_argument if the array is missing or not of 3 components; what names it
+conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy);
+
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
@@ -56,6 +65,10 @@ bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 /// @throws std::invalid_argument if the point array is missing, is not of 3 components, or holds
 ///   a vector that is zero or not finite
 conformal::Points ToSpherePositions(vtkPolyData* surface);
+
+/// The vectors of the point array "SpherePosition" as they are; false if there is none.
+/// @throws std::invalid_argument if it is not one vector of 3 components for each point
+bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions);
 
 /// Add a point array of 3 doubles.
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
@@ -70,6 +83,9 @@ void AddNumber(vtkFieldData* data, const char* name, long long value);
 /// Points and triangles, replacing what the surface held.
 void SetSurface(
   vtkPolyData* surface, const conformal::Points& points, const conformal::Triangles& triangles);
+
+/// Triangles instead of the polygons a surface had.
+void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles);
 
 /// Replace a surface's points by doubles.
 void SetPoints(vtkPolyData* surface, const conformal::Points& points);

@@ -216,6 +216,9 @@ int vtkConformalSOM::RequestData(
         output->GetFieldData(), "UnsupportedFraction", result.UnsupportedFraction);
       vtkConformalConversions::AddNumber(
         output->GetFieldData(), "StartedFromHull", static_cast<long long>(result.Hulled));
+      const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
+      vtkConformalConversions::AddNumber(
+        output->GetFieldData(), "Polished", static_cast<long long>(polished));
       if (this->GenerateErrorScalars)
       {
         vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",

@@ -19,6 +19,8 @@
  * - field data "UnsupportedFraction" (1 value): share of the mesh's area that has no points where
  *   some are due; a lid over a hole in the scan, or a web between limbs. 0 in Online mode.
  * - field data "StartedFromHull" (1 value): whether Batch took the hull.
+ * - field data "Polished" (1 value): whether the triangles were fitted to the points by least
+ *   squares: Batch, unless NumberOfPolishRounds is 0.
  *
  * Output port 1: vtkTable, one row for each epoch (Online) or pass (Batch): "Frequency" of the
  * lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t),

@@ -4,46 +4,28 @@
 #include "GeodesicSphere.h"
 #include "VertexNormals.h"
 #include "vtkConformalConversions.h"
+#include "vtkCurvedSeamlessMap.h"
 #include "vtkMeshConversions.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <stdexcept>
-#include <string>
+#include <algorithm>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessSurface);
 
 namespace
 {
-// The array SpherePosition, if there is one; it has to be one vector for each point.
-bool ToSpherePositions(vtkPolyData* surface, conformal::Points& positions)
-{
-  vtkDataArray* array =
-    surface->GetPointData()->GetArray(vtkConformalConversions::SpherePositionName());
-  if (!array)
-  {
-    return false;
-  }
-  if (!vtkConformalConversions::ToVectors(array, positions) ||
-    positions.rows() != surface->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("the array SpherePosition has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-      std::to_string(array->GetNumberOfComponents()) + " components, but must have " +
-      std::to_string(surface->GetNumberOfPoints()) + " of 3");
-  }
-  return true;
-}
-
 // Directions and triangles in which the surface is wanted.
 conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
 {
@@ -53,45 +35,53 @@ conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
   }
   conformal::GeodesicSphere dense;
   dense.Faces = vtkConformalConversions::ToTriangles(sphere);
-  if (!ToSpherePositions(sphere, dense.Positions))
+  if (!vtkConformalConversions::FindSpherePositions(sphere, dense.Positions))
   {
     dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints());
   }
   return dense;
 }
 
-conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
+// A new point array of 3 doubles.
+vtkNew<vtkDoubleArray> Vectors(const char* name, conformal::Index size)
 {
-  conformal::Points all;
-  if (!ToSpherePositions(surface, all))
-  {
-    throw std::invalid_argument(
-      "the surface needs a point array SpherePosition: its map to the sphere");
-  }
-  conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
-  for (conformal::Index v = 0; v < positions.rows(); ++v)
-  {
-    positions.row(v) = all.row(pointIds[v]);
-  }
-  return positions;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(size);
+  return array;
 }
 
-conformal::Points Normals(
-  const conformal::CurvedSeamlessSurfaceResult& result, const conformal::Triangles& triangles)
+using VectorMap = Eigen::Map<conformal::Points>;
+
+VectorMap ViewOf(vtkDoubleArray* array)
 {
-  conformal::Points normals = conformal::vertexNormals(result.Positions, triangles);
+  return VectorMap(array->GetPointer(0), array->GetNumberOfTuples(), 3);
+}
+
+// Where the surface has no normals that are continuous, those of its triangles around each point.
+void SmoothNormals(
+  const VectorMap& positions, const conformal::Triangles& triangles, VectorMap normals)
+{
+  const conformal::Points smooth = conformal::vertexNormals(positions, triangles);
+  for (conformal::Index i = 0; i < normals.rows(); ++i)
+  {
+    if (!smooth.row(i).isZero(0.0))
+    {
+      normals.row(i) = smooth.row(i);
+    }
+  }
+}
+
+void FillGaps(VectorMap normals, const VectorMap& directions)
+{
   for (conformal::Index i = 0; i < normals.rows(); ++i)
   {
     if (normals.row(i).isZero(0.0))
     {
-      normals.row(i) = result.Normals.row(i);
-    }
-    if (normals.row(i).isZero(0.0))
-    {
-      normals.row(i) = result.Directions.row(i);
+      normals.row(i) = directions.row(i);
     }
   }
-  return normals;
 }
 
 vtkNew<vtkUnsignedCharArray> DegenerateCells(
@@ -116,8 +106,11 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
 //------------------------------------------------------------------------------
 vtkCurvedSeamlessSurface::vtkCurvedSeamlessSurface()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
+
+//------------------------------------------------------------------------------
+vtkCurvedSeamlessSurface::~vtkCurvedSeamlessSurface() = default;
 
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessSurface::SetSphereConnection(vtkAlgorithmOutput* output)
@@ -134,11 +127,9 @@ void vtkCurvedSeamlessSurface::SetSphereData(vtkPolyData* sphere)
 //------------------------------------------------------------------------------
 int vtkCurvedSeamlessSurface::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPointSet" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -157,29 +148,171 @@ int vtkCurvedSeamlessSurface::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
-      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface);
-      const conformal::Points positions = MapOf(surface, mesh.PointIds);
-      const conformal::GeodesicSphere dense = DenseSphere(sphere, this->Frequency);
-      const auto result = conformal::buildCurvedSeamlessSurface(positions, mesh.Points,
-        mesh.Triangles, dense.Positions, vtkConformalConversions::SMPFor(),
-        vtkConformalConversions::ProgressOf(this));
+      const bool fits = this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
+      const double shareOfMap = fits ? 0.9 : 0.5;
+      this->Map->BuildCore(this, surface, vtkPointSet::GetData(inputVector[2]),
+        vtkConformalConversions::ProgressOf(this, 0.0, shareOfMap));
+      // What is large is let go as soon as the output has it.
+      conformal::GeodesicSphere dense = DenseSphere(sphere, this->Frequency);
+      output->Initialize();
+      vtkConformalConversions::SetTriangles(output, dense.Faces);
+      const vtkNew<vtkDoubleArray> directions =
+        Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
+      ViewOf(directions) = conformal::unitVectors(dense.Positions, "direction");
+      dense.Positions.resize(0, 3);
 
-      vtkConformalConversions::SetSurface(output, result.Positions, dense.Faces);
-      vtkPointData* pointData = output->GetPointData();
-      vtkConformalConversions::AddVectors(
-        pointData, vtkConformalConversions::SpherePositionName(), result.Directions);
-      vtkConformalConversions::AddVectors(pointData, "Normals", Normals(result, dense.Faces));
-      pointData->SetActiveNormals("Normals");
-      output->GetCellData()->AddArray(DegenerateCells(dense.Faces, result.Degenerate));
-      vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegenerateTriangles",
-        static_cast<long long>(result.NumberOfDegenerateTriangles));
-      if (result.NumberOfDegenerateTriangles > 0)
+      const conformal::Index size = directions->GetNumberOfTuples();
+      const vtkNew<vtkDoubleArray> positions = Vectors("Points", size),
+                                   normals = Vectors("Normals", size);
+      std::vector<unsigned char> degenerate(size);
+      conformal::SurfaceSamples samples;
+      samples.Positions = positions->GetPointer(0);
+      samples.Normals = normals->GetPointer(0);
+      samples.Degenerate = degenerate.data();
+      conformal::evaluate(this->Map->Built(), { directions->GetPointer(0), size }, samples,
+        vtkConformalConversions::SMPFor(),
+        vtkConformalConversions::ProgressOf(this, shareOfMap, 1.0));
+      if (this->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE)
       {
-        vtkWarningMacro(<< result.NumberOfDegenerateTriangles
-                        << " triangles of the surface are degenerate: the construction is replaced "
-                           "there as the cell array Degenerate tells");
+        SmoothNormals(ViewOf(positions), dense.Faces, ViewOf(normals));
       }
+      FillGaps(ViewOf(normals), ViewOf(directions));
+
+      vtkNew<vtkPoints> points;
+      points->SetData(positions);
+      output->SetPoints(points);
+      output->GetPointData()->AddArray(directions);
+      output->GetPointData()->SetNormals(normals);
+      output->GetCellData()->AddArray(DegenerateCells(dense.Faces, degenerate));
+      vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegenerateTriangles",
+        static_cast<long long>(this->Map->GetNumberOfDegenerateTriangles()));
     });
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetCloudConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetCloudData(vtkPointSet* cloud)
+{
+  this->SetInputData(2, cloud);
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetSeamMode(int mode)
+{
+  this->Map->SetSeamMode(mode);
+}
+
+//------------------------------------------------------------------------------
+int vtkCurvedSeamlessSurface::GetSeamMode()
+{
+  return this->Map->GetSeamMode();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetSeamModeToPerTriangle()
+{
+  this->Map->SetSeamModeToPerTriangle();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetSeamModeToEdgeMatched()
+{
+  this->Map->SetSeamModeToEdgeMatched();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeight(int height)
+{
+  this->Map->SetDomeHeight(height);
+}
+
+//------------------------------------------------------------------------------
+int vtkCurvedSeamlessSurface::GetDomeHeight()
+{
+  return this->Map->GetDomeHeight();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeightToNone()
+{
+  this->Map->SetDomeHeightToNone();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeightToPublished()
+{
+  this->Map->SetDomeHeightToPublished();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeightToScaled()
+{
+  this->Map->SetDomeHeightToScaled();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeightToCurvature()
+{
+  this->Map->SetDomeHeightToCurvature();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetDomeHeightToFitted()
+{
+  this->Map->SetDomeHeightToFitted();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetVertexShift(double shift)
+{
+  this->Map->SetVertexShift(shift);
+}
+
+//------------------------------------------------------------------------------
+double vtkCurvedSeamlessSurface::GetVertexShift()
+{
+  return this->Map->GetVertexShift();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetNumberOfFitRounds(int rounds)
+{
+  this->Map->SetNumberOfFitRounds(rounds);
+}
+
+//------------------------------------------------------------------------------
+int vtkCurvedSeamlessSurface::GetNumberOfFitRounds()
+{
+  return this->Map->GetNumberOfFitRounds();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetFitSmoothness(double smoothness)
+{
+  this->Map->SetFitSmoothness(smoothness);
+}
+
+//------------------------------------------------------------------------------
+double vtkCurvedSeamlessSurface::GetFitSmoothness()
+{
+  return this->Map->GetFitSmoothness();
+}
+
+//------------------------------------------------------------------------------
+vtkCurvedSeamlessMap* vtkCurvedSeamlessSurface::GetMap()
+{
+  return this->Map;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkCurvedSeamlessSurface::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Map->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -187,4 +320,6 @@ void vtkCurvedSeamlessSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Map:\n";
+  this->Map->PrintSelf(os, indent.GetNextIndent());
 }

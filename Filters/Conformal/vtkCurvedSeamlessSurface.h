@@ -13,39 +13,47 @@
  * is one and from the coordinates otherwise, and is given its triangles. Without it a geodesic
  * sphere of the Frequency below is used.
  *
+ * Input port 2 (optional): vtkPointSet, the cloud that DomeHeight FITTED fits the surface to.
+ * Points that are not finite are left out with a warning, ghost points silently.
+ *
  * Output port 0: vtkPolyData, the surface, in the coordinates of port 0 as doubles.
  * - point array "SpherePosition" (double, 3 components): unit vector of each point.
- * - point array "Normals" (double, 3 components): mean of the normals of the triangles around each
- *   point, weighted by area. A point of no triangle has the normal of the flat triangle it comes
- *   from, or if that is degenerate its SpherePosition.
+ * - point array "Normals" (double, 3 components): outward. With DomeHeight CURVATURE and FITTED the
+ *   surface's normals for shading, which are continuous across the edges of port 0; else the mean
+ * of the normals of the triangles around each point, weighted by area. Where there is none it is
+ * the normal of the flat triangle the point comes from, or if that is degenerate its
+ * SpherePosition.
  * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
  *   degenerate triangle of port 0.
  * - field array "NumberOfDegenerateTriangles" (vtkIdType): of the triangles of port 0, how many
- * have no shape in space or on the sphere, or a neighbor that faces the opposite way. The
- * construction is undefined there and replaced by an affine map, or by the triangle's own normal; a
- * warning tells.
+ *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
+ *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
+ *   faces the opposite way and use their own normal. A warning tells.
  *
  * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11 with
- * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5) and the domes of the unit
- * sphere (Eq. 12).
+ * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
  *
- * Implementation note: the heights of the domes are multiplied by the model's largest distance from
- * the mean of its points, so that the model may have any unit and place.
- *
- * @warning
- * As published, each point of the surface is found by itself and the mesh has no gaps, but the map
- * from the sphere slips along the edges of port 0 where neighboring triangles differ in shape.
+ * Implementation note: the published maps slip along the edges of port 0, and the published domes
+ * bring the surface no closer to the object. Both are kept, as SeamMode PER_TRIANGLE and DomeHeight
+ * PUBLISHED. The defaults make one continuous one-to-one map of them, and domes that follow the
+ * surface's own curvature. vtkCurvedSeamlessMap has the properties, and evaluates the surface
+ * anywhere.
  *
  * @sa
- * vtkConformalSOM vtkGeodesicSphereSource vtkGenusZeroCheck vtkSphericalTextureMap
+ * vtkCurvedSeamlessMap vtkConformalSOM vtkGeodesicSphereSource vtkGenusZeroCheck
+ * vtkSphericalTextureMap
  */
 
 #ifndef vtkCurvedSeamlessSurface_h
 #define vtkCurvedSeamlessSurface_h
 
 #include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkNew.h"                    // for vtkNew
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkCurvedSeamlessMap;
+class vtkPointSet;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkCurvedSeamlessSurface : public vtkPolyDataAlgorithm
 {
@@ -74,9 +82,78 @@ public:
   vtkGetMacro(Frequency, int);
   ///@}
 
+  /**
+   * The cloud that DomeHeight FITTED fits the surface to: input port 2.
+   */
+  void SetCloudConnection(vtkAlgorithmOutput* output);
+
+  /**
+   * The same, as data.
+   */
+  void SetCloudData(vtkPointSet* cloud);
+
+  ///@{
+  /**
+   * EDGE_MATCHED (default) or PER_TRIANGLE: vtkCurvedSeamlessMap::SetSeamMode.
+   */
+  void SetSeamMode(int mode);
+  int GetSeamMode();
+  void SetSeamModeToPerTriangle();
+  void SetSeamModeToEdgeMatched();
+  ///@}
+
+  ///@{
+  /**
+   * CURVATURE (default), NONE, PUBLISHED, SCALED or FITTED: vtkCurvedSeamlessMap::SetDomeHeight.
+   * FITTED needs a cloud on input port 2.
+   */
+  void SetDomeHeight(int height);
+  int GetDomeHeight();
+  void SetDomeHeightToNone();
+  void SetDomeHeightToPublished();
+  void SetDomeHeightToScaled();
+  void SetDomeHeightToCurvature();
+  void SetDomeHeightToFitted();
+  ///@}
+
+  ///@{
+  /**
+   * How far the vertices of a mesh polished by least squares are moved, in [0, 1]. Default is 0.75:
+   * vtkCurvedSeamlessMap::SetVertexShift.
+   */
+  void SetVertexShift(double shift);
+  double GetVertexShift();
+  ///@}
+
+  ///@{
+  /**
+   * Rounds of FITTED, in [0, 100]. Default is 6: vtkCurvedSeamlessMap::SetNumberOfFitRounds.
+   */
+  void SetNumberOfFitRounds(int rounds);
+  int GetNumberOfFitRounds();
+  ///@}
+
+  ///@{
+  /**
+   * Smoothness of FITTED, in [0, 1000]. Default is 0.01: vtkCurvedSeamlessMap::SetFitSmoothness.
+   */
+  void SetFitSmoothness(double smoothness);
+  double GetFitSmoothness();
+  ///@}
+
+  /**
+   * The map that the output was sampled from by the last Update(); before, there is none built.
+   */
+  vtkCurvedSeamlessMap* GetMap();
+
+  /**
+   * Also when a property of the map was changed.
+   */
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkCurvedSeamlessSurface();
-  ~vtkCurvedSeamlessSurface() override = default;
+  ~vtkCurvedSeamlessSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -86,6 +163,7 @@ private:
   void operator=(const vtkCurvedSeamlessSurface&) = delete;
 
   int Frequency = 80;
+  vtkNew<vtkCurvedSeamlessMap> Map;
 };
 
 #endif

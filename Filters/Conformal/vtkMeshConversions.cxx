@@ -3,10 +3,10 @@
 #include "GenusZeroCheck.h"
 #include "vtkConformalConversions.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 
@@ -163,7 +163,7 @@ conformal::Triangles ToTriangles(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface)
+ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface)
 {
   ClosedMesh mesh;
   conformal::Triangles& triangles = mesh.Triangles;
@@ -226,7 +226,7 @@ ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-conformal::MappedMesh ToMappedMesh(vtkAlgorithm* self, vtkPolyData* surface)
+conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface)
 {
   const ClosedMesh closed = ToClosedMesh(self, surface);
   const conformal::Points map = ToSpherePositions(surface);

@@ -9,7 +9,7 @@
 
 #include <vector> // for maps of ids
 
-class vtkAlgorithm;
+class vtkObject;
 class vtkPolyData;
 
 namespace vtkConformalConversions
@@ -32,17 +32,17 @@ struct ClosedMesh
 };
 
 /// Make a closed mesh of a surface, or say why not. Repairs what can be repaired without a loss,
-/// each with one warning of the filter: coincident points of open edges are merged (polygon
+/// each with one warning of the object: coincident points of open edges are merged (polygon
 /// soups), triangles of a repeated point dropped, triangles turned to agree with the most,
 /// isolated points dropped.
 /// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
 ///   open, not manifold, in several pieces, or of another genus
-ClosedMesh ToClosedMesh(vtkAlgorithm* self, vtkPolyData* surface);
+ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface);
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".
 /// @throws std::invalid_argument also if that array cannot be used
-conformal::MappedMesh ToMappedMesh(vtkAlgorithm* self, vtkPolyData* surface);
+conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "GenusZeroCheck.h"
 #include "MeshTopology.h"
 #include "SphereCoverage.h"
+#include "VertexNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +16,21 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-Points unitVectors(const Points& vectors, const char* what)
+void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* what)
 {
-  Points units(vectors.rows(), 3);
-  for (Index i = 0; i < units.rows(); ++i)
+  if (!surface.differentiable())
   {
-    units.row(i) = vectors.row(i).stableNormalized();
-    if (!(std::abs(units.row(i).squaredNorm() - 1.0) < 0.5)) // zero and infinity stay as they are
-    {
-      throw std::invalid_argument(
-        std::string(what) + " " + std::to_string(i) + " is zero or not finite: no direction");
-    }
+    throw std::invalid_argument(std::string("domes of the sphere have no ") + what +
+      ": take DomeHeight None, Curvature or Fitted");
   }
-  return units;
+}
+
+/// |J u x J v| for u, v, p orthonormal: J's cofactors take u x v = p to J u x J v.
+double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
+{
+  Eigen::Matrix3d cofactors;
+  cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
+  return (cofactors * p).norm();
 }
 
 /// The faces turned to be counter-clockwise on the sphere, or an exception if it is not covered
@@ -52,15 +55,39 @@ Triangles facesOfMap(const Points& sphere, const Triangles& faces)
 }
 
 //------------------------------------------------------------------------------
+Points unitVectors(const PointView& vectors, const char* what)
+{
+  Points units(vectors.size(), 3);
+  for (Index i = 0; i < units.rows(); ++i)
+  {
+    const Vector3 x = vectors[i];
+    const double length = x.stableNorm();
+    if (!(length > 0.0) || !std::isfinite(length))
+    {
+      throw std::invalid_argument(
+        std::string(what) + " " + std::to_string(i) + " is zero or not finite: no direction");
+    }
+    units.row(i) = x / length;
+  }
+  return units;
+}
+
+//------------------------------------------------------------------------------
 CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points& model,
-  const Triangles& faces, const ParallelFor& parallelFor, const Progress& progress)
-  : Sphere(unitVectors(sphere, "sphere position"))
+  const Triangles& faces, const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
+  const ParallelFor& parallelFor, const Progress& progress)
+  : Options(options)
+  , Sphere(unitVectors(sphere, "sphere position"))
   , Model(model)
   , Faces(facesOfMap(this->Sphere, faces))
 {
   if (sphere.rows() != model.rows() || !model.allFinite())
   {
     throw std::invalid_argument("the model needs one finite position for each sphere position");
+  }
+  if (!(options.VertexShift >= 0.0 && options.VertexShift <= 1.0))
+  {
+    throw std::invalid_argument("VertexShift must lie in [0, 1]");
   }
   const Vector3 mean = model.colwise().mean();
   Points centered = model.rowwise() - mean.transpose();
@@ -70,190 +97,320 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
     centered /= this->HeightUnit;
   }
   const double rounding = 1e-12;
-  const bool insideOut = signedVolume(centered, this->Faces) < -rounding;
+  this->InsideOut = signedVolume(centered, this->Faces) < -rounding;
   report(progress, 0.2);
   this->Neighbors = triangleNeighbors(this->Faces, model.rows());
-  this->Locator = SphereLocator(this->Sphere, this->Faces);
+  this->Locator = SphereLocator(this->Sphere, this->Faces, this->Neighbors);
+  report(progress, 0.4);
+  this->Flat =
+    FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode, parallelFor);
   report(progress, 0.5);
-  this->Network = NetworkShapes(this->Sphere, this->Faces, parallelFor);
-  report(progress, 0.6);
-  this->Shapes.resize(faces.rows());
-  this->Centers.resize(faces.rows(), 3);
-  this->Normals.resize(faces.rows(), 3);
-  this->Degenerate.assign(faces.rows(), 0);
-  forBlocks(parallelFor, faces.rows(), BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index r = begin; r < end; ++r)
-      {
-        const auto ids = this->Faces.row(r);
-        const Vector3 i = model.row(ids[0]), j = model.row(ids[1]), k = model.row(ids[2]);
-        this->Shapes[r] = TriangleShape(i, j, k);
-        this->Normals.row(r).setZero();
-        if (!this->Shapes[r].degenerate())
-        {
-          const Vector3 normal =
-            (j - i).stableNormalized().cross((k - i).stableNormalized()).normalized();
-          this->Normals.row(r) = insideOut ? -normal : normal;
-        }
-        this->Centers.row(r) =
-          this->Network.toModel(r, this->Shapes[r], Vector3::Constant(1.0 / 3.0));
-      }
-    });
-  forBlocks(parallelFor, faces.rows(), BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index r = begin; r < end; ++r)
-      {
-        bool defined = !this->Shapes[r].degenerate() && !this->Network.degenerate(r);
-        for (int k = 0; k < 3; ++k)
-        {
-          Vector3 unused;
-          defined = this->edgeDirection(r, k, unused) && defined;
-        }
-        this->Degenerate[r] = defined ? 0 : 1;
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-Vector3 CurvedSeamlessSurface::modelPoint(Index triangle, const Vector3& barycentric) const
-{
-  const auto ids = this->Faces.row(triangle);
-  return barycentric[0] * this->Model.row(ids[0]) + barycentric[1] * this->Model.row(ids[1]) +
-    barycentric[2] * this->Model.row(ids[2]);
-}
-
-//------------------------------------------------------------------------------
-// Eq. 8, for the edge opposite to a corner. False, with the own normal, where it is 0/0.
-bool CurvedSeamlessSurface::edgeDirection(Index triangle, int opposite, Vector3& direction) const
-{
-  const Vector3 own = this->Normals.row(triangle);
-  const Vector3 sum =
-    own + Vector3(this->Normals.row(this->Neighbors(triangle, (opposite + 1) % 3)));
-  const double size = sum.norm();
-  const double rounding = 1e-12;
-  const bool defined = size > rounding;
-  direction = defined ? Vector3(sum / size) : own;
-  return defined;
-}
-
-//------------------------------------------------------------------------------
-// Steps 8 and 9: n_q', Eq. 11.
-Vector3 CurvedSeamlessSurface::direction(Index triangle, const Vector3& barycentric) const
-{
-  // q' = s c_w + ...: of the three subtriangles, that with the smallest s holds it.
-  const Vector3 center = this->Centers.row(triangle);
-  int k = 0;
-  double s = 2.0;
-  for (int corner = 0; corner < 3; ++corner)
+  if (this->differentiable())
   {
-    const double ofCenter = barycentric[corner] == 0.0 ? 0.0 : barycentric[corner] / center[corner];
-    if (ofCenter < s)
+    this->curve(cloud, parallelFor, partOf(progress, 0.5, 1.0));
+  }
+  else
+  {
+    this->Domes = SphereDomes(this->Sphere, this->Model, this->Faces, this->Neighbors, this->Flat,
+      this->InsideOut, parallelFor);
+    this->scaleDomes();
+  }
+  this->Degenerate.resize(faces.rows(), 0);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    this->Degenerate[r] |=
+      this->Flat.degenerate(r) || !(this->differentiable() || this->Domes.defined(r));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurvedSeamlessSurface::curve(
+  const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
+{
+  Points normals = Points::Zero(this->Model.rows(), 3);
+  if (this->Options.DomeHeight != DomeHeight::None)
+  {
+    normals = vertexNormals(this->Model, this->Faces);
+  }
+  this->Curved = CurvedTriangles(this->Model, normals, this->Faces);
+  if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
+  {
+    const Points lowered = lowerVertices(this->Curved, this->Options.VertexShift);
+    this->Curved = CurvedTriangles(lowered, vertexNormals(lowered, this->Faces), this->Faces);
+  }
+  if (this->Options.DomeHeight == DomeHeight::Fitted)
+  {
+    if (!cloud || cloud->empty())
     {
-      s = ofCenter;
-      k = corner;
+      throw std::invalid_argument("domes can be fitted to a cloud only, and there is none");
+    }
+    this->Curved =
+      fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, parallelFor, progress);
+  }
+  this->Degenerate = flattenFolds(this->Curved, parallelFor);
+}
+
+//------------------------------------------------------------------------------
+// Root of the areas around each vertex, model to network. Scaled domes rise by it, published ones
+// by the largest radius.
+void CurvedSeamlessSurface::scaleDomes()
+{
+  this->Scales.assign(this->Model.rows(), this->HeightUnit);
+  if (this->Options.DomeHeight != DomeHeight::Scaled)
+  {
+    return;
+  }
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Model.rows());
+  Eigen::VectorXd solidAngles = areas;
+  const auto area = [&](const Points& points, Index r, double unit)
+  {
+    const Vector3 a = points.row(this->Faces(r, 0)) / unit,
+                  b = points.row(this->Faces(r, 1)) / unit,
+                  c = points.row(this->Faces(r, 2)) / unit;
+    return (b - a).cross(c - a).norm();
+  };
+  const double unit = this->HeightUnit > 0.0 ? this->HeightUnit : 1.0;
+  for (Index r = 0; r < this->Faces.rows(); ++r)
+  {
+    const double ofModel = area(this->Model, r, unit), ofSphere = area(this->Sphere, r, 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[this->Faces(r, k)] += ofModel;
+      solidAngles[this->Faces(r, k)] += ofSphere;
     }
   }
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
-  const double betaI = std::max(0.0, barycentric[i] - s * center[i]);
-  const double betaJ = std::max(0.0, barycentric[j] - s * center[j]);
-
-  // Along the edge from w_i to w_j, of length 1, the foot of c_w is at x, that of q' at
-  // s x + betaJ. The subtriangle rises evenly from w_i to c_w and falls evenly from there to w_j,
-  // so that |q' - a| / |b - a| is, on these two sides:
-  const auto ids = this->Faces.row(triangle);
-  const Vector3 wI = this->Model.row(ids[i]);
-  const Vector3 edge = Vector3(this->Model.row(ids[j])) - wI;
-  const double length2 = edge.squaredNorm();
-  const double x =
-    length2 > 0.0 ? (this->modelPoint(triangle, center) - wI).dot(edge) / length2 : 0.5;
-  const auto quotient = [](double part, double rest)
-  { return part + rest > 0.0 ? part / (part + rest) : 1.0; };
-  double share = 1.0;
-  if (x > 0.0)
+  for (std::size_t i = 0; i < this->Scales.size(); ++i)
   {
-    share = quotient(betaJ, s * x);
+    this->Scales[i] = solidAngles[i] > 0.0 ? unit * std::sqrt(areas[i] / solidAngles[i]) : 0.0;
   }
-  if (x < 1.0)
-  {
-    share = std::min(share, quotient(betaI, s * (1.0 - x)));
-  }
-
-  Vector3 onEdge;
-  this->edgeDirection(triangle, k, onEdge);
-  const Vector3 own = this->Normals.row(triangle);
-  return (share * (onEdge - own) + own).stableNormalized();
 }
 
 //------------------------------------------------------------------------------
-CurvedSeamlessSurface::Image CurvedSeamlessSurface::evaluate(const Vector3& direction) const
+Vector3 CurvedSeamlessSurface::onSphere(Index triangle, const Vector3& barycentric) const
 {
-  const SphereLocation location = this->Locator.locate(direction);
-  const Index r = location.Triangle;
-  if (r < 0)
+  Vector3 flat = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
   {
-    throw std::invalid_argument("not a unit vector");
+    flat += barycentric[k] * this->Sphere.row(this->Faces(triangle, k)).transpose();
   }
-  const Vector3& l = location.Barycentric;
-  const auto ids = this->Faces.row(r);
-  const Vector3 n0 = this->Sphere.row(ids[0]), n1 = this->Sphere.row(ids[1]),
-                n2 = this->Sphere.row(ids[2]);
+  return flat.normalized();
+}
 
-  // |p - p'| = 1 - |p'|, without the difference: 1 - |p'|^2 is a sum over the edges.
-  const double deficit = l[0] * l[1] * (n1 - n0).squaredNorm() +
-    l[1] * l[2] * (n2 - n1).squaredNorm() + l[2] * l[0] * (n0 - n2).squaredNorm();
-  const double height = deficit / (1.0 + std::sqrt(std::max(0.0, 1.0 - deficit)));
+//------------------------------------------------------------------------------
+// Rows: the change of the barycentric coordinates of p' with p.
+Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3& direction) const
+{
+  Eigen::Matrix3d slopes;
+  Vector3 sides;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 a = this->Sphere.row(this->Faces(triangle, (k + 1) % 3)),
+                  b = this->Sphere.row(this->Faces(triangle, (k + 2) % 3));
+    slopes.row(k) = a.cross(b - a); // of det(a, b, p), with p
+    sides[k] = (a - direction).cross(b - direction).dot(direction);
+  }
+  const double sum = sides.sum();
+  return (slopes - sides / sum * slopes.colwise().sum()) / sum;
+}
 
-  const Vector3 flat = this->Network.toModel(r, this->Shapes[r], l);
+//------------------------------------------------------------------------------
+void CurvedSeamlessSurface::Evaluator::moveTo(Index triangle)
+{
+  if (triangle != this->Last)
+  {
+    this->Last = static_cast<int>(triangle);
+    this->Flat.emplace(this->Surface.Flat, triangle);
+    if (this->Surface.differentiable())
+    {
+      this->Curved = this->Surface.Curved[triangle];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::onDomes(
+  Index triangle, const Vector3& p, const Vector3& q) const
+{
+  const CurvedSeamlessSurface& s = this->Surface;
+  const auto ids = s.Faces.row(triangle);
   Image image;
-  image.Triangle = location.Triangle;
-  image.Position = this->modelPoint(r, flat);
+  image.Position =
+    q[0] * s.Model.row(ids[0]) + q[1] * s.Model.row(ids[1]) + q[2] * s.Model.row(ids[2]);
+  image.Normal = s.Domes.normal(triangle);
+  image.Triangle = static_cast<int>(triangle);
+  const double height = s.Domes.height(triangle, p);
   if (height > 0.0)
   {
-    image.Position += this->HeightUnit * height * this->direction(r, flat);
+    const double scale =
+      p[0] * s.Scales[ids[0]] + p[1] * s.Scales[ids[1]] + p[2] * s.Scales[ids[2]];
+    image.Position += scale * height * s.Domes.direction(triangle, q);
   }
   return image;
 }
 
 //------------------------------------------------------------------------------
+CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
+  const Vector3& direction, Eigen::Matrix3d* derivative)
+{
+  const CurvedSeamlessSurface& s = this->Surface;
+  if (derivative)
+  {
+    requireDifferentiable(s, "derivative along their ridges");
+  }
+  const SphereLocation location = s.Locator.locate(direction, this->Last);
+  const int r = location.Triangle;
+  if (r < 0)
+  {
+    throw std::invalid_argument("not a unit vector");
+  }
+  this->moveTo(r);
+  Eigen::Matrix3d ofMap;
+  const Vector3& p = location.Barycentric;
+  const Vector3 q = this->Flat->toModel(p, derivative ? &ofMap : nullptr);
+  if (!s.differentiable())
+  {
+    return this->onDomes(r, p, q);
+  }
+  Image image;
+  image.Triangle = r;
+  image.Position = this->Curved.position(q);
+  image.Normal = s.Options.DomeHeight == DomeHeight::None ? this->Curved.surfaceNormal(q)
+                                                          : this->Curved.smoothNormal(q);
+  if (s.InsideOut)
+  {
+    image.Normal = -image.Normal;
+  }
+  if (derivative && s.Flat.degenerate(r))
+  {
+    derivative->setZero();
+  }
+  else if (derivative)
+  {
+    *derivative = this->Curved.derivative(q) * ofMap * s.projection(r, direction);
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedSeamlessSurface::Evaluator::direction(Index triangle, const Vector3& barycentric)
+{
+  this->moveTo(triangle);
+  return this->Surface.onSphere(triangle, this->Flat->toNetwork(barycentric));
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessInverse::CurvedSeamlessInverse(const CurvedSeamlessSurface& surface)
+  : Tree(surface.curvedTriangles())
+{
+  requireDifferentiable(surface, "inverse");
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessInverse::Foot CurvedSeamlessInverse::evaluate(
+  const Vector3& point, CurvedSeamlessSurface::Evaluator& evaluator, int hint) const
+{
+  Foot foot;
+  foot.OnSurface = this->Tree.closestPoint(point, hint);
+  foot.Direction = evaluator.direction(foot.OnSurface.Triangle, foot.OnSurface.Barycentric);
+  return foot;
+}
+
+//------------------------------------------------------------------------------
+void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
+  const SurfaceSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+{
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  if (samples.differentiates())
+  {
+    requireDifferentiable(surface, "derivative along their ridges");
+  }
+  forBlocks(parallelFor, directions.size(), BlockSize, progress,
+    [&](Index begin, Index end)
+    {
+      CurvedSeamlessSurface::Evaluator evaluator(surface);
+      for (Index i = begin; i < end; ++i)
+      {
+        Eigen::Matrix3d derivative;
+        const CurvedSeamlessSurface::Image image =
+          evaluator.evaluate(directions[i], samples.differentiates() ? &derivative : nullptr);
+        if (samples.Positions)
+        {
+          Eigen::Map<Vector3>(samples.Positions + 3 * i) = image.Position;
+        }
+        if (samples.Normals)
+        {
+          Eigen::Map<Vector3>(samples.Normals + 3 * i) = image.Normal;
+        }
+        if (samples.Derivatives)
+        {
+          Eigen::Map<RowMajor>(samples.Derivatives + 9 * i) = derivative;
+        }
+        if (samples.Metrics)
+        {
+          Eigen::Map<RowMajor>(samples.Metrics + 9 * i) = derivative.transpose() * derivative;
+        }
+        if (samples.AreaElements)
+        {
+          samples.AreaElements[i] = areaElement(derivative, directions[i]);
+        }
+        if (samples.Degenerate)
+        {
+          samples.Degenerate[i] = surface.degenerate()[image.Triangle];
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
+  double* feet, const ParallelFor& parallelFor, const Progress& progress)
+{
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    if (!points[i].allFinite())
+    {
+      throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
+    }
+  }
+  const CurvedSeamlessInverse inverse(surface);
+  forBlocks(parallelFor, points.size(), BlockSize, progress,
+    [&](Index begin, Index end)
+    {
+      CurvedSeamlessSurface::Evaluator evaluator(surface);
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const CurvedSeamlessInverse::Foot foot = inverse.evaluate(points[i], evaluator, hint);
+        hint = foot.OnSurface.Triangle;
+        Eigen::Map<Vector3>(directions + 3 * i) = foot.Direction;
+        if (feet)
+        {
+          Eigen::Map<Vector3>(feet + 3 * i) = foot.OnSurface.Position;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, const Points& model,
-  const Triangles& faces, const Points& directions, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const Triangles& faces, const Points& directions, const CurvedSeamlessSurfaceOptions& options,
+  const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
 {
   report(progress, 0.0);
-  const double shareOfMesh = 0.5;
+  const double shareOfMesh = options.DomeHeight == DomeHeight::Fitted ? 0.95 : 0.5;
+  const CurvedSeamlessSurface surface(
+    sphere, model, faces, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
   CurvedSeamlessSurfaceResult result;
   result.Directions = unitVectors(directions, "direction");
-  const Points& units = result.Directions;
-  const CurvedSeamlessSurface surface(sphere, model, faces, parallelFor,
-    [&](double fraction)
-    {
-      report(progress, shareOfMesh * fraction);
-      return true;
-    });
-  result.NumberOfDegenerateTriangles =
-    std::count(surface.degenerate().begin(), surface.degenerate().end(), 1);
-  result.Positions.resize(units.rows(), 3);
-  result.Normals.resize(units.rows(), 3);
-  result.Degenerate.resize(units.rows());
-  const Index chunk = 256 * BlockSize;
-  for (Index first = 0; first < units.rows(); first += chunk)
-  {
-    const double fraction = static_cast<double>(first) / static_cast<double>(units.rows());
-    report(progress, shareOfMesh + (1.0 - shareOfMesh) * fraction);
-    forBlocks(parallelFor, std::min(chunk, units.rows() - first), BlockSize,
-      [&](Index begin, Index end)
-      {
-        for (Index i = first + begin; i < first + end; ++i)
-        {
-          const CurvedSeamlessSurface::Image image = surface.evaluate(units.row(i));
-          result.Positions.row(i) = image.Position;
-          result.Normals.row(i) = surface.normal(image.Triangle);
-          result.Degenerate[i] = surface.degenerate()[image.Triangle];
-        }
-      });
-  }
+  result.Positions.resize(directions.rows(), 3);
+  result.Normals.resize(directions.rows(), 3);
+  result.Degenerate.resize(directions.rows());
+  result.NumberOfDegenerateTriangles = surface.numberOfDegenerateTriangles();
+  SurfaceSamples samples;
+  samples.Positions = result.Positions.data();
+  samples.Normals = result.Normals.data();
+  samples.Degenerate = result.Degenerate.data();
+  evaluate(surface, result.Directions, samples, parallelFor, partOf(progress, shareOfMesh, 1.0));
   report(progress, 1.0);
   return result;
 }

@@ -1,5 +1,6 @@
 #include "Distortion.h"
 
+#include "SphereOrientation.h"
 #include "UnitBox.h"
 
 #include <algorithm>
@@ -85,12 +86,13 @@ double sumOf(const std::vector<double>& values)
 
 struct Measured
 {
-  std::vector<double> MeshAreas, SphereAreas, SolidAngles, Determinants;
+  std::vector<double> MeshAreas, SphereAreas, SolidAngles;
+  std::vector<int> Orientations;
   explicit Measured(Index size)
     : MeshAreas(size)
     , SphereAreas(size)
     , SolidAngles(size)
-    , Determinants(size)
+    , Orientations(size)
   {
   }
 };
@@ -108,7 +110,7 @@ void summarize(Distortion& result, const Measured& measured)
   std::vector<char> counts(result.AngleDistortion.size());
   for (std::size_t r = 0; r < counts.size(); ++r)
   {
-    result.NumberOfFlippedTriangles += sign * measured.Determinants[r] <= 0.0;
+    result.NumberOfFlippedTriangles += sign * measured.Orientations[r] <= 0.0;
     const double log =
       std::log(measured.SphereAreas[r] / sphereArea) - std::log(measured.MeshAreas[r] / meshArea);
     counts[r] = std::isfinite(result.QuasiConformalError[r]) && std::isfinite(log);
@@ -175,7 +177,7 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
         measured.MeshAreas[r] = areaOf(a);
         measured.SphereAreas[r] = areaOf(b);
         measured.SolidAngles[r] = solidAngle(b);
-        measured.Determinants[r] = b[0].dot(b[1].cross(b[2]));
+        measured.Orientations[r] = orientation(b[0], b[1], b[2]);
         result.AngleDistortion[r] = angleChange(a, b);
         result.QuasiConformalError[r] = dilatation(a, b);
       }

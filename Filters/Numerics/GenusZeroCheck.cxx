@@ -40,20 +40,32 @@ struct Side
 
 using Sides = std::vector<Side>;
 
-// Sides of one edge lie next to each other.
+// Sides of one edge lie next to each other. First put together by their smaller id, then sorted.
 Sides sortedSides(const Triangles& triangles)
 {
-  Sides sides;
-  sides.reserve(triangles.size());
-  for (Index r = 0; r < triangles.rows(); ++r)
+  const int size = triangles.rows() > 0 ? triangles.maxCoeff() + 1 : 0;
+  std::vector<int> ends(size + 1, 0);
+  const auto forEachSide = [&](const auto& body)
   {
-    for (int k = 0; k < 3 && !repeatsVertex(triangles, r); ++k)
+    for (Index r = 0; r < triangles.rows(); ++r)
     {
-      const int from = triangles(r, k), to = triangles(r, (k + 1) % 3);
-      sides.push_back({ std::min(from, to), std::max(from, to), static_cast<int>(r), from < to });
+      for (int k = 0; k < 3 && !repeatsVertex(triangles, r); ++k)
+      {
+        const int from = triangles(r, k), to = triangles(r, (k + 1) % 3);
+        body(Side{ std::min(from, to), std::max(from, to), static_cast<int>(r), from < to });
+      }
     }
+  };
+  forEachSide([&](const Side& side) { ++ends[side.Low + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  Sides sides(ends.back());
+  forEachSide([&](const Side& side) { sides[ends[side.Low]++] = side; });
+  int begin = 0;
+  for (int v = 0; v < size; ++v)
+  {
+    std::sort(sides.begin() + begin, sides.begin() + ends[v]);
+    begin = ends[v];
   }
-  std::sort(sides.begin(), sides.end());
   return sides;
 }
 

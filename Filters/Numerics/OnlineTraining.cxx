@@ -1,9 +1,9 @@
 #include "OnlineTraining.h"
 
 #include "MeshTopology.h"
+#include "NetworkShapes.h"
 #include "NeuronBlocks.h"
 #include "Random.h"
-#include "SchwarzChristoffel.h"
 #include "TriangleTree.h"
 
 #include <algorithm>

@@ -4,11 +4,11 @@
 
 namespace conformal
 {
-ProgressiveMesh makeProgressiveMesh(
-  const Points& points, const Triangles& triangles, const Progress& progress)
+ProgressiveMesh makeProgressiveMesh(const Points& points, const Triangles& triangles,
+  QuadricCollapse::Needles needles, const Progress& progress)
 {
   ProgressiveMesh mesh = { VertexRings(triangles, points.rows()), {} };
-  QuadricCollapse collapses(points, mesh.Rings);
+  QuadricCollapse collapses(points, mesh.Rings, needles);
   const Index count = triangles.rows() / 2 - 2;
   mesh.Splits.reserve(count);
   constexpr Index stride = 1 << 10;

@@ -20,8 +20,8 @@ struct ProgressiveMesh
 
 /// @param[in] points     #V by 3, about of size one
 /// @param[in] triangles  #F by 3 vertex ids of a surface that requireGenusZero() lets pass
-ProgressiveMesh makeProgressiveMesh(
-  const Points& points, const Triangles& triangles, const Progress& progress = {});
+ProgressiveMesh makeProgressiveMesh(const Points& points, const Triangles& triangles,
+  QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Progress& progress = {});
 }
 
 #endif

@@ -2,7 +2,9 @@
 
 #include "GenusZeroCheck.h"
 #include "ProgressiveMesh.h"
+#include "SphereOrientation.h"
 #include "SphereStar.h"
+#include "SurfaceShapes.h"
 #include "UnitBox.h"
 
 #include <algorithm>
@@ -25,6 +27,7 @@ int sweepsOfLevel(std::size_t numberOfVertices)
 }
 
 constexpr int SweepsForRoom = 20;
+const char* const NoRoom = "no room is left on the sphere for the triangles of a vertex";
 
 SphereEnergy energyFor(double balance)
 {
@@ -43,62 +46,24 @@ SphereEnergy smoothing(SphereEnergy energy)
   return energy;
 }
 
-// A triangle by its squared sides, opposite to each corner. Slightly rounded, so that needles and
-// points, too, have a shape to be mapped.
-class SurfaceShapes
-{
-public:
-  SurfaceShapes(const Points& points, const Triangles& triangles)
-    : Places(points)
-  {
-    double area = 0.0;
-    for (Index r = 0; r < triangles.rows(); ++r)
-    {
-      area += this->triangle(triangles(r, 0), triangles(r, 1), triangles(r, 2)).Area;
-    }
-    this->Scale = 4.0 * Pi / area;
-  }
-
-  SourceTriangle triangle(int a, int b, int c) const
-  {
-    const Vector3 p = this->Places.row(a), q = this->Places.row(b), r = this->Places.row(c);
-    Vector3 squares((q - r).squaredNorm(), (r - p).squaredNorm(), (p - q).squaredNorm());
-    constexpr double roundness = 1e-8, smallest = 1e-14;
-    squares.array() += roundness * squares.sum() + smallest;
-    const double sum = squares.sum();
-    const double twiceArea = 0.5 * std::sqrt(sum * sum - 2.0 * squares.squaredNorm());
-    SourceTriangle result;
-    result.Area = std::max(0.5 * this->Scale * twiceArea, SmallestArea);
-    for (int k = 0; k < 3; ++k)
-    {
-      result.Cotangents[k] = (sum - 2.0 * squares[k]) / (8.0 * twiceArea);
-    }
-    return result;
-  }
-
-private:
-  static constexpr double SmallestArea = 1e-11;
-  const Points& Places;
-  double Scale = 1.0;
-};
-
 class Mapper
 {
 public:
-  Mapper(const Points& places, const Triangles& triangles, const SphereEnergy& energy,
-    const Progress& progress)
+  Mapper(const Points& places, const Triangles& triangles,
+    const ProgressiveSphereMapOptions& options, const Progress& progress)
     : Shapes(places, triangles)
-    , Energy(energy)
-    , Mesh(makeProgressiveMesh(places, triangles,
+    , Options(options)
+    , Energy(energyFor(options.AreaBalance))
+    , Mesh(makeProgressiveMesh(places, triangles, options.SurfaceNeedles,
         progress ? [&progress](double f) { return progress(0.2 * f); } : Progress()))
     , Positions(places.rows())
     , Callback(progress)
   {
   }
 
-  ProgressiveSphereMapResult run(const ProgressiveSphereMapOptions& options)
+  ProgressiveSphereMapResult run()
   {
-    this->WorkToDo = this->countWork(options);
+    this->WorkToDo = this->countWork();
     this->layTetrahedron();
     std::size_t level = this->Active.size();
     for (const QuadricCollapse::Collapse& split : this->Mesh.Splits)
@@ -110,8 +75,8 @@ public:
         this->sweep(sweepsOfLevel(level), this->Energy);
       }
     }
-    this->sweep(options.NumberOfSweeps, this->Energy);
-    this->sweep(options.NumberOfSmoothingSweeps, smoothing(this->Energy));
+    this->sweep(this->Options.NumberOfSweeps, this->Energy);
+    this->sweep(this->Options.NumberOfSmoothingSweeps, smoothing(this->Energy));
     ProgressiveSphereMapResult result;
     result.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
     for (std::size_t v = 0; v < this->Positions.size(); ++v)
@@ -124,7 +89,7 @@ public:
 
 private:
   // Relaxations of a vertex, but for those that make room.
-  double countWork(const ProgressiveSphereMapOptions& options) const
+  double countWork() const
   {
     std::size_t count = 4, level = 4;
     double work = 0.0;
@@ -138,7 +103,7 @@ private:
         work += sweepsOfLevel(level) * count;
       }
     }
-    return work + (options.NumberOfSweeps + options.NumberOfSmoothingSweeps) * count;
+    return work + (this->Options.NumberOfSweeps + this->Options.NumberOfSmoothingSweeps) * count;
   }
 
   void layTetrahedron()
@@ -162,7 +127,10 @@ private:
     std::optional<Vector3> place = kernelCentroid(this->Positions, split.Neighbors);
     if (!place)
     {
-      ++this->Relaxations;
+      if (++this->Relaxations > this->Options.MaximumNumberOfRelaxations)
+      {
+        throw std::runtime_error(NoRoom);
+      }
       place = this->makeRoom(split.Neighbors);
     }
     this->Mesh.Rings.split(split.Vertex, split.Neighbors);
@@ -205,7 +173,7 @@ private:
       this->addNeighbors(around);
       if (around.size() == size)
       {
-        throw std::runtime_error("no room is left on the sphere for the triangles of a vertex");
+        throw std::runtime_error(NoRoom);
       }
     }
   }
@@ -222,16 +190,6 @@ private:
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
-  void cornersOf(int v, std::vector<Corner>& corners) const
-  {
-    const Ring& ring = this->Mesh.Rings[v];
-    for (std::size_t i = 0; i < ring.size(); ++i)
-    {
-      corners.push_back(
-        { ring[i], this->Shapes.triangle(v, ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]) });
-    }
-  }
-
   // With the corners in Scratch.
   void relax(int v, const SphereEnergy& energy)
   {
@@ -243,28 +201,14 @@ private:
   void relaxOnSurface(int v)
   {
     this->Scratch.clear();
-    this->cornersOf(v, this->Scratch);
+    this->Shapes.cornersOf(v, this->Mesh.Rings[v], this->Scratch);
     this->relax(v, this->Energy);
   }
 
   void sweep(int times, const SphereEnergy& energy)
   {
-    std::vector<Corner> corners;
-    std::vector<std::size_t> offsets = { 0 };
-    for (int v : this->Active)
-    {
-      this->cornersOf(v, corners);
-      offsets.push_back(corners.size());
-    }
-    for (int i = 0; i < times; ++i)
-    {
-      for (std::size_t j = 0; j < this->Active.size(); ++j)
-      {
-        relaxVertex(this->Positions, this->Active[j], corners.data() + offsets[j],
-          static_cast<int>(offsets[j + 1] - offsets[j]), energy);
-        this->countVertex();
-      }
-    }
+    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->Shapes, energy, times,
+      [this]() { this->countVertex(); });
   }
 
   void countVertex()
@@ -277,6 +221,7 @@ private:
   }
 
   SurfaceShapes Shapes;
+  const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;
   std::vector<int> Active; // in order of insertion
@@ -303,14 +248,9 @@ ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& tr
   }
   requireGenusZero(triangles, points.rows());
   const Points places = inUnitBox(points);
-  Mapper mapper(places, triangles, energyFor(options.AreaBalance), progress);
-  ProgressiveSphereMapResult result = mapper.run(options);
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    const Vector3 a = result.Positions.row(triangles(r, 0));
-    result.NumberOfFlippedTriangles += !(determinant(a, result.Positions.row(triangles(r, 1)),
-                                           result.Positions.row(triangles(r, 2))) > 0.0);
-  }
+  Mapper mapper(places, triangles, options, progress);
+  ProgressiveSphereMapResult result = mapper.run();
+  result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
   report(progress, 1.0);
   return result;
 }

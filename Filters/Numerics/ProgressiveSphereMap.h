@@ -3,7 +3,10 @@
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
 
+#include "QuadricCollapse.h"
 #include "Types.h"
+
+#include <limits>
 
 namespace conformal
 {
@@ -13,6 +16,10 @@ struct ProgressiveSphereMapOptions
   double AreaBalance = 0.5;
   int NumberOfSweeps = 30;          ///< over all vertices at the end, at least 0
   int NumberOfSmoothingSweeps = 30; ///< after these, with more weight on the worst triangles
+  /// Thin is needed where bodies are joined by necks of needles: they cannot come before the necks.
+  QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
+  /// Insertions that may have to make room, each of which can take a second.
+  Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
 };
 
 struct ProgressiveSphereMapResult
@@ -39,6 +46,7 @@ struct ProgressiveSphereMapResult
 /// @param[in] triangles  #F by 3 vertex ids, all vertices used
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
+/// @throws std::runtime_error if there is no room for a vertex
 /// @post the result depends only on the arguments: same input, same bits
 ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& triangles,
   const ProgressiveSphereMapOptions& options = {}, const Progress& progress = {});

@@ -22,17 +22,19 @@ constexpr double SmallestCosine = 0.2;       // between a triangle's normals bef
 constexpr std::size_t MostNeighbors = 10;    // after a collapse
 constexpr std::size_t TooManyNeighbors = 24; // of a vertex to be taken out: not now
 
-double squaredSides(const Vector3& a, const Vector3& b, const Vector3& c)
+double aspectOf(const Vector3& a, const Vector3& b, const Vector3& c, double twiceArea)
 {
-  return (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return sides > 1e4 * twiceArea ? 1e4 : sides / (2.0 * std::sqrt(3.0) * twiceArea);
 }
 }
 
 //------------------------------------------------------------------------------
-QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings)
+QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings, Needles needles)
   : Places(points)
   , Rings(rings)
   , Quadrics(rings.size())
+  , Aspects(rings.size(), WorstAspect)
   , Stamps(rings.size(), 0)
 {
   for (int v = 0; v < rings.size(); ++v)
@@ -41,9 +43,13 @@ QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings)
     const Vector3 x = this->point(v);
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      const Vector3 normal = (this->point(ring[i]) - x)
-                               .cross(this->point(ring[(i + 1) % ring.size()]) - x); // twice area
+      const Vector3 p = this->point(ring[i]), q = this->point(ring[(i + 1) % ring.size()]);
+      const Vector3 normal = (p - x).cross(q - x); // twice area
       const double length = normal.norm();
+      if (needles == Needles::Thin)
+      {
+        this->Aspects[v] = std::max(this->Aspects[v], aspectOf(x, p, q, length));
+      }
       if (length > 0.0)
       {
         const Vector3 unit = normal / length;
@@ -84,11 +90,11 @@ double QuadricCollapse::shapeCost(int v, int u) const
     const double length = after.norm();
     turned = turned || before.dot(after) < SmallestCosine * before.norm() * length;
     area += length;
-    const double sides = squaredSides(to, p, q);
-    aspect = std::max(aspect, sides > 1e4 * length ? 1e4 : sides / (2.0 * std::sqrt(3.0) * length));
+    aspect = std::max(aspect, aspectOf(to, p, q, length));
   }
   return ShapeWeight * area * (to - from).squaredNorm() * aspect +
-    (aspect > WorstAspect ? UnwantedCost : 0.0) + (turned ? TurnedOverCost : 0.0);
+    (aspect > std::max(this->Aspects[v], this->Aspects[u]) ? UnwantedCost : 0.0) +
+    (turned ? TurnedOverCost : 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +167,7 @@ QuadricCollapse::Collapse QuadricCollapse::next()
     }
     Ring ring = this->Rings.collapse(v, choice.Target);
     ++this->Stamps[v];
+    this->Aspects[choice.Target] = std::max(this->Aspects[choice.Target], this->Aspects[v]);
     Quadric& target = this->Quadrics[choice.Target];
     target.A += this->Quadrics[v].A;
     target.B += this->Quadrics[v].B;

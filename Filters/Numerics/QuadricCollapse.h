@@ -19,10 +19,17 @@ namespace conformal
 class QuadricCollapse
 {
 public:
-  /// Both are kept by reference.
+  /// What to do where the surface's own triangles are needles.
+  enum class Needles
+  {
+    Keep, ///< to the last, as collapses there make needles: good if they are few
+    Thin  ///< as readily as others, as long as it makes none that are worse
+  };
+
+  /// Points and rings are kept by reference.
   /// @param[in] points     #V by 3, about of size one
   /// @param[in,out] rings  a closed surface of genus zero
-  QuadricCollapse(const Points& points, VertexRings& rings);
+  QuadricCollapse(const Points& points, VertexRings& rings, Needles needles = Needles::Keep);
 
   struct Collapse
   {
@@ -68,7 +75,8 @@ private:
   const Points& Places;
   VertexRings& Rings;
   std::vector<Quadric> Quadrics;
-  std::vector<int> Stamps; // a candidate of an older stamp is out of date
+  std::vector<double> Aspects; // the worst to be accepted at each vertex
+  std::vector<int> Stamps;     // a candidate of an older stamp is out of date
   std::priority_queue<Candidate> Queue;
 };
 }

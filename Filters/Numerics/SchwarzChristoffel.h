@@ -17,12 +17,10 @@
 #ifndef ConformalSchwarzChristoffel_h
 #define ConformalSchwarzChristoffel_h
 
-#include "Parallel.h"
 #include "Types.h"
 
 #include <array>
 #include <complex>
-#include <vector>
 
 namespace conformal
 {
@@ -66,8 +64,20 @@ public:
   /// @pre not degenerate
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
+  /// Derivative of the map to another triangle, in barycentric coordinates, for changes of sum 0.
+  /// @pre neither is degenerate, and the point is no corner
+  Eigen::Matrix3d mapDerivative(const TriangleShape& to, const HalfDiskPoint& point) const;
+
+  /// Ratio of the largest to the smallest stretch of the affine map to another triangle.
+  /// @pre neither is degenerate
+  double dilatation(const TriangleShape& to) const;
+
 private:
   friend class NetworkShapes;
+  friend class TriangleMap;
+
+  /// From barycentric coordinates of the next and the previous corner to the plane of derivative().
+  Eigen::Matrix2d plane(int corner) const;
 
   double leading(int corner) const { return this->Scale / this->Angles[corner]; }
   std::complex<double> logUniform(int corner, const Vector3& barycentric) const;
@@ -81,62 +91,6 @@ private:
   std::array<double, 3> Cosines{};
   double Scale = 0.0; // k of the comment at the top
   bool Degenerate = true;
-};
-
-/// The triangles of a fixed network, those of one shape sharing tables of their map.
-///
-/// A geodesic sphere of frequency 36 has 25,920 triangles but 156 shapes (312 with their mirror
-/// images). A shape that few triangles have is mapped without tables, so that a mesh without any
-/// symmetry costs no memory.
-class NetworkShapes
-{
-public:
-  NetworkShapes() = default;
-
-  /// @param[in] positions  #N by 3
-  /// @param[in] faces      #R by 3 ids of positions
-  NetworkShapes(
-    const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
-
-  /// How many shapes have tables.
-  Index numberOfTables() const { return static_cast<Index>(this->Tables.size()); }
-
-  /// Network triangle to model triangle, \cite Liou2008 Eq. 10: barycentric coordinates of p' to
-  /// those of q'. Affine (returned as they are) if one of the triangles is degenerate.
-  Vector3 toModel(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
-
-  /// Model triangle to network triangle, z' = f_2(f_1^-1(z)) below \cite Liou2008 Eq. 5.
-  Vector3 toNetwork(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
-
-  bool degenerate(Index triangle) const
-  {
-    return this->Shapes[this->Uses[triangle].Shape].degenerate();
-  }
-
-private:
-  // The series of a corner: of the map from the half disk, and of its inverse.
-  static constexpr int Terms = 36;
-  static constexpr int InverseTerms = 24;
-  struct CornerTable
-  {
-    std::array<double, Terms> Series{};         // coefficients of s^1, s^2, ...
-    std::array<double, InverseTerms> Inverse{}; // of log(s/W) in powers W^1, W^2, ...
-    double Limit = 0.0;                         // log |W| up to which Inverse has all digits
-  };
-  struct Use
-  {
-    int Shape = 0;
-    int Rotation = 0; // vertex k of the shape is vertex k + Rotation of the triangle
-  };
-
-  static CornerTable makeCornerTable(const TriangleShape& shape, int corner);
-  HalfDiskPoint toHalfDisk(Index triangle, const Vector3& barycentric) const;
-  Vector3 fromHalfDisk(Index triangle, const HalfDiskPoint& point) const;
-
-  std::vector<Use> Uses;
-  std::vector<TriangleShape> Shapes;
-  std::vector<int> TableOfShape; // or -1
-  std::vector<std::array<CornerTable, 3>> Tables;
 };
 }
 

@@ -1,5 +1,6 @@
 #include "SphereLocator.h"
 
+#include "MeshTopology.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -10,6 +11,12 @@
 namespace conformal
 {
 SphereLocator::SphereLocator(const Points& positions, const Triangles& faces)
+  : SphereLocator(positions, faces, triangleNeighbors(faces, positions.rows()))
+{
+}
+
+SphereLocator::SphereLocator(
+  const Points& positions, const Triangles& faces, const Triangles& neighbors)
 {
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
   // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
@@ -30,12 +37,20 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces)
   }
   this->Tree = buildBoxTree(boxes);
   this->Placed.resize(faces.rows());
+  this->PlaceOf.resize(faces.rows());
+  for (int place = 0; place < faces.rows(); ++place)
+  {
+    this->PlaceOf[this->Tree.Items[place]] = place;
+  }
   for (Index place = 0; place < faces.rows(); ++place)
   {
-    const auto ids = faces.row(this->Tree.Items[place]);
+    const int triangle = this->Tree.Items[place];
+    const auto ids = faces.row(triangle);
     for (int k = 0; k < 3; ++k)
     {
+      const int neighbor = neighbors(triangle, (k + 1) % 3);
       this->Placed[place].Positions[k] = positions.row(ids[k]);
+      this->Placed[place].Across[k] = neighbor < 0 ? -1 : this->PlaceOf[neighbor];
       this->Placed[place].Ascending[k] = ids[(k + 1) % 3] < ids[(k + 2) % 3];
     }
   }
@@ -81,57 +96,78 @@ void SphereLocator::visitNear(const Vector3& direction, Visit visit) const
   }
 }
 
-SphereLocation SphereLocator::locate(const Vector3& direction) const
+Vector3 SphereLocator::sidesOf(const Corners& corners, const Vector3& direction)
 {
-  SphereLocation location;
-  Vector3 sides = Vector3::Zero();
-  int best = -1;
-  const auto take = [&](int place, const Vector3& itsSides)
+  return { side(corners, 0, direction), side(corners, 1, direction), side(corners, 2, direction) };
+}
+
+// From triangle to triangle towards the direction: the place that holds it inside, of which there
+// is only one, or -1 after a few steps or if it lies on an edge.
+int SphereLocator::walk(int place, const Vector3& direction, Vector3& sides) const
+{
+  const int farthest = 4;
+  for (int step = 0; step < farthest && place >= 0; ++step)
   {
-    best = place;
-    sides = itsSides;
-    location.Triangle = this->Tree.Items[place];
-  };
+    sides = sidesOf(this->Placed[place], direction);
+    int k = 0;
+    if (sides.minCoeff(&k) > 0.0)
+    {
+      return place;
+    }
+    place = sides[k] < 0.0 ? this->Placed[place].Across[k] : -1;
+  }
+  return -1;
+}
+
+int SphereLocator::search(const Vector3& direction, Vector3& sides) const
+{
+  int best = -1;
   this->visitNear(direction,
     [&](int place)
     {
-      Vector3 itsSides;
-      for (int k = 0; k < 3; ++k)
+      const Vector3 itsSides = sidesOf(this->Placed[place], direction);
+      if (itsSides.minCoeff() >= 0.0 &&
+        (best < 0 || this->Tree.Items[place] < this->Tree.Items[best]))
       {
-        itsSides[k] = side(this->Placed[place], k, direction);
-        if (!(itsSides[k] >= 0.0))
-        {
-          return;
-        }
-      }
-      if (best < 0 || this->Tree.Items[place] < location.Triangle)
-      {
-        take(place, itsSides);
+        best = place;
+        sides = itsSides;
       }
     });
+  if (best >= 0)
+  {
+    return best;
+  }
+  double leastMiss = std::numeric_limits<double>::infinity();
+  this->visitNear(direction,
+    [&](int place)
+    {
+      const Vector3 itsSides = sidesOf(this->Placed[place], direction);
+      const double miss = -itsSides.minCoeff() / itsSides.cwiseAbs().sum();
+      if (miss < leastMiss ||
+        (miss == leastMiss && this->Tree.Items[place] < this->Tree.Items[best]))
+      {
+        leastMiss = miss;
+        best = place;
+        sides = itsSides;
+      }
+    });
+  return best;
+}
+
+SphereLocation SphereLocator::locate(const Vector3& direction, int hint) const
+{
+  SphereLocation location;
+  Vector3 sides = Vector3::Zero();
+  int best = hint < 0 ? -1 : this->walk(this->PlaceOf[hint], direction, sides);
   if (best < 0)
   {
-    double leastMiss = std::numeric_limits<double>::infinity();
-    this->visitNear(direction,
-      [&](int place)
-      {
-        Vector3 itsSides;
-        for (int k = 0; k < 3; ++k)
-        {
-          itsSides[k] = side(this->Placed[place], k, direction);
-        }
-        const double miss = -itsSides.minCoeff() / itsSides.cwiseAbs().sum();
-        if (miss < leastMiss || (miss == leastMiss && this->Tree.Items[place] < location.Triangle))
-        {
-          leastMiss = miss;
-          take(place, itsSides);
-        }
-      });
+    best = this->search(direction, sides);
   }
   if (best < 0)
   {
     return location;
   }
+  location.Triangle = this->Tree.Items[best];
   location.Barycentric = sides.cwiseMax(0.0);
   const double sum = location.Barycentric.sum();
   if (sum > 0.0)

@@ -34,22 +34,31 @@ public:
   /// @param[in] positions  #N by 3 unit vectors
   /// @param[in] faces      #R by 3 ids, counter-clockwise seen from outside
   SphereLocator(const Points& positions, const Triangles& faces);
+  /// @param[in] neighbors  triangleNeighbors of the faces, where they are at hand
+  SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors);
 
   /// @param[in] direction  p, a unit vector
-  SphereLocation locate(const Vector3& direction) const;
+  /// @param[in] hint       a triangle that may be near, or -1: saves time, and changes nothing
+  ///                       where triangles do not overlap
+  SphereLocation locate(const Vector3& direction, int hint = -1) const;
 
 private:
   struct Corners
   {
     Vector3 Positions[3];
-    bool Ascending[3] = {}; // edge k, opposite to corner k, runs from its lower to its higher id
+    int Across[3] = { -1, -1, -1 }; // edge k, opposite to corner k: the place behind it,
+    bool Ascending[3] = {};         // and whether it runs from its lower to its higher id
   };
   static double side(const Corners& corners, int opposite, const Vector3& direction);
+  static Vector3 sidesOf(const Corners& corners, const Vector3& direction);
+  int walk(int place, const Vector3& direction, Vector3& sides) const;
+  int search(const Vector3& direction, Vector3& sides) const;
   template <typename Visit>
   void visitNear(const Vector3& direction, Visit visit) const;
 
   BoxTree Tree;
   std::vector<Corners> Placed; // of the triangle at each place of Tree.Items
+  std::vector<int> PlaceOf;    // of each triangle
 };
 }
 

@@ -103,13 +103,10 @@ struct AreaTerms
 
   AreaTerms(double source, double inverseArea, const SphereEnergy& energy)
     : Main(energy.AreaExponent == 0.0 ? 1.0 : std::pow(source * inverseArea, energy.AreaExponent))
-    , Guard(
-        (energy.AreaWeight * source * source + SmallArea * SmallArea) * inverseArea * inverseArea)
+    , Guard((energy.AreaWeight * source * source + energy.SmallArea * energy.SmallArea) *
+        inverseArea * inverseArea)
   {
   }
-
-private:
-  static constexpr double SmallArea = 10.0 * SmallestDeterminant;
 };
 
 struct Derivatives

@@ -12,6 +12,9 @@
 
 namespace conformal
 {
+/// Twice the areas that are large enough to bear rounding to unit vectors in other programs.
+constexpr double SmallestDeterminant = 1e-13;
+
 /// Energy of a map from triangles to the sphere, a sum over triangles
 ///     S ((S/A)^AreaExponent + AreaWeight (S/A)^2) (D/A)^AngleExponent
 /// S being the share of a triangle of the surface, A its area on the sphere and D the Dirichlet
@@ -19,17 +22,15 @@ namespace conformal
 ///
 /// Implementation note: A is half the determinant of the three unit vectors, a little less than the
 /// area, so that the energy grows beyond all bounds exactly where a triangle is about to flip. To
-/// AreaWeight S^2 a square of 10 SmallestDeterminant is added, which matters only where the map
-/// without it would be smaller than numbers can bear, as at the end of a long limb.
+/// AreaWeight S^2 the square of SmallArea is added, which matters only where the map without it
+/// would be smaller than numbers can bear, as at the end of a long limb.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
   double AreaWeight = 0.005;
   int AngleExponent = 1; ///< at least 1
+  double SmallArea = 10.0 * SmallestDeterminant;
 };
-
-/// Twice the areas that are large enough to bear rounding to unit vectors in other programs.
-constexpr double SmallestDeterminant = 1e-13;
 
 /// Determinant of three nearly equal unit vectors, positive where they are counter-clockwise seen
 /// from outside. From differences, which keeps the digits.

@@ -16,6 +16,7 @@ using Index = Eigen::Index;
 using Vector3 = Eigen::Vector3d;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< of numbers, by columns
 
 /// Called with the fraction done, in [0, 1], never falling, always from the calling thread.
 /// Returns whether to go on; after a false the core throws Aborted.

@@ -30,6 +30,16 @@ std::uint64_t replaceNonFiniteOf(NamedArray& array)
 }
 
 //------------------------------------------------------------------------------
+NamedArray makeArray(const std::string& name, ScalarType type, std::size_t components)
+{
+  NamedArray array;
+  array.Name = name;
+  array.Type = type;
+  array.Components = components;
+  return array;
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t replaceNonFinite(NamedArray& array)
 {
   switch (array.Type)

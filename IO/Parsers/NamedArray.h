@@ -7,6 +7,7 @@
 #include "ScalarType.h"
 
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 namespace conformal
@@ -22,6 +23,17 @@ struct NamedArray
   std::size_t tupleBytes() const { return this->Components * sizeOf(this->Type); }
   std::size_t numberOfTuples() const { return this->Values.size() / this->tupleBytes(); }
 };
+
+/// An array without values.
+NamedArray makeArray(const std::string& name, ScalarType type, std::size_t components);
+
+/// Append a tuple of the array's type and number of components.
+inline void append(NamedArray& array, const void* tuple)
+{
+  const std::size_t bytes = array.tupleBytes();
+  array.Values.extend(bytes);
+  std::memcpy(array.Values.data() + array.Values.size() - bytes, tuple, bytes);
+}
 
 /// Replace values that are not finite by 0. Returns how many there were.
 std::uint64_t replaceNonFinite(NamedArray& array);

@@ -49,6 +49,16 @@ public:
     this->Values.get()[this->Size++] = value;
   }
 
+  /// Append values that are not initialised.
+  void extend(std::size_t count)
+  {
+    if (count > this->Capacity - this->Size)
+    {
+      this->reallocate(std::max(this->Size + count, 2 * this->Capacity));
+    }
+    this->Size += count;
+  }
+
   /// Give back what was reserved and not used.
   void shrink()
   {

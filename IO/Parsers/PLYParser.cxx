@@ -1,13 +1,15 @@
 #include "PLYParser.h"
 
+#include "ByteOrder.h"
+#include "FileValues.h"
 #include "PLYHeader.h"
-#include "PLYRecords.h"
-#include "PLYValues.h"
+#include "PolygonList.h"
+#include "ProgressReport.h"
 #include "RangeGrid.h"
+#include "Records.h"
 #include "TriangleStrips.h"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -17,44 +19,17 @@ namespace
 {
 constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
 
-bool isLittleEndianMachine()
-{
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
-
-bool hasRepeatedId(const std::int64_t* ids, std::size_t count)
-{
-  constexpr std::size_t few = 16;
-  if (count <= few)
-  {
-    for (std::size_t i = 1; i < count; ++i)
-    {
-      if (std::find(ids, ids + i, ids[i]) != ids + i)
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  std::vector<std::int64_t> sorted(ids, ids + count);
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-}
-
 class BodyReader
 {
 public:
   BodyReader(ByteReader& input, const PLYHeader& header, const PLYOptions& options,
-    const ParseLimits& limits, const ParseProgress& progress, PLYData& data)
+    const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
     : Input(input)
     , Header(header)
     , Options(options)
     , Limits(limits)
-    , Progress(progress)
     , Data(data)
+    , Progress(input, progress)
   {
   }
 
@@ -142,10 +117,10 @@ private:
   template <typename Values>
   void readPoints(Values& values, const PLYElement& element, std::size_t count)
   {
-    PLYRecords records = this->recordsOf(element, true);
+    Records records = this->recordsOf(element, true);
     records.resize(count);
     std::size_t kept = 0;
-    if (this->Header.Format != PLYFormat::Ascii && records.canCopy())
+    if (this->Header.Format != PLYFormat::Ascii && !element.hasLists() && records.canCopy())
     {
       kept = this->copyPoints(records, element, count);
     }
@@ -166,7 +141,7 @@ private:
         }
         values.endRecord();
         kept += this->keepsPoint(records, kept) ? 1 : 0;
-        this->tick();
+        this->Progress.tick();
       }
     }
     records.resize(kept);
@@ -175,7 +150,7 @@ private:
     this->Data.PointArrays = std::move(records.arrays());
   }
 
-  std::size_t copyPoints(PLYRecords& records, const PLYElement& element, std::size_t count)
+  std::size_t copyPoints(Records& records, const PLYElement& element, std::size_t count)
   {
     std::size_t recordBytes = 0;
     for (const PLYProperty& property : element.Properties)
@@ -204,12 +179,12 @@ private:
       }
       this->Input.advance(block * recordBytes);
       done += block;
-      this->tick();
+      this->Progress.tick();
     }
     return kept;
   }
 
-  bool keepsPoint(const PLYRecords& records, std::size_t record)
+  bool keepsPoint(const Records& records, std::size_t record)
   {
     if (records.isFinitePoint(record))
     {
@@ -229,22 +204,19 @@ private:
   void readPolygons(Values& values, const PLYElement& element, std::size_t count)
   {
     const PLYProperty& list = this->idsOf(element);
-    PLYRecords records = this->recordsOf(element, false);
+    Records records = this->recordsOf(element, false);
     records.resize(count);
-    auto& ids = this->Data.PolygonIds;
-    auto& offsets = this->Data.PolygonOffsets;
-    offsets.reserve(offsets.size() + count);
-    ids.reserve(ids.size() + std::min<std::uint64_t>(3 * count, this->Input.left()));
+    PolygonList polygons(this->Input, this->NumberOfPoints, this->Data);
+    polygons.reserve(count);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::size_t begin = ids.size();
       for (std::size_t p = 0; p < element.Properties.size(); ++p)
       {
         const PLYProperty& property = element.Properties[p];
         if (&property == &list)
         {
-          this->readIds(values, list, [&](std::int64_t id) { ids.push(this->checkedId(id)); });
+          this->readIds(values, list, [&](std::int64_t id) { polygons.add(id); });
         }
         else if (property.IsList)
         {
@@ -256,15 +228,7 @@ private:
         }
       }
       values.endRecord();
-      const std::size_t corners = ids.size() - begin;
-      if (corners < 3 || hasRepeatedId(ids.data() + begin, corners))
-      {
-        ids.resize(begin);
-        ++this->Data.DroppedPolygons;
-        continue;
-      }
-      offsets.push(static_cast<std::int64_t>(ids.size()));
-      ++kept;
+      kept += polygons.end() ? 1 : 0;
     }
     records.resize(kept);
     this->Data.PolygonArrays = std::move(records.arrays());
@@ -291,7 +255,7 @@ private:
               }
               else
               {
-                strips.add(this->checkedId(id));
+                strips.add(checkedId(this->Input, id, this->NumberOfPoints));
               }
             });
           strips.endStrip();
@@ -326,8 +290,9 @@ private:
       {
         if (&property == &list)
         {
-          this->readIds(
-            values, list, [&](std::int64_t id) { this->Grid[i] = this->checkedId(id); });
+          this->readIds(values, list,
+            [&](std::int64_t id)
+            { this->Grid[i] = checkedId(this->Input, id, this->NumberOfPoints); });
         }
         else
         {
@@ -366,20 +331,9 @@ private:
         for (std::size_t i = 0; i < count; ++i)
         {
           sink(static_cast<std::int64_t>(values.template next<decltype(zero)>()));
-          this->tick();
+          this->Progress.tick();
         }
       });
-  }
-
-  std::int64_t checkedId(std::int64_t id)
-  {
-    if (id < 0 || static_cast<std::uint64_t>(id) >= this->NumberOfPoints)
-    {
-      this->Input.fail(ParseCode::Malformed,
-        "found id " + std::to_string(id) + ", expected 0 <= id < " +
-          std::to_string(this->NumberOfPoints));
-    }
-    return id;
   }
 
   //----------------------------------------------------------------------------
@@ -426,16 +380,21 @@ private:
         this->skipProperty(values, property);
       }
       values.endRecord();
-      this->tick();
+      this->Progress.tick();
     }
   }
 
   //----------------------------------------------------------------------------
-  PLYRecords recordsOf(const PLYElement& element, bool hasPoints)
+  Records recordsOf(const PLYElement& element, bool hasPoints)
   {
     try
     {
-      return PLYRecords(element, hasPoints);
+      std::vector<RecordField> fields;
+      for (const PLYProperty& property : element.Properties)
+      {
+        fields.push_back({ property.Name, property.Type, !property.IsList });
+      }
+      return Records(std::move(fields), hasPoints);
     }
     catch (const std::invalid_argument& e)
     {
@@ -454,42 +413,16 @@ private:
     {
       this->Data.PolygonArrays.clear();
     }
-    this->Data.PolygonOffsets.shrink();
-    this->Data.PolygonIds.shrink();
-    for (auto* arrays : { &this->Data.PointArrays, &this->Data.PolygonArrays })
-    {
-      for (NamedArray& array : *arrays)
-      {
-        this->Data.ReplacedValues += replaceNonFinite(array);
-      }
-    }
-  }
-
-  // Reports at every hundredth of the input.
-  void tick()
-  {
-    const std::uint64_t offset = this->Input.offset();
-    if (offset < this->NextReport)
-    {
-      return;
-    }
-    const std::uint64_t size = this->Input.size();
-    this->NextReport = offset + size / 100 + 1;
-    if (this->Progress && !this->Progress(static_cast<double>(offset) / size))
-    {
-      this->Input.fail(ParseCode::Aborted, "aborted");
-    }
   }
 
   ByteReader& Input;
   const PLYHeader& Header;
   const PLYOptions& Options;
   const ParseLimits& Limits;
-  const ParseProgress& Progress;
-  PLYData& Data;
+  SurfaceData& Data;
+  ProgressReport Progress;
   OwnedArray<std::int64_t> Grid; ///< point ids of a range grid
   std::uint64_t NumberOfPoints = 0;
-  std::uint64_t NextReport = 0;
   bool IsMesh = false;
   bool HasStrips = false;
   bool Swap = false;
@@ -497,28 +430,14 @@ private:
 }
 
 //------------------------------------------------------------------------------
-PLYResult parsePLY(ByteReader& input, const PLYOptions& options, const ParseLimits& limits,
+SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options, const ParseLimits& limits,
   const ParseProgress& progress)
 {
-  PLYResult result;
-  result.Status = statusOf(
-    [&]()
+  return parseSurface(
+    [&](SurfaceData& data)
     {
       const PLYHeader header = readPLYHeader(input);
-      BodyReader(input, header, options, limits, progress, result.Data).read();
+      BodyReader(input, header, options, limits, progress, data).read();
     });
-  if (!result.Status.ok())
-  {
-    result.Data = PLYData();
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-PLYResult parsePLY(std::string_view bytes, const PLYOptions& options, const ParseLimits& limits,
-  const ParseProgress& progress)
-{
-  ByteReader input(bytes);
-  return parsePLY(input, options, limits, progress);
 }
 }

@@ -18,7 +18,9 @@ enum class ScalarType
   Int32,
   UInt32,
   Float32,
-  Float64
+  Float64,
+  Int64,
+  UInt64
 };
 
 /// Call f with a zero of the C++ type, which a generic lambda takes as its type.
@@ -41,6 +43,10 @@ decltype(auto) withType(ScalarType type, Function&& f)
       return f(std::uint32_t());
     case ScalarType::Float32:
       return f(float());
+    case ScalarType::Int64:
+      return f(std::int64_t());
+    case ScalarType::UInt64:
+      return f(std::uint64_t());
     case ScalarType::Float64:
       break;
   }

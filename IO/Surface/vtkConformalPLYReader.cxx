@@ -3,241 +3,30 @@
 #include "PLYHeader.h"
 #include "PLYParser.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-#include "vtkTypeInt64Array.h"
 
 #include <cmath>
-#include <numeric>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkConformalPLYReader);
-
-namespace
-{
-unsigned long ErrorCodeOf(conformal::ParseCode code)
-{
-  switch (code)
-  {
-    case conformal::ParseCode::Ok:
-    case conformal::ParseCode::Aborted:
-      return vtkErrorCode::NoError;
-    case conformal::ParseCode::FileNotFound:
-      return vtkErrorCode::FileNotFoundError;
-    case conformal::ParseCode::CannotOpen:
-      return vtkErrorCode::CannotOpenFileError;
-    case conformal::ParseCode::UnrecognizedType:
-      return vtkErrorCode::UnrecognizedFileTypeError;
-    case conformal::ParseCode::PrematureEnd:
-      return vtkErrorCode::PrematureEndOfFileError;
-    case conformal::ParseCode::Malformed:
-      return vtkErrorCode::FileFormatError;
-    case conformal::ParseCode::OutOfMemory:
-      break;
-  }
-  return vtkErrorCode::UnknownError;
-}
-
-int VTKTypeOf(conformal::ScalarType type)
-{
-  switch (type)
-  {
-    case conformal::ScalarType::Int8:
-      return VTK_SIGNED_CHAR;
-    case conformal::ScalarType::UInt8:
-      return VTK_UNSIGNED_CHAR;
-    case conformal::ScalarType::Int16:
-      return VTK_SHORT;
-    case conformal::ScalarType::UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case conformal::ScalarType::Int32:
-      return VTK_INT;
-    case conformal::ScalarType::UInt32:
-      return VTK_UNSIGNED_INT;
-    case conformal::ScalarType::Float32:
-      return VTK_FLOAT;
-    case conformal::ScalarType::Float64:
-      break;
-  }
-  return VTK_DOUBLE;
-}
-
-// The arrays take over the parser's memory.
-vtkSmartPointer<vtkDataArray> ToArray(conformal::NamedArray& values)
-{
-  auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VTKTypeOf(values.Type)));
-  array->SetName(values.Name.c_str());
-  array->SetNumberOfComponents(static_cast<int>(values.Components));
-  if (const std::size_t count = values.numberOfTuples() * values.Components)
-  {
-    array->SetVoidArray(values.Values.release(), static_cast<vtkIdType>(count), 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  }
-  return array;
-}
-
-vtkSmartPointer<vtkTypeInt64Array> ToArray(conformal::OwnedArray<std::int64_t>& values)
-{
-  auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
-  const auto count = static_cast<vtkIdType>(values.size());
-  array->SetArray(reinterpret_cast<vtkTypeInt64*>(values.release()), count, 0,
-    vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  return array;
-}
-
-// Arrays of several components are those that the parser assembled.
-void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes* data)
-{
-  for (conformal::NamedArray& values : arrays)
-  {
-    vtkSmartPointer<vtkDataArray> array = ToArray(values);
-    if (values.Components == 1)
-    {
-      data->AddArray(array);
-    }
-    else if (values.Name == "Normals")
-    {
-      data->SetNormals(array);
-    }
-    else if (values.Name == "TCoords")
-    {
-      data->SetTCoords(array);
-    }
-    else
-    {
-      data->SetScalars(array);
-    }
-  }
-}
-
-vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetNumberOfValues(count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkIdType(0));
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(1, ids);
-  return cells;
-}
-
-void Fill(vtkPolyData* output, conformal::PLYData& data)
-{
-  const bool isCloud = data.PolygonIds.size() == 0;
-  vtkNew<vtkPoints> points;
-  points->SetData(ToArray(data.Points));
-  output->SetPoints(points);
-  AddArrays(data.PointArrays, output->GetPointData());
-  if (isCloud)
-  {
-    output->SetVerts(VertexOfEachPoint(points->GetNumberOfPoints()));
-    return;
-  }
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(ToArray(data.PolygonOffsets), ToArray(data.PolygonIds));
-  output->SetPolys(polygons);
-  AddArrays(data.PolygonArrays, output->GetCellData());
-}
-}
-
-//------------------------------------------------------------------------------
-vtkConformalPLYReader::vtkConformalPLYReader()
-{
-  this->SetNumberOfInputPorts(0);
-}
 
 //------------------------------------------------------------------------------
 int vtkConformalPLYReader::CanReadFile(const char* name)
 {
-  constexpr std::size_t firstLines = 1024;
-  conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() &&
-      conformal::looksLikePLY(input.peek(firstLines))
-    ? 1
-    : 0;
+  return Superclass::StartsLike(name, conformal::looksLikePLY) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
-int vtkConformalPLYReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+conformal::SurfaceResult vtkConformalPLYReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName || !this->FileName[0])
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro(<< "FileName is not set");
-    return 0;
-  }
   if (!std::isfinite(this->MaximumEdgeLength))
   {
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< "MaximumEdgeLength is not finite");
-    return 0;
+    throw std::invalid_argument("MaximumEdgeLength is not finite");
   }
   conformal::PLYOptions options;
   options.MaximumEdgeLength = this->MaximumEdgeLength;
-  conformal::ByteReader input;
-  conformal::PLYResult result;
-  result.Status = conformal::openFile(this->FileName, input);
-  if (result.Status.ok())
-  {
-    result = conformal::parsePLY(input, options, {},
-      [this](double fraction)
-      {
-        this->UpdateProgress(fraction);
-        return this->GetAbortExecute() == 0;
-      });
-  }
-  if (result.Status.Code == conformal::ParseCode::Aborted)
-  {
-    return 1;
-  }
-  if (result.Status.ok())
-  {
-    result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
-  }
-  if (!result.Status.ok())
-  {
-    output->Initialize();
-    this->SetErrorCode(ErrorCodeOf(result.Status.Code));
-    vtkErrorMacro(<< this->FileName << ": " << result.Status.text());
-    return 0;
-  }
-  this->Warn(output, "NumberOfDroppedPoints", result.Data.DroppedPoints,
-    "points dropped whose coordinates are not finite");
-  this->Warn(output, "NumberOfDroppedPolygons", result.Data.DroppedPolygons,
-    "polygons dropped that have fewer than 3 ids or one of them twice");
-  this->Warn(output, "NumberOfReplacedValues", result.Data.ReplacedValues,
-    "values replaced by 0 that are not finite");
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkConformalPLYReader::Warn(
-  vtkPolyData* output, const char* name, vtkTypeUInt64 count, const char* message)
-{
-  if (count == 0)
-  {
-    return;
-  }
-  vtkNew<vtkIdTypeArray> number;
-  number->SetName(name);
-  number->InsertNextValue(static_cast<vtkIdType>(count));
-  output->GetFieldData()->AddArray(number);
-  vtkWarningMacro(<< this->FileName << ": " << count << " " << message);
+  return conformal::parsePLY(input, options, {}, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,7 @@
 #include "vtkTexturedSurfaceWriter.h"
 
-#include "FileOutput.h"
 #include "TexturedSurfaceBytes.h"
+#include "vtkSurfaceConversions.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -15,30 +15,20 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <limits>
-#include <stdexcept>
 
 vtkStandardNewMacro(vtkTexturedSurfaceWriter);
 
 namespace
 {
-class WriteError : public std::runtime_error
-{
-public:
-  WriteError(unsigned long code, const std::string& message)
-    : std::runtime_error(message)
-    , Code(code)
-  {
-  }
-  const unsigned long Code;
-};
+using vtkSurfaceConversions::OnlyTriangles;
+using vtkSurfaceConversions::WriteError;
+using vtkSurfaceConversions::WriteTogether;
 
 void Require(bool condition, const char* message)
 {
@@ -46,22 +36,6 @@ void Require(bool condition, const char* message)
   {
     throw WriteError(vtkErrorCode::UserError, message);
   }
-}
-
-vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
-{
-  const bool areTriangles =
-    input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
-  if (areTriangles)
-  {
-    return input;
-  }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(input);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  return triangles->GetOutput();
 }
 
 std::vector<float> ToUnitVectors(vtkDataArray* array)
@@ -158,19 +132,6 @@ std::string ToPNG(vtkImageData* texture)
     static_cast<std::size_t>(bytes->GetNumberOfValues()) };
 }
 
-void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files)
-{
-  const conformal::WriteStatus status = conformal::writeFiles(files);
-  if (status.Code == conformal::WriteCode::CannotOpen)
-  {
-    throw WriteError(vtkErrorCode::CannotOpenFileError, status.Path + " cannot be opened");
-  }
-  if (status.Code == conformal::WriteCode::OutOfDiskSpace)
-  {
-    throw WriteError(vtkErrorCode::OutOfDiskSpaceError, status.Path + " cannot be written whole");
-  }
-}
-
 std::string LowerCaseExtension(const std::filesystem::path& path)
 {
   std::string extension = path.extension().u8string();
@@ -189,12 +150,6 @@ vtkTexturedSurfaceWriter::vtkTexturedSurfaceWriter()
 }
 
 //------------------------------------------------------------------------------
-vtkTexturedSurfaceWriter::~vtkTexturedSurfaceWriter()
-{
-  delete[] this->FileName;
-}
-
-//------------------------------------------------------------------------------
 int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
@@ -202,44 +157,8 @@ int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-int vtkTexturedSurfaceWriter::Write()
+void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
-  const int isWritten = this->Superclass::Write();
-  return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkTexturedSurfaceWriter::WriteData()
-{
-  try
-  {
-    this->WriteFiles();
-    this->SetErrorCode(vtkErrorCode::NoError);
-  }
-  catch (const conformal::ParseError&) // asked to abort: nothing was written
-  {
-    this->SetErrorCode(vtkErrorCode::NoError);
-  }
-  catch (const WriteError& e)
-  {
-    this->SetErrorCode(e.Code);
-    vtkErrorMacro(<< e.what());
-  }
-  catch (const std::exception& e)
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< e.what());
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkTexturedSurfaceWriter::WriteFiles()
-{
-  if (!this->FileName || !this->FileName[0])
-  {
-    throw WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
-  }
   const std::filesystem::path path = std::filesystem::u8path(this->FileName);
   const std::string extension = LowerCaseExtension(path);
   if (extension != ".glb" && extension != ".obj" && extension != ".ply")
@@ -251,11 +170,6 @@ void vtkTexturedSurfaceWriter::WriteFiles()
     ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));
   surface.RepeatsTexture = this->RepeatTexture;
   const std::string png = ToPNG(vtkImageData::SafeDownCast(this->GetInput(1)));
-  const conformal::ParseProgress progress = [this](double fraction)
-  {
-    this->UpdateProgress(fraction);
-    return this->GetAbortExecute() == 0;
-  };
   if (extension == ".glb")
   {
     const std::string glb = conformal::makeGLB(surface, png, progress);
@@ -280,6 +194,5 @@ void vtkTexturedSurfaceWriter::WriteFiles()
 void vtkTexturedSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "RepeatTexture: " << (this->RepeatTexture ? "On" : "Off") << "\n";
 }

@@ -18,34 +18,24 @@
  * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
  *   vertices, and beside it the texture (".png") of the same name.
  *
- * Files are written whole or not at all: after an error, which sets an error code of vtkErrorCode
- * and makes Write() return 0, an older file of the name is as it was. The text is alike in every
- * locale.
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
  *
  * @sa
- * vtkSphericalTextureMap vtkGLTFReader vtkOBJReader
+ * vtkSurfaceFileWriter vtkSphericalTextureMap vtkGLTFReader vtkOBJReader
  */
 
 #ifndef vtkTexturedSurfaceWriter_h
 #define vtkTexturedSurfaceWriter_h
 
 #include "vtkIOSurfaceModule.h" // for export macro
-#include "vtkWriter.h"
+#include "vtkSurfaceFileWriter.h"
 
-class VTKIOSURFACE_EXPORT vtkTexturedSurfaceWriter : public vtkWriter
+class VTKIOSURFACE_EXPORT vtkTexturedSurfaceWriter : public vtkSurfaceFileWriter
 {
 public:
   static vtkTexturedSurfaceWriter* New();
-  vtkTypeMacro(vtkTexturedSurfaceWriter, vtkWriter);
+  vtkTypeMacro(vtkTexturedSurfaceWriter, vtkSurfaceFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Name of the file to write, ending in ".glb", ".obj" or ".ply". Default is none.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -58,25 +48,17 @@ public:
   vtkBooleanMacro(RepeatTexture, bool);
   ///@}
 
-  /**
-   * Write the file or files. Returns 1 on success and 0 on failure.
-   */
-  int Write() override;
-
 protected:
   vtkTexturedSurfaceWriter();
-  ~vtkTexturedSurfaceWriter() override;
+  ~vtkTexturedSurfaceWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
 
 private:
-  void WriteFiles();
-
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
 
-  char* FileName = nullptr;
   bool RepeatTexture = false;
 };
 

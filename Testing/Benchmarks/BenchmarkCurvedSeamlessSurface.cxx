@@ -3,7 +3,7 @@
 #include "BenchmarkFixtures.h"
 #include "CurvedSeamlessSurface.h"
 #include "GeodesicSphere.h"
-#include "SchwarzChristoffel.h"
+#include "NetworkShapes.h"
 #include "SphereLocator.h"
 
 #include <benchmark/benchmark.h>
@@ -12,10 +12,14 @@
 #include <cmath>
 #include <vector>
 
+using conformal::CurvedSeamlessSurface;
+using conformal::CurvedSeamlessSurfaceOptions;
+using conformal::DomeHeight;
 using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
 using conformal::Points;
+using conformal::SeamMode;
 using conformal::TriangleShape;
 using conformal::Vector3;
 
@@ -31,30 +35,76 @@ Points lumpyModel(const Points& sphere)
   for (Index i = 0; i < model.rows(); ++i)
   {
     const Vector3 n = sphere.row(i);
-    model.row(i) *= 1.0 + 0.2 * std::sin(20.0 * n[0]) * std::sin(17.0 * n[1] + 1.0);
+    model.row(i) *= 1.0 + 0.06 * std::sin(9.0 * n[0]) * std::sin(7.0 * n[1] + 1.0);
   }
   return model;
 }
 
-void surface(benchmark::State& state, int frequency, int surfaceFrequency, int threads)
+CurvedSeamlessSurfaceOptions optionsOf(SeamMode seamMode, DomeHeight domeHeight)
+{
+  CurvedSeamlessSurfaceOptions options;
+  options.SeamMode = seamMode;
+  options.DomeHeight = domeHeight;
+  return options;
+}
+
+/// From the mesh to the points of the surface, tables and all. CPU time is that of all threads.
+void surface(benchmark::State& state, int frequency, int surfaceFrequency, int threads,
+  const CurvedSeamlessSurfaceOptions& options = {})
 {
   const GeodesicSphere network = makeGeodesicSphere(frequency);
   const Points model = lumpyModel(network.Positions);
   const Points directions = makeGeodesicSphere(surfaceFrequency).Positions;
   const conformal::ParallelFor parallelFor = fixtures::threads(threads);
+  Points positions(directions.rows(), 3), normals(directions.rows(), 3);
+  conformal::SurfaceSamples samples;
+  samples.Positions = positions.data();
+  samples.Normals = normals.data();
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(conformal::buildCurvedSeamlessSurface(
-      network.Positions, model, network.Faces, directions, parallelFor));
+    const CurvedSeamlessSurface surface(
+      network.Positions, model, network.Faces, options, nullptr, parallelFor);
+    conformal::evaluate(surface, directions, samples, parallelFor);
   }
   state.counters["Points"] = static_cast<double>(directions.rows());
 }
 
-void AgainstPoints(benchmark::State& state)
+void EdgeMatched(benchmark::State& state)
 {
-  surface(state, PaperFrequency, static_cast<int>(state.range(0)), 1);
+  surface(
+    state, PaperFrequency, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
 }
-BENCHMARK(AgainstPoints)->Arg(40)->Arg(80)->Arg(160)->Arg(320)->Unit(benchmark::kMillisecond);
+BENCHMARK(EdgeMatched)
+  ->ArgNames({ "f", "threads" })
+  ->ArgsProduct({ { 40, 80, 160, 316 }, { 1, 2 } })
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+void PerTriangle(benchmark::State& state)
+{
+  surface(state, PaperFrequency, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)),
+    optionsOf(SeamMode::PerTriangle, DomeHeight::Curvature));
+}
+BENCHMARK(PerTriangle)
+  ->ArgNames({ "f", "threads" })
+  ->ArgsProduct({ { 40, 80, 160, 316 }, { 1, 2 } })
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+
+void Published(benchmark::State& state)
+{
+  surface(state, PaperFrequency, PaperSurfaceFrequency, static_cast<int>(state.range(0)),
+    optionsOf(SeamMode::PerTriangle, DomeHeight::Published));
+}
+BENCHMARK(Published)
+  ->ArgName("threads")
+  ->Arg(1)
+  ->Arg(2)
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
 
 void AgainstTriangles(benchmark::State& state)
 {
@@ -68,11 +118,23 @@ BENCHMARK(AgainstTriangles)
   ->Arg(144)
   ->Unit(benchmark::kMillisecond);
 
-void AgainstThreads(benchmark::State& state)
+/// Back from points of the surface to the sphere, the tree of the surface and all.
+void ToSphere(benchmark::State& state)
 {
-  surface(state, PaperFrequency, PaperSurfaceFrequency, static_cast<int>(state.range(0)));
+  const GeodesicSphere network = makeGeodesicSphere(PaperFrequency);
+  const Points model = lumpyModel(network.Positions);
+  const Points directions = makeGeodesicSphere(PaperSurfaceFrequency).Positions;
+  const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
+  Points positions(directions.rows(), 3), back(directions.rows(), 3);
+  conformal::SurfaceSamples samples;
+  samples.Positions = positions.data();
+  conformal::evaluate(surface, directions, samples);
+  for (auto _ : state)
+  {
+    conformal::invert(surface, positions, back.data());
+  }
 }
-BENCHMARK(AgainstThreads)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ToSphere)->Unit(benchmark::kMillisecond);
 
 /// The parts, in time for one triangle or one point.
 class Parts : public benchmark::Fixture

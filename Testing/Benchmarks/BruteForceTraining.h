@@ -6,7 +6,7 @@
 #include "ConformalSOM.h"
 #include "MeshTopology.h"
 #include "Random.h"
-#include "SchwarzChristoffel.h"
+#include "NetworkShapes.h"
 #include "TriangleTree.h"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include "FilterContract.h"
 #include "MeshFixtures.h"
+#include "vtkCurvedSeamlessMap.h"
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkAppendPolyData.h"
@@ -9,6 +10,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFeatureEdges.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkPoints.h"
@@ -22,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -177,10 +180,17 @@ TEST_F(CurvedSeamlessSurface, TheSphereStaysASphere)
   vtkNew<vtkGeodesicSphereSource> network;
   network->SetFrequency(6);
   network->Update();
-  vtkPolyData* output = this->ExpectDone(network->GetOutput(), "");
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  for (const auto& [domeHeight, tolerance] :
+    { std::pair<int, double>{ vtkCurvedSeamlessMap::NONE, 8e-3 },
+      { vtkCurvedSeamlessMap::PUBLISHED, 1.6e-5 }, { vtkCurvedSeamlessMap::SCALED, 2e-5 },
+      { vtkCurvedSeamlessMap::CURVATURE, 5e-4 } })
   {
-    EXPECT_NEAR(vtkMath::Norm(output->GetPoint(i)), 1.0, 1.6e-5);
+    this->Filter->SetDomeHeight(domeHeight);
+    vtkPolyData* output = this->ExpectDone(network->GetOutput(), "");
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_NEAR(vtkMath::Norm(output->GetPoint(i)), 1.0, tolerance);
+    }
   }
 }
 
@@ -255,11 +265,151 @@ TEST_F(CurvedSeamlessSurface, RunsOnlyWhenModifiedAndPrints)
 {
   this->Filter->SetInputData(Ellipsoid());
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetFrequency(3); });
-  contract::ExpectPrints(this->Filter, "Frequency");
+  const vtkMTimeType before = this->Filter->GetOutput()->GetMTime();
+  this->Filter->SetSeamModeToPerTriangle();
+  this->Filter->Update();
+  EXPECT_GT(this->Filter->GetOutput()->GetMTime(), before);
+  for (const char* property :
+    { "Frequency", "SeamMode", "DomeHeight", "VertexShift", "NumberOfFitRounds", "FitSmoothness" })
+  {
+    contract::ExpectPrints(this->Filter, property);
+  }
   this->Filter->SetFrequency(0);
   EXPECT_EQ(this->Filter->GetFrequency(), 1);
   this->Filter->SetFrequency(1001);
   EXPECT_EQ(this->Filter->GetFrequency(), 1000);
+}
+
+TEST_F(CurvedSeamlessSurface, PropertiesAreThoseOfItsMap)
+{
+  EXPECT_EQ(this->Filter->GetSeamMode(), vtkCurvedSeamlessMap::EDGE_MATCHED);
+  EXPECT_EQ(this->Filter->GetDomeHeight(), vtkCurvedSeamlessMap::CURVATURE);
+  this->Filter->SetSeamModeToPerTriangle();
+  this->Filter->SetDomeHeightToScaled();
+  this->Filter->SetVertexShift(0.25);
+  this->Filter->SetNumberOfFitRounds(7);
+  this->Filter->SetFitSmoothness(0.5);
+  vtkCurvedSeamlessMap* map = this->Filter->GetMap();
+  EXPECT_EQ(map->GetSeamMode(), vtkCurvedSeamlessMap::PER_TRIANGLE);
+  EXPECT_EQ(map->GetDomeHeight(), vtkCurvedSeamlessMap::SCALED);
+  EXPECT_EQ(this->Filter->GetVertexShift(), map->GetVertexShift());
+  EXPECT_EQ(this->Filter->GetNumberOfFitRounds(), map->GetNumberOfFitRounds());
+  EXPECT_EQ(this->Filter->GetFitSmoothness(), map->GetFitSmoothness());
+  EXPECT_FALSE(map->IsBuilt());
+  this->Run(Ellipsoid());
+  EXPECT_TRUE(map->IsBuilt());
+}
+
+TEST_F(CurvedSeamlessSurface, IsWhatItsMapSays)
+{
+  vtkPolyData* output = this->Run(Ellipsoid());
+  vtkNew<vtkDoubleArray> positions, normals;
+  ASSERT_TRUE(this->Filter->GetMap()->ToSurface(
+    output->GetPointData()->GetArray("SpherePosition"), positions, normals));
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_NEAR(positions->GetComponent(i, c), output->GetPoint(i)[c], 1e-13);
+      ASSERT_NEAR(normals->GetComponent(i, c),
+        output->GetPointData()->GetNormals()->GetComponent(i, c), 1e-12);
+    }
+  }
+}
+
+TEST_F(CurvedSeamlessSurface, FitsACloud)
+{
+  const vtkNew<vtkPolyData> coarse = Ellipsoid(4), fine = Ellipsoid(40);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(fine->GetPoints());
+  const auto error = [&]()
+  {
+    vtkPolyData* output = this->ExpectDone(coarse, "");
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      output->GetPoint(i, p);
+      p[0] = (p[0] - 10.0) / 3.0;
+      p[1] /= 2.0;
+      sum += std::pow(vtkMath::Norm(p) - 1.0, 2);
+    }
+    return std::sqrt(sum / static_cast<double>(output->GetNumberOfPoints()));
+  };
+  this->Filter->SetCloudData(cloud);
+  const double curved = error();
+  this->Filter->SetDomeHeightToFitted();
+  EXPECT_LT(error(), 0.4 * curved);
+}
+
+TEST_F(CurvedSeamlessSurface, FitsNothingWithoutACloud)
+{
+  this->Filter->SetDomeHeightToFitted();
+  this->ExpectRefused(Ellipsoid(), "there is none");
+  this->Filter->SetCloudData(vtkNew<vtkPolyData>());
+  this->ExpectRefused(Ellipsoid(), "there is none");
+}
+
+TEST_F(CurvedSeamlessSurface, PointsOfACloudThatAreNotFiniteAreLeftOut)
+{
+  const vtkNew<vtkPolyData> cloud = Ellipsoid(20);
+  vtkNew<vtkPolyData> expected;
+  this->Filter->SetDomeHeightToFitted();
+  this->Filter->SetCloudData(cloud);
+  expected->DeepCopy(this->Run(Ellipsoid()));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  cloud->GetPoints()->InsertNextPoint(nan, 0.0, 0.0);
+  cloud->GetPointData()->Initialize();
+  cloud->Modified();
+  vtkPolyData* output =
+    this->ExpectDone(Ellipsoid(), "1 points of the cloud are not finite and left out");
+  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+}
+
+// The vertices of a polished mesh lie outside of ridges.
+TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  this->Filter->SetSphereData(surface); // evaluated at the vertices
+  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+  vtkNew<vtkIdTypeArray> polished;
+  polished->SetName("Polished");
+  polished->InsertNextValue(0);
+  surface->GetFieldData()->AddArray(polished);
+  surface->Modified();
+  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+  polished->SetValue(0, 1);
+  surface->Modified();
+  vtkPolyData* output = this->Run(surface);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    output->GetPoint(i, p);
+    p[0] = (p[0] - 10.0) / 3.0;
+    p[1] /= 2.0;
+    EXPECT_LT(vtkMath::Norm(p), 1.0 - 1e-4);
+  }
+  this->Filter->SetVertexShift(0.0);
+  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+}
+
+TEST_F(CurvedSeamlessSurface, NormalsLookOutwardsWhateverTheDomes)
+{
+  const vtkNew<vtkPolyData> ellipsoid = Ellipsoid(6);
+  for (int domeHeight = vtkCurvedSeamlessMap::NONE; domeHeight < vtkCurvedSeamlessMap::FITTED;
+       ++domeHeight)
+  {
+    this->Filter->SetDomeHeight(domeHeight);
+    vtkPolyData* output = this->ExpectDone(ellipsoid, "");
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      output->GetPoint(i, p);
+      double gradient[3] = { (p[0] - 10.0) / 9.0, p[1] / 4.0, p[2] };
+      vtkMath::Normalize(gradient);
+      ASSERT_GT(vtkMath::Dot(gradient, output->GetPointData()->GetNormals()->GetTuple3(i)), 0.9);
+    }
+  }
 }
 
 TEST_F(CurvedSeamlessSurface, WithoutInputTheExecutiveComplains)

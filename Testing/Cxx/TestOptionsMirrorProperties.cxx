@@ -1,9 +1,15 @@
 // Options of the core and properties of the filters have the same defaults.
+#include "CurvedSeamlessSurface.h"
 #include "GenusZeroHull.h"
+#include "GlobalConformalMap.h"
+#include "SphericalAlignment.h"
 #include "SphericalTexture.h"
 #include "SphericalTextureBlend.h"
 #include "SurfaceMismatch.h"
+#include "vtkCurvedSeamlessMap.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGlobalConformalMap.h"
+#include "vtkSphericalAlignment.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkSurfaceMismatch.h"
@@ -11,6 +17,26 @@
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
+
+TEST(OptionsMirrorProperties, CurvedSeamlessSurface)
+{
+  const conformal::CurvedSeamlessSurfaceOptions options;
+  vtkNew<vtkCurvedSeamlessMap> map;
+  EXPECT_EQ(map->GetSeamMode(), static_cast<int>(options.SeamMode));
+  EXPECT_EQ(map->GetDomeHeight(), static_cast<int>(options.DomeHeight));
+  EXPECT_EQ(map->GetVertexShift(), options.VertexShift);
+  EXPECT_EQ(map->GetNumberOfFitRounds(), options.Fit.NumberOfFitRounds);
+  EXPECT_EQ(map->GetFitSmoothness(), options.Fit.FitSmoothness);
+  using conformal::DomeHeight;
+  using conformal::SeamMode;
+  EXPECT_EQ(vtkCurvedSeamlessMap::PER_TRIANGLE, static_cast<int>(SeamMode::PerTriangle));
+  EXPECT_EQ(vtkCurvedSeamlessMap::EDGE_MATCHED, static_cast<int>(SeamMode::EdgeMatched));
+  EXPECT_EQ(vtkCurvedSeamlessMap::NONE, static_cast<int>(DomeHeight::None));
+  EXPECT_EQ(vtkCurvedSeamlessMap::PUBLISHED, static_cast<int>(DomeHeight::Published));
+  EXPECT_EQ(vtkCurvedSeamlessMap::SCALED, static_cast<int>(DomeHeight::Scaled));
+  EXPECT_EQ(vtkCurvedSeamlessMap::CURVATURE, static_cast<int>(DomeHeight::Curvature));
+  EXPECT_EQ(vtkCurvedSeamlessMap::FITTED, static_cast<int>(DomeHeight::Fitted));
+}
 
 TEST(OptionsMirrorProperties, GenusZeroHull)
 {
@@ -28,6 +54,26 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::LeastPersistence);
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::LargestPersistence);
   EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::LargestSmoothingPasses);
+}
+
+TEST(OptionsMirrorProperties, GlobalConformalMap)
+{
+  const conformal::GlobalConformalMapOptions options;
+  vtkNew<vtkGlobalConformalMap> filter;
+  EXPECT_EQ(filter->GetMethod(), static_cast<int>(options.Method));
+  EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
+  EXPECT_EQ(filter->GetMaximumNumberOfIterations(), options.MaximumNumberOfIterations);
+  EXPECT_EQ(filter->GetTolerance(), options.Tolerance);
+  using conformal::GlobalConformalMethod;
+  EXPECT_EQ(vtkGlobalConformalMap::ROBUST, static_cast<int>(GlobalConformalMethod::Robust));
+  EXPECT_EQ(vtkGlobalConformalMap::GUYAU, static_cast<int>(GlobalConformalMethod::GuYau));
+}
+
+TEST(OptionsMirrorProperties, SphericalAlignment)
+{
+  using conformal::AlignmentKind;
+  EXPECT_EQ(vtkSphericalAlignment::ROTATION, static_cast<int>(AlignmentKind::Rotation));
+  EXPECT_EQ(vtkSphericalAlignment::MOEBIUS, static_cast<int>(AlignmentKind::Moebius));
 }
 
 TEST(OptionsMirrorProperties, SphericalTexture)

@@ -1,4 +1,4 @@
-#include "SchwarzChristoffel.h"
+#include "NetworkShapes.h"
 
 #include "GeodesicSphere.h"
 

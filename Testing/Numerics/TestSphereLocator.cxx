@@ -80,6 +80,30 @@ Points squeezed(const Points& positions, double factor)
 }
 }
 
+TEST(SphereLocator, HintsChangeNothing)
+{
+  const GeodesicSphere sphere = makeGeodesicSphere(11);
+  const SphereLocator locator(sphere.Positions, sphere.Faces);
+  Directions directions;
+  for (int i = 0; i < 20000; ++i)
+  {
+    Vector3 direction = directions.next();
+    if (i % 3 == 0) // on edges and vertices it is a matter of order
+    {
+      const auto ids = sphere.Faces.row(i % sphere.Faces.rows());
+      direction = Vector3(sphere.Positions.row(ids[0]));
+      direction = i % 2
+        ? direction
+        : Vector3((direction + sphere.Positions.row(ids[1]).transpose()).normalized());
+    }
+    const SphereLocation expected = locator.locate(direction);
+    const int near = i % 2 ? expected.Triangle : i % static_cast<int>(sphere.Faces.rows());
+    const SphereLocation hinted = locator.locate(direction, near);
+    ASSERT_EQ(hinted.Triangle, expected.Triangle);
+    ASSERT_EQ(hinted.Barycentric, expected.Barycentric);
+  }
+}
+
 TEST(SphereLocator, FindsEveryDirectionOnEveryLattice)
 {
   Directions directions;

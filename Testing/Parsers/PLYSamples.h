@@ -2,23 +2,13 @@
 #ifndef PLYSamples_h
 #define PLYSamples_h
 
-#include <algorithm>
-#include <cstring>
+#include "MadeBytes.h"
+
 #include <string>
 #include <vector>
 
 namespace samples
 {
-inline std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size()))
-  {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
 // A tetrahedron with an attribute of every sort, elements around it that nobody knows.
 inline const std::string& AsciiMesh()
 {
@@ -111,51 +101,18 @@ inline const std::string& AsciiGrid()
   return text;
 }
 
-// Builds binary files of either order.
-class Binary
+// A binary file of either order, behind its header.
+inline Bytes Binary(bool isBig, const std::string& header)
 {
-public:
-  Binary(bool isBig, const std::string& header)
-    : IsBig(isBig)
-    , Bytes("ply\nformat binary_" + std::string(isBig ? "big" : "little") + "_endian 1.0\n" +
-        header + "end_header\n")
-  {
-  }
-  template <typename T>
-  Binary& add(T value)
-  {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    const std::uint16_t one = 1;
-    char first = 0;
-    std::memcpy(&first, &one, 1);
-    if (this->IsBig == (first == 1))
-    {
-      std::reverse(bytes, bytes + sizeof(T));
-    }
-    this->Bytes.append(bytes, sizeof(T));
-    return *this;
-  }
-  template <typename T>
-  Binary& add(const std::vector<T>& values)
-  {
-    for (const T value : values)
-    {
-      this->add(value);
-    }
-    return *this;
-  }
-  const std::string& bytes() const { return this->Bytes; }
-
-private:
-  bool IsBig;
-  std::string Bytes;
-};
+  return Bytes(isBig,
+    "ply\nformat binary_" + std::string(isBig ? "big" : "little") + "_endian 1.0\n" + header +
+      "end_header\n");
+}
 
 // The mesh of AsciiMesh() in binary, properties in another order.
 inline std::string BinaryMesh(bool isBig)
 {
-  Binary file(isBig,
+  Bytes file = Binary(isBig,
     "element face 4\n"
     "property list uint8 uint32 vertex_index\n"
     "property int32 group\n"
@@ -195,6 +152,45 @@ inline std::string BinaryCloud(bool isBig)
   return Binary(isBig, "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n")
     .add(std::vector<float>{ 1.5F, -2.25F, 3.0F, 1e-30F, 1e30F, 0.1F })
     .bytes();
+}
+
+inline std::vector<std::string> PLYFiles()
+{
+  return { AsciiMesh(), AsciiCloud(), AsciiStrips(), AsciiGrid(), BinaryMesh(false),
+    BinaryMesh(true), BinaryCloud(false), BinaryCloud(true) };
+}
+
+// Each breaks another rule.
+inline std::vector<std::string> BadPLYFiles()
+{
+  const auto& mesh = AsciiMesh();
+  const std::string binary = BinaryMesh(true);
+  return { replaced(mesh, "ascii", "ebcdic"), replaced(mesh, "ascii 1.0", "ascii 2.0"),
+    replaced(mesh, "format ascii 1.0\n", ""),
+    replaced(mesh, "comment a", "format ascii 1.0\ncomment a"),
+    replaced(mesh, "obj_info some", "vertices 4"),
+    replaced(mesh, "element camera 1", "element camera"),
+    replaced(mesh, "element camera 1", "element camera -1"),
+    replaced(mesh, "element camera 1", "element camera 1x"),
+    replaced(mesh, "vertex 4", "vertex 99999999999999999999"),
+    replaced(mesh, "vertex 4", "vertex 999999999"), replaced(mesh, "vertex 4", "vertex 5"),
+    replaced(mesh, "vertex 4", "vertex 3"), replaced(mesh, "element camera 1\n", ""),
+    replaced(mesh, "element camera", "element vertex"),
+    replaced(mesh, "property float y", "property float x"),
+    replaced(mesh, "property float y", "property quaternion y"),
+    replaced(mesh, "property float y", "property float"), replaced(mesh, "property float y\n", ""),
+    replaced(mesh, "list uchar int", "list float int"), replaced(mesh, "uchar int", "uchar float"),
+    replaced(mesh, "vertex_indices", "corners"), replaced(mesh, "end_header", "end_head"),
+    replaced(mesh, "1 0 0  0 1 0", "1.2.3 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "nan 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "1e999 0 0  0 1 0"),
+    replaced(mesh, "1 0 0  0 1 0", "1,5 0 0  0 1 0"), replaced(mesh, "4 5 6", "4 256 6"),
+    replaced(mesh, "8 3 0 1 3", "8 3 0 1 4"), replaced(mesh, "8 3 0 1 3", "8 3 0 1 -1"),
+    replaced(mesh, "8 3 0 1 3", "8 -3 0 1 3"), replaced(mesh, "8 3 0 1 3", "8 4 0 1 3"),
+    replaced(mesh, "face 4", "face 5"), replaced(mesh, "face 4", "face 4294967296"),
+    replaced(mesh, "35.5 2 0.1", "35.5 200 0.1"), mesh.substr(0, mesh.size() / 2),
+    binary.substr(0, binary.size() - 1), binary.substr(0, 30),
+    replaced(AsciiGrid(), "num_rows 3", "num_rows 2"), replaced(AsciiStrips(), "4 5", "4 6") };
 }
 }
 

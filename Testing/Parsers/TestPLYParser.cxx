@@ -3,6 +3,7 @@
 #include "../CommaLocale.h"
 #include "PLYHeader.h"
 #include "PLYSamples.h"
+#include "ParsedArrays.h"
 #include "Pieces.h"
 
 #include <gtest/gtest.h>
@@ -13,62 +14,29 @@
 #include <limits>
 
 using conformal::ParseCode;
-using conformal::parsePLY;
-using conformal::PLYData;
 using conformal::ScalarType;
+using conformal::SurfaceData;
+using samples::AreSame;
+using samples::ExpectArray;
+using samples::find;
+using samples::Ids;
+using samples::polygonIds;
+using samples::polygonOffsets;
+using samples::values;
 
 namespace
 {
-const conformal::NamedArray* find(
-  const std::vector<conformal::NamedArray>& arrays, const char* name)
+conformal::SurfaceResult parsePLY(std::string_view bytes, const conformal::PLYOptions& options = {},
+  const conformal::ParseLimits& limits = {}, const conformal::ParseProgress& progress = {})
 {
-  const auto found = std::find_if(
-    arrays.begin(), arrays.end(), [&](const auto& array) { return array.Name == name; });
-  return found == arrays.end() ? nullptr : &*found;
+  conformal::ByteReader input(bytes);
+  return conformal::parsePLY(input, options, limits, progress);
 }
 
-template <typename T>
-std::vector<T> values(const conformal::NamedArray& array)
-{
-  std::vector<T> result(array.Values.size() / sizeof(T));
-  std::copy_n(
-    array.Values.data(), array.Values.size(), reinterpret_cast<unsigned char*>(result.data()));
-  return result;
-}
-
-template <typename T>
-void ExpectArray(const std::vector<conformal::NamedArray>& arrays, const char* name,
-  ScalarType type, std::size_t components, const std::vector<T>& expected)
-{
-  const conformal::NamedArray* array = find(arrays, name);
-  ASSERT_NE(array, nullptr) << name;
-  EXPECT_EQ(array->Type, type) << name;
-  EXPECT_EQ(array->Components, components) << name;
-  EXPECT_EQ(values<T>(*array), expected) << name;
-}
-
-using Ids = std::vector<std::int64_t>;
-
-Ids polygonIds(const PLYData& data)
-{
-  return Ids(data.PolygonIds.data(), data.PolygonIds.data() + data.PolygonIds.size());
-}
-
-Ids polygonOffsets(const PLYData& data)
-{
-  return Ids(data.PolygonOffsets.data(), data.PolygonOffsets.data() + data.PolygonOffsets.size());
-}
-
-bool AreSame(const conformal::NamedArray& a, const conformal::NamedArray& b)
-{
-  return a.Name == b.Name && a.Type == b.Type && a.Values.size() == b.Values.size() &&
-    std::equal(a.Values.data(), a.Values.data() + a.Values.size(), b.Values.data());
-}
-
-void ExpectTetrahedron(const conformal::PLYResult& result)
+void ExpectTetrahedron(const conformal::SurfaceResult& result)
 {
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
-  const PLYData& data = result.Data;
+  const SurfaceData& data = result.Data;
   EXPECT_EQ(data.Points.Type, ScalarType::Float32);
   EXPECT_EQ(values<float>(data.Points), (std::vector<float>{ 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 }));
   EXPECT_EQ(polygonOffsets(data), (Ids{ 0, 3, 6, 9, 12 }));
@@ -85,7 +53,7 @@ void ExpectTetrahedron(const conformal::PLYResult& result)
 void ExpectRefused(
   const std::string& bytes, ParseCode code, std::uint64_t line, const std::string& part)
 {
-  const conformal::PLYResult result = parsePLY(bytes);
+  const conformal::SurfaceResult result = parsePLY(bytes);
   EXPECT_EQ(result.Status.Code, code) << result.Status.text();
   EXPECT_EQ(result.Status.Line, line) << result.Status.text();
   EXPECT_NE(result.Status.Message.find(part), std::string::npos) << result.Status.text();
@@ -103,7 +71,7 @@ const std::string XYZ = "property float x\nproperty float y\nproperty float z\n"
 
 TEST(PLYParser, ReadsEveryAttributeOfAnAsciiMesh)
 {
-  const conformal::PLYResult result = parsePLY(samples::AsciiMesh());
+  const conformal::SurfaceResult result = parsePLY(samples::AsciiMesh());
   ExpectTetrahedron(result);
   ExpectArray<float>(result.Data.PointArrays, "Normals", ScalarType::Float32, 3,
     { 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, -1 });
@@ -118,7 +86,7 @@ TEST(PLYParser, ReadsBinaryOfBothOrdersWithElementsInAnyOrder)
   ExpectTetrahedron(parsePLY(samples::BinaryMesh(true)));
   for (const bool isBig : { false, true })
   {
-    const conformal::PLYResult cloud = parsePLY(samples::BinaryCloud(isBig));
+    const conformal::SurfaceResult cloud = parsePLY(samples::BinaryCloud(isBig));
     EXPECT_EQ(values<float>(cloud.Data.Points),
       (std::vector<float>{ 1.5F, -2.25F, 3.0F, 1e-30F, 1e30F, 0.1F }));
   }
@@ -134,7 +102,7 @@ TEST(PLYParser, ReadsEveryTypeByBothNames)
     for (const char* name : names[type])
     {
       const std::string extra = std::string("property ") + name + " extra\n";
-      const conformal::PLYResult result = parsePLY(cloudOf(XYZ + extra, 1, "1 2 3 100\n"));
+      const conformal::SurfaceResult result = parsePLY(cloudOf(XYZ + extra, 1, "1 2 3 100\n"));
       ASSERT_TRUE(result.Status.ok()) << name;
       const conformal::NamedArray* array = find(result.Data.PointArrays, "extra");
       ASSERT_NE(array, nullptr);
@@ -147,13 +115,13 @@ TEST(PLYParser, ReadsEveryTypeByBothNames)
 
 TEST(PLYParser, KeepsDoublesAndWidensWhatNoPointCanBe)
 {
-  const conformal::PLYResult doubles = parsePLY(samples::AsciiCloud());
+  const conformal::SurfaceResult doubles = parsePLY(samples::AsciiCloud());
   EXPECT_EQ(doubles.Data.Points.Type, ScalarType::Float64);
   EXPECT_EQ(values<double>(doubles.Data.Points)[3], 1234567.123456789);
-  const conformal::PLYResult mixed = parsePLY(
+  const conformal::SurfaceResult mixed = parsePLY(
     cloudOf("property int x\nproperty float y\nproperty uchar z\n", 1, "-2147483648 0.5 255\n"));
   EXPECT_EQ(values<double>(mixed.Data.Points), (std::vector<double>{ -2147483648.0, 0.5, 255 }));
-  const conformal::PLYResult binary = parsePLY(
+  const conformal::SurfaceResult binary = parsePLY(
     samples::Binary(true, "element vertex 1\nproperty int x\nproperty float y\nproperty uchar z\n")
       .add<std::int32_t>(-5)
       .add(0.5F)
@@ -165,19 +133,19 @@ TEST(PLYParser, KeepsDoublesAndWidensWhatNoPointCanBe)
 TEST(PLYParser, GroupsOnlyWhatBelongsTogether)
 {
   // Colours with alpha; colours that are no bytes and a lone pair stay single.
-  const conformal::PLYResult rgba = parsePLY(cloudOf(XYZ +
+  const conformal::SurfaceResult rgba = parsePLY(cloudOf(XYZ +
       "property uchar alpha\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       "property float u\nproperty float v\nproperty float nx\n",
     1, "0 0 0 4 1 2 3 0.5 0.75 1\n"));
   ExpectArray<std::uint8_t>(rgba.Data.PointArrays, "RGBA", ScalarType::UInt8, 4, { 1, 2, 3, 4 });
   ExpectArray<float>(rgba.Data.PointArrays, "TCoords", ScalarType::Float32, 2, { 0.5F, 0.75F });
   ExpectArray<float>(rgba.Data.PointArrays, "nx", ScalarType::Float32, 1, { 1 });
-  const conformal::PLYResult floats =
+  const conformal::SurfaceResult floats =
     parsePLY(cloudOf(XYZ + "property float red\nproperty float green\nproperty float blue\n", 1,
       "0 0 0 0.1 0.2 0.3\n"));
   ExpectArray<float>(floats.Data.PointArrays, "red", ScalarType::Float32, 1, { 0.1F });
   // A property that has the name of a group keeps it.
-  const conformal::PLYResult named = parsePLY(cloudOf(
+  const conformal::SurfaceResult named = parsePLY(cloudOf(
     XYZ + "property float s\nproperty float t\nproperty int TCoords\n", 1, "0 0 0 1 2 3\n"));
   ExpectArray<std::int32_t>(named.Data.PointArrays, "TCoords", ScalarType::Int32, 1, { 3 });
   ExpectArray<float>(named.Data.PointArrays, "s", ScalarType::Float32, 1, { 1 });
@@ -185,7 +153,7 @@ TEST(PLYParser, GroupsOnlyWhatBelongsTogether)
 
 TEST(PLYParser, ResolvesStripsIntoTrianglesOfOneWinding)
 {
-  const conformal::PLYResult result = parsePLY(samples::AsciiStrips());
+  const conformal::SurfaceResult result = parsePLY(samples::AsciiStrips());
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   // 2 3 3 4 5: two triangles turn the strip, the third is the fifth corner's.
   EXPECT_EQ(polygonIds(result.Data), (Ids{ 0, 1, 2, 2, 1, 3, 3, 4, 5 }));
@@ -195,7 +163,7 @@ TEST(PLYParser, ResolvesStripsIntoTrianglesOfOneWinding)
 
 TEST(PLYParser, JoinsNeighboursOfARangeGrid)
 {
-  const conformal::PLYResult result = parsePLY(samples::AsciiGrid());
+  const conformal::SurfaceResult result = parsePLY(samples::AsciiGrid());
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   // 0 1 2    Two triangles of 0 3 4 1, cut by 1 3, which is shorter, since 0 is raised; 4 is too
   // 3 4 5    far from 2 and 5 by the default limit; one triangle of the three below.
@@ -218,7 +186,7 @@ TEST(PLYParser, RefusesGridsThatAreNone)
     samples::replaced(grid, "num_rows 3", "num_rows -3"), ParseCode::Malformed, 4, "count");
   ExpectRefused(samples::replaced(grid, "\n1 5\n", "\n1 8\n"), ParseCode::Malformed, 25, "id 8");
   // Nobody knows the shape of a grid of no size: its points are a cloud.
-  const conformal::PLYResult cloud =
+  const conformal::SurfaceResult cloud =
     parsePLY(samples::replaced(grid, "obj_info num_rows 3", "obj_info rows 3"));
   ASSERT_TRUE(cloud.Status.ok()) << cloud.Status.text();
   EXPECT_EQ(cloud.Data.PolygonIds.size(), 0u);
@@ -248,7 +216,7 @@ TEST(PLYParser, BinaryDataMayStartWithALineFeed)
                                                  "element vertex 1\nproperty uchar x\n"
                                                  "property uchar y\nproperty uchar z\nend_header\n",
       "\n", end);
-    const conformal::PLYResult result = parsePLY(header + "\n\r\n");
+    const conformal::SurfaceResult result = parsePLY(header + "\n\r\n");
     ASSERT_TRUE(result.Status.ok()) << result.Status.text();
     EXPECT_EQ(values<double>(result.Data.Points), (std::vector<double>{ 10, 13, 10 }));
   }
@@ -262,7 +230,7 @@ TEST(PLYParser, ReadsTheSameFromPiecesAsFromMemory)
     "property list uchar float extra\nproperty uchar label\nelement face " +
     std::to_string(count) + "\nproperty list uchar int vertex_index\nproperty int number\n";
   std::string ascii = "ply\nformat ascii 1.0\n" + header + "end_header\n";
-  samples::Binary binary(true, header);
+  samples::Bytes binary = samples::Binary(true, header);
   for (int i = 0; i < count; ++i)
   {
     for (const float value : { float(i) / 7, float(i % 1009) * 1e-9F, -float(i) * 1e9F })
@@ -298,13 +266,13 @@ TEST(PLYParser, ReadsTheSameFromPiecesAsFromMemory)
     binary.add(-i);
   }
   ASSERT_GT(binary.bytes().size(), std::size_t(3) << 20);
-  const conformal::PLYResult expected = parsePLY(binary.bytes());
+  const conformal::SurfaceResult expected = parsePLY(binary.bytes());
   ASSERT_TRUE(expected.Status.ok()) << expected.Status.text();
   ASSERT_GT(expected.Data.PolygonIds.size(), 0u);
   for (const std::string& bytes : { ascii, binary.bytes() })
   {
     conformal::ByteReader input = samples::InPieces(bytes);
-    const conformal::PLYResult result = parsePLY(input);
+    const conformal::SurfaceResult result = conformal::parsePLY(input);
     ASSERT_TRUE(result.Status.ok()) << result.Status.text();
     EXPECT_TRUE(AreSame(result.Data.Points, expected.Data.Points));
     EXPECT_TRUE(AreSame(result.Data.PointArrays[0], expected.Data.PointArrays[0]));
@@ -313,7 +281,7 @@ TEST(PLYParser, ReadsTheSameFromPiecesAsFromMemory)
     EXPECT_TRUE(polygonOffsets(result.Data) == polygonOffsets(expected.Data));
   }
   conformal::ByteReader broken = samples::InPieces(ascii.substr(0, ascii.size() - 7) + "x\n");
-  EXPECT_EQ(parsePLY(broken).Status.Line, 12u + 2u * count);
+  EXPECT_EQ(conformal::parsePLY(broken).Status.Line, 12u + 2u * count);
 }
 
 TEST(PLYParser, ReadsAPolygonOfAMillionCorners)
@@ -329,7 +297,7 @@ TEST(PLYParser, ReadsAPolygonOfAMillionCorners)
   {
     body += " " + std::to_string(i);
   }
-  const conformal::PLYResult result =
+  const conformal::SurfaceResult result =
     parsePLY(cloudOf(XYZ + "element face 1\nproperty list int int vertex_index\n", corners, body));
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(polygonOffsets(result.Data), (Ids{ 0, corners }));
@@ -338,35 +306,35 @@ TEST(PLYParser, ReadsAPolygonOfAMillionCorners)
 TEST(PLYParser, IsBlindToTheLocale)
 {
   const CommaLocale locale;
-  const conformal::PLYResult result = parsePLY(samples::AsciiCloud());
+  const conformal::SurfaceResult result = parsePLY(samples::AsciiCloud());
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(values<double>(result.Data.Points)[0], 0.5);
 }
 
 TEST(PLYParser, DropsPointsOfACloudThatAreNotFinite)
 {
-  const conformal::PLYResult result =
+  const conformal::SurfaceResult result =
     parsePLY(cloudOf(XYZ + "property int id\n", 4, "0 0 0 1\n0 nan 0 2\n1 1 1 3\ninf 0 0 4\n"));
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(values<float>(result.Data.Points), (std::vector<float>{ 0, 0, 0, 1, 1, 1 }));
   ExpectArray<std::int32_t>(result.Data.PointArrays, "id", ScalarType::Int32, 1, { 1, 3 });
   EXPECT_EQ(result.Data.DroppedPoints, 2u);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const conformal::PLYResult binary = parsePLY(samples::Binary(true,
+  const conformal::SurfaceResult binary = parsePLY(samples::Binary(true,
     "element vertex 3\nproperty float x\nproperty float y\nproperty uchar i\nproperty float z\n")
-                                                 .add(nan)
-                                                 .add(0.0F)
-                                                 .add('a')
-                                                 .add(0.0F)
-                                                 .add(1.0F)
-                                                 .add(2.0F)
-                                                 .add('b')
-                                                 .add(3.0F)
-                                                 .add(0.0F)
-                                                 .add(0.0F)
-                                                 .add('c')
-                                                 .add(-nan)
-                                                 .bytes());
+                                                     .add(nan)
+                                                     .add(0.0F)
+                                                     .add('a')
+                                                     .add(0.0F)
+                                                     .add(1.0F)
+                                                     .add(2.0F)
+                                                     .add('b')
+                                                     .add(3.0F)
+                                                     .add(0.0F)
+                                                     .add(0.0F)
+                                                     .add('c')
+                                                     .add(-nan)
+                                                     .bytes());
   ASSERT_TRUE(binary.Status.ok()) << binary.Status.text();
   EXPECT_EQ(values<float>(binary.Data.Points), (std::vector<float>{ 1, 2, 3 }));
   ExpectArray<std::uint8_t>(binary.Data.PointArrays, "i", ScalarType::UInt8, 1, { 'b' });
@@ -381,7 +349,7 @@ TEST(PLYParser, RefusesPointsOfAMeshThatAreNotFinite)
 
 TEST(PLYParser, ReplacesAttributesThatAreNotFinite)
 {
-  const conformal::PLYResult result =
+  const conformal::SurfaceResult result =
     parsePLY(samples::replaced(samples::AsciiMesh(), "0.25 0.5 -1", "nan -inf -1"));
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(result.Data.ReplacedValues, 2u);
@@ -393,7 +361,7 @@ TEST(PLYParser, DropsPolygonsThatAreNone)
 {
   std::string mesh = samples::replaced(samples::AsciiMesh(), "7 3 0 2 1\n", "7 2 0 2\n");
   mesh = samples::replaced(mesh, "9 3 1 2 3\n", "9 4 1 2 3 1\n");
-  const conformal::PLYResult result = parsePLY(mesh);
+  const conformal::SurfaceResult result = parsePLY(mesh);
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(result.Data.DroppedPolygons, 2u);
   EXPECT_EQ(polygonIds(result.Data), (Ids{ 0, 1, 3, 2, 0, 3 }));
@@ -547,7 +515,7 @@ TEST(PLYParser, ReportsProgressAndStops)
     last = fraction;
     return ++calls < 20;
   };
-  const conformal::PLYResult result = parsePLY(file, {}, {}, watch);
+  const conformal::SurfaceResult result = parsePLY(file, {}, {}, watch);
   EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
   EXPECT_EQ(calls, 20);
   EXPECT_EQ(result.Data.Points.Values.size(), 0u);

@@ -43,7 +43,8 @@ class TestPackage(unittest.TestCase):
                         self.assertNotEqual(meaning.strip(), "")
 
     def test_every_class_is_made_and_printed(self):
-        for name in listed_classes():
+        bases = {"vtkSurfaceFileReader", "vtkSurfaceFileWriter"}  # abstract
+        for name in set(listed_classes()) - bases:
             with self.subTest(name):
                 self.assertIn(name, str(getattr(conformalsom, name)()))
 

@@ -4,12 +4,14 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkLookupTable
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 import pictures
 import textures
@@ -17,11 +19,55 @@ import webs
 from baselines import expect_picture
 from builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
-    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureBlend, vtkSphericalTextureImage,
-    vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureBlend,
+    vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+from obtuse import obtuse_surface
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400
 PANEL = (260, 300)  # pixels of one of several
+
+
+def conformal_map(surface, method="Robust", balance=0.0):
+    """The surface mapped to the sphere."""
+    conformal = vtkGlobalConformalMap()
+    conformal.SetInputData(surface)
+    getattr(conformal, "SetMethodTo" + method)()
+    conformal.SetAreaBalance(balance)
+    conformal.Update()
+    return conformal.GetOutput()
+
+
+def painted_actor(surface):
+    """A checkerboard on a mapped surface, its middle in front."""
+    painted = vtkSphericalTextureMap()
+    painted.SetInputData(surface)
+    painted.SetViewDirection(VIEW)
+    painted.SetViewUp(UP)
+    painted.Update()
+    return pictures.textured_actor(painted.GetOutput(), textures.checkerboard())
+
+
+def flips_actor(surface):
+    """The triangles, red where the map turns them or their neighbours over."""
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    sphere = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
+    flipped = np.linalg.det(sphere[triangles]) <= 0
+    folded = np.isin(triangles, triangles[flipped]).any(axis=1)
+    colors = np.where(folded[:, None], (200, 30, 30), (242, 235, 222)).astype(np.uint8)
+    surface.GetCellData().SetScalars(numpy_to_vtk(colors, deep=True))
+    actor = pictures.mesh_actor(surface)
+    actor.GetMapper().ScalarVisibilityOn()
+    actor.GetMapper().SetScalarModeToUseCellData()
+    return actor
+
+
+def sphere_of(surface):
+    """The sphere as the surface's triangles cover it."""
+    points, sphere = vtkPoints(), vtkPolyData()
+    points.SetData(surface.GetPointData().GetArray("SpherePosition"))
+    sphere.SetPoints(points)
+    sphere.SetPolys(surface.GetPolys())
+    return sphere
 
 
 class TestPictures(unittest.TestCase):
@@ -36,17 +82,19 @@ class TestPictures(unittest.TestCase):
         cls.surface.SetFrequency(48)
         cls.surface.Update()
 
-    def expect_actor(self, name, actor):
-        """Draw the actor and compare with the baseline of that name."""
-        renderer = vtkRenderer()
-        renderer.SetBackground(1.0, 1.0, 1.0)
-        renderer.AddActor(actor)
-        renderer.SetActiveCamera(pictures.camera_on(self.scan, VIEW, UP, 1.0))
+    def expect_actor(self, name, *actors, seen=None, size=SIZE):
+        """Draw the actors side by side and compare with the baseline of that name."""
         window = vtkRenderWindow()
         window.SetOffScreenRendering(True)
         window.SetMultiSamples(0)
-        window.SetSize(SIZE, SIZE)
-        window.AddRenderer(renderer)
+        window.SetSize(size * len(actors), size)
+        for i, actor in enumerate(actors):
+            renderer = vtkRenderer()
+            renderer.SetBackground(1.0, 1.0, 1.0)
+            renderer.SetViewport(i / len(actors), 0.0, (i + 1) / len(actors), 1.0)
+            renderer.AddActor(actor)
+            renderer.SetActiveCamera(pictures.camera_on(seen or self.scan, VIEW, UP, 1.0))
+            window.AddRenderer(renderer)
         window.Render()
         drawn = vtkWindowToImageFilter()
         drawn.SetInput(window)
@@ -135,14 +183,46 @@ class TestPictures(unittest.TestCase):
     def test_smooth_surface_shaded(self):
         self.expect_actor("CurvedSeamlessSurface", pictures.actor_of(self.surface.GetOutput()))
 
+    def coarse_surface(self, frequency, dome_height, seam_mode="EdgeMatched"):
+        """The surface over a mesh that is coarse enough to see the construction."""
+        network = vtkConformalSOM()
+        network.SetInputData(self.scan)
+        network.SetFrequency(frequency)
+        surface = vtkCurvedSeamlessSurface()
+        surface.SetInputConnection(network.GetOutputPort())
+        surface.SetCloudData(self.scan)
+        surface.SetFrequency(120)
+        getattr(surface, "SetDomeHeightTo" + dome_height)()
+        getattr(surface, "SetSeamModeTo" + seam_mode)()
+        surface.Update()
+        return surface.GetOutput()
+
+    def test_dome_heights_over_a_coarse_mesh(self):
+        self.expect_actor("DomeHeights", *(
+            pictures.actor_of(self.coarse_surface(8, dome_height))
+            for dome_height in ("None", "Published", "Curvature", "Fitted")))
+
+    def test_lines_across_the_seams_of_a_coarse_mesh(self):
+        """Lines of constant direction break where the published map jumps."""
+        actors = []
+        for seam_mode in ("PerTriangle", "EdgeMatched"):
+            surface = self.coarse_surface(5, "Curvature", seam_mode)
+            directions = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
+            stripes = numpy_to_vtk(np.sin(40.0 * directions[:, 0]), deep=True)
+            surface.GetPointData().SetScalars(stripes)
+            actor = pictures.actor_of(surface)
+            actor.GetMapper().ScalarVisibilityOn()
+            actor.GetMapper().InterpolateScalarsBeforeMappingOn()
+            black_and_white = vtkLookupTable()
+            black_and_white.SetNumberOfTableValues(2)
+            black_and_white.SetTableValue(0, 0.2, 0.24, 0.3, 1.0)
+            black_and_white.SetTableValue(1, 0.95, 0.92, 0.87, 1.0)
+            actor.GetMapper().SetLookupTable(black_and_white)
+            actors.append(actor)
+        self.expect_actor("SeamModes", *actors)
+
     def test_checkerboard_on_the_surface(self):
-        painted = vtkSphericalTextureMap()
-        painted.SetInputConnection(self.surface.GetOutputPort())
-        painted.SetViewDirection(VIEW)
-        painted.SetViewUp(UP)
-        painted.Update()
-        self.expect_actor("SphericalTextureMap",
-                          pictures.textured_actor(painted.GetOutput(), textures.checkerboard()))
+        self.expect_actor("SphericalTextureMap", painted_actor(self.surface.GetOutput()))
 
     def test_distance_to_the_figure_in_colours(self):
         mismatch = vtkSurfaceMismatch()
@@ -159,6 +239,21 @@ class TestPictures(unittest.TestCase):
         actor.GetMapper().UseLookupTableScalarRangeOn()
         actor.GetMapper().SetLookupTable(colors)
         self.expect_actor("SurfaceMismatch", actor)
+
+    def test_checkerboard_by_the_conformal_map(self):
+        self.expect_actor(
+            "GlobalConformalMap", painted_actor(conformal_map(self.surface.GetOutput())))
+
+    def test_gu_yau_folds_where_robust_does_not(self):
+        surface = obtuse_surface(self.network)
+        self.expect_actor("GuYauAndRobust", *(
+            flips_actor(conformal_map(surface, method)) for method in ("GuYau", "Robust")))
+
+    def test_balance_gives_limbs_room_on_the_sphere(self):
+        spheres = [sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
+                   for balance in (0.0, 0.1, 0.5)]
+        self.expect_actor("AreaBalance", *(pictures.mesh_actor(sphere) for sphere in spheres),
+                          seen=spheres[0], size=280)
 
 
 class TestWebs(unittest.TestCase):

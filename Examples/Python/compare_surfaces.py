@@ -1,0 +1,95 @@
+#!/usr/bin/python3
+"""Which smooth surface over one learned mesh comes closest to the scan?
+
+Learns a mesh from a scan (.ply .obj .stl .vtp .vtk .pts .xyz; default: a toy bear made by code)
+and prints, side by side: one step of VTK's subdivision filters, PN triangles, and the curved
+seamless surface with every DomeHeight.
+"""
+import argparse
+
+from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter, vtkLoopSubdivisionFilter
+
+from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch
+
+import builtin_figure
+import scan_files
+
+DOME_HEIGHTS = ("None", "Published", "Scaled", "Curvature", "Fitted")
+
+
+def subdivided(mesh, filter_class):
+    """One step of a subdivision filter."""
+    subdivision = filter_class()
+    subdivision.SetInputData(mesh)
+    subdivision.SetNumberOfSubdivisions(1)
+    subdivision.Update()
+    return subdivision.GetOutput()
+
+
+def curved(mesh, frequency, dome_height, cloud, vertex_shift=None):
+    """The curved seamless surface, and the mean angle between normals across the mesh's edges."""
+    surface = vtkCurvedSeamlessSurface()
+    surface.SetInputData(mesh)
+    surface.SetCloudData(cloud)
+    surface.SetFrequency(frequency)
+    getattr(surface, "SetDomeHeightTo" + dome_height)()
+    if vertex_shift is not None:
+        surface.SetVertexShift(vertex_shift)
+    surface.Update()
+    jumps = [0.0, 0.0]
+    surface.GetMap().GetNormalJumps(jumps)
+    return surface.GetOutput(), jumps[0]
+
+
+def mean_square_distance(cloud, surface):
+    """p2s: from the cloud's points to the surface; the cloud's largest radius is 1."""
+    mismatch = vtkSurfaceMismatch()
+    mismatch.SetInputData(0, surface)
+    mismatch.SetInputData(1, cloud)
+    mismatch.Update()
+    return mismatch.GetOutput().GetFieldData().GetArray("MeanSquarePointToSurface").GetValue(0)
+
+
+def compared(cloud, frequency=36, surface_frequency=80):
+    """For each surface by name: its number of points, p2s, and mean jump of normals or None."""
+    network = vtkConformalSOM()
+    network.SetInputData(cloud)
+    network.SetFrequency(frequency)
+    network.Update()
+    mesh = network.GetOutput()
+    surfaces = {"learned mesh": (mesh, None),
+                "butterfly": (subdivided(mesh, vtkButterflySubdivisionFilter), None),
+                "Loop": (subdivided(mesh, vtkLoopSubdivisionFilter), None),
+                "PN triangles": curved(mesh, surface_frequency, "Curvature", cloud, 0.0)}
+    for dome_height in DOME_HEIGHTS:
+        surfaces["CSS " + dome_height] = curved(mesh, surface_frequency, dome_height, cloud)
+    return {name: (surface.GetNumberOfPoints(), mean_square_distance(cloud, surface), jump)
+            for name, (surface, jump) in surfaces.items()}
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scan", nargs="?", help="default: a toy bear made by code")
+    parser.add_argument("--frequency", type=int, default=36, help="of the learned mesh, default 36")
+    parser.add_argument("--surface-frequency", type=int, default=80,
+                        help="of the curved surfaces, default 80")
+    args = parser.parse_args()
+    if args.scan:
+        reader = scan_files.reader_for(args.scan, scan_files.SCAN_READERS)
+        reader.Update()
+        cloud = reader.GetOutput()
+    else:
+        cloud = builtin_figure.figure_cloud()
+    rows = compared(cloud, args.frequency, args.surface_frequency)
+    butterfly = rows["butterfly"][1]
+    print(f"{'':<16}{'points':>10}{'p2s':>11}{'/ butterfly':>13}{'normals jump':>14}")
+    for name, (points, p2s, jump) in rows.items():
+        angle = f"{jump:.2f} deg" if jump else ""
+        print(f"{name:<16}{points:>10,}{p2s:>11.2e}{p2s / butterfly:>13.2f}{angle:>14}")
+    print("p2s: mean square distance from the scan's points to the surface; their largest radius is 1.\n"
+          "normals jump: mean angle between the surface's normals on both sides of the mesh's edges.")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,232 @@
+#include "vtkCurvedSeamlessMap.h"
+
+#include "CurvedSeamlessSurface.h"
+#include "TrainingSamples.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <initializer_list>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkCurvedSeamlessMap);
+
+namespace
+{
+conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self, vtkPolyData* surface)
+{
+  conformal::CurvedSeamlessSurfaceOptions options;
+  options.SeamMode = static_cast<conformal::SeamMode>(self->GetSeamMode());
+  options.DomeHeight = static_cast<conformal::DomeHeight>(self->GetDomeHeight());
+  options.VertexShift = self->GetVertexShift();
+  options.Fit.NumberOfFitRounds = self->GetNumberOfFitRounds();
+  options.Fit.FitSmoothness = self->GetFitSmoothness();
+  vtkDataArray* polished = surface->GetFieldData()->GetArray("Polished");
+  options.Polished =
+    polished && polished->GetNumberOfTuples() > 0 && polished->GetComponent(0, 0) != 0.0;
+  return options;
+}
+
+conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
+{
+  conformal::Points all;
+  if (!vtkConformalConversions::FindSpherePositions(surface, all))
+  {
+    throw std::invalid_argument(
+      "the surface needs a point array SpherePosition: its map to the sphere");
+  }
+  conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
+  for (conformal::Index v = 0; v < positions.rows(); ++v)
+  {
+    positions.row(v) = all.row(pointIds[v]);
+  }
+  return positions;
+}
+
+conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy)
+{
+  const conformal::TrainingSamples samples(
+    vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy), {},
+    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor());
+  if (samples.numberOfNonFinite() > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << samples.numberOfNonFinite() << " points of the cloud are not finite and left out");
+  }
+  return samples;
+}
+
+// An array's memory for so many tuples; none for no array.
+double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
+{
+  if (!array)
+  {
+    return nullptr;
+  }
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array->GetPointer(0);
+}
+
+void Empty(std::initializer_list<vtkDoubleArray*> arrays)
+{
+  for (vtkDoubleArray* array : arrays)
+  {
+    if (array)
+    {
+      array->SetNumberOfTuples(0);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCurvedSeamlessMap::vtkCurvedSeamlessMap() = default;
+vtkCurvedSeamlessMap::~vtkCurvedSeamlessMap() = default;
+
+//------------------------------------------------------------------------------
+const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
+{
+  if (!this->Surface)
+  {
+    throw std::logic_error("there is no map: Build() it first");
+  }
+  return *this->Surface;
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
+  const std::function<bool(double)>& progress)
+{
+  this->Surface.reset();
+  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this, surface);
+  const auto mesh = vtkConformalConversions::ToClosedMesh(self, surface);
+  const conformal::Points sphere = MapOf(surface, mesh.PointIds);
+  conformal::Points copy;
+  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  const conformal::TrainingSamples samples =
+    fits ? SamplesOf(self, cloud, copy) : conformal::TrainingSamples(conformal::PointView());
+  this->Surface =
+    std::make_unique<conformal::CurvedSeamlessSurface>(sphere, mesh.Points, mesh.Triangles, options,
+      fits ? &samples : nullptr, vtkConformalConversions::SMPFor(), progress);
+  const conformal::Index degenerate = this->Surface->numberOfDegenerateTriangles();
+  if (degenerate > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << degenerate
+            << " triangles of the surface are degenerate: they have no shape and are mapped "
+               "affinely, or would turn over and are flattened");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
+{
+  return vtkConformalConversions::ReportErrors(this,
+    [&]()
+    {
+      this->Surface.reset();
+      if (!surface || surface->GetNumberOfPoints() == 0)
+      {
+        throw std::invalid_argument("there is no surface to build a map of");
+      }
+      this->BuildCore(this, surface, cloud, {});
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkCurvedSeamlessMap::ToSurface(
+  vtkDataArray* directions, vtkDoubleArray* positions, vtkDoubleArray* normals)
+{
+  Empty({ positions, normals });
+  return vtkConformalConversions::ReportErrors(this,
+    [&]()
+    {
+      const conformal::CurvedSeamlessSurface& surface = this->Built();
+      conformal::Points copy;
+      const conformal::Points units = conformal::unitVectors(
+        vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction");
+      conformal::SurfaceSamples samples;
+      samples.Positions = Sized(positions, 3, units.rows());
+      samples.Normals = Sized(normals, 3, units.rows());
+      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArray* derivatives,
+  vtkDoubleArray* metrics, vtkDoubleArray* areaElements)
+{
+  Empty({ derivatives, metrics, areaElements });
+  return vtkConformalConversions::ReportErrors(this,
+    [&]()
+    {
+      const conformal::CurvedSeamlessSurface& surface = this->Built();
+      conformal::Points copy;
+      const conformal::Points units = conformal::unitVectors(
+        vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction");
+      conformal::SurfaceSamples samples;
+      samples.Derivatives = Sized(derivatives, 9, units.rows());
+      samples.Metrics = Sized(metrics, 9, units.rows());
+      samples.AreaElements = Sized(areaElements, 1, units.rows());
+      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkCurvedSeamlessMap::ToSphere(
+  vtkDataArray* points, vtkDoubleArray* directions, vtkDoubleArray* closestPoints)
+{
+  Empty({ directions, closestPoints });
+  return vtkConformalConversions::ReportErrors(this,
+    [&]()
+    {
+      const conformal::CurvedSeamlessSurface& surface = this->Built();
+      conformal::Points copy;
+      const conformal::PointView view =
+        vtkConformalConversions::ViewVectors(points, "points", copy);
+      conformal::invert(surface, view, Sized(directions, 3, view.size()),
+        Sized(closestPoints, 3, view.size()), vtkConformalConversions::SMPFor());
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkCurvedSeamlessMap::GetNumberOfDegenerateTriangles()
+{
+  return this->Surface ? this->Surface->numberOfDegenerateTriangles() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
+{
+  jumps[0] = jumps[1] = 0.0;
+  if (this->Surface && this->Surface->differentiable())
+  {
+    const conformal::NormalJumps measured =
+      conformal::measureNormalJumps(this->Surface->curvedTriangles(), this->Surface->neighbors(),
+        vtkConformalConversions::SMPFor());
+    jumps[0] = measured.Mean;
+    jumps[1] = measured.Largest;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const domeHeights[] = { "None", "Published", "Scaled", "Curvature", "Fitted" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeamMode: " << (this->SeamMode == PER_TRIANGLE ? "PerTriangle" : "EdgeMatched")
+     << "\n";
+  os << indent << "DomeHeight: " << domeHeights[this->DomeHeight] << "\n";
+  os << indent << "VertexShift: " << this->VertexShift << "\n";
+  os << indent << "NumberOfFitRounds: " << this->NumberOfFitRounds << "\n";
+  os << indent << "FitSmoothness: " << this->FitSmoothness << "\n";
+  os << indent << "IsBuilt: " << (this->IsBuilt() ? "Yes" : "No") << "\n";
+}

@@ -1,0 +1,122 @@
+#include "vtkGlobalConformalMap.h"
+
+#include "GlobalConformalMap.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkGlobalConformalMap);
+
+namespace
+{
+// The surface as it is, or the repaired one with the data of the points that are left.
+void PassSurface(
+  vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh, vtkPolyData* output)
+{
+  const conformal::Triangles before = vtkConformalConversions::ToTriangles(surface);
+  if (mesh.Points.rows() == surface->GetNumberOfPoints() && before == mesh.Triangles)
+  {
+    output->ShallowCopy(surface);
+    return;
+  }
+  vtkConformalConversions::SetSurface(output, mesh.Points, mesh.Triangles);
+  vtkPointData* from = surface->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
+  to->CopyAllocate(from, size);
+  for (vtkIdType v = 0; v < size; ++v)
+  {
+    to->CopyData(from, mesh.PointIds[v], v);
+  }
+  output->GetFieldData()->PassData(surface->GetFieldData());
+}
+
+void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& map)
+{
+  using vtkConformalConversions::AddNumber;
+  AddNumber(data, "Energy", map.Energy);
+  AddNumber(data, "NumberOfIterations", static_cast<long long>(map.NumberOfIterations));
+  AddNumber(data, "Converged", static_cast<long long>(map.Converged));
+  AddNumber(data, "NumberOfFlippedTriangles", static_cast<long long>(map.NumberOfFlippedTriangles));
+  AddNumber(data, "SphereMapTier", static_cast<long long>(map.Tier));
+  AddNumber(data, "NumberOfNegativeStringConstants",
+    static_cast<long long>(map.NumberOfNegativeStringConstants));
+  AddNumber(data, "NumberOfInfiniteStringConstants",
+    static_cast<long long>(map.NumberOfInfiniteStringConstants));
+}
+
+void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map)
+{
+  const bool published = self->GetMethod() == vtkGlobalConformalMap::GUYAU;
+  if (map.NumberOfInfiniteStringConstants > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << map.NumberOfInfiniteStringConstants << " edges belong to triangles without area: "
+            << (published ? "their string constants are infinite and left out"
+                          : "these are mapped as if they had a little"));
+  }
+  if (map.NumberOfFlippedTriangles > 0)
+  {
+    vtkWarningWithObjectMacro(self, << map.NumberOfFlippedTriangles << " triangles are flipped, "
+                                    << map.NumberOfNegativeStringConstants
+                                    << " string constants are negative");
+  }
+  else if (!map.Converged)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the map has not converged in " << map.NumberOfIterations << " iterations");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkGlobalConformalMap::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro(<< "the surface is empty, and so is its map");
+    return 1;
+  }
+  conformal::GlobalConformalMapOptions options;
+  options.Method = static_cast<conformal::GlobalConformalMethod>(this->Method);
+  options.AreaBalance = this->AreaBalance;
+  options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
+  options.Tolerance = this->Tolerance;
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface);
+      conformal::Triangles outward = mesh.Triangles;
+      if (mesh.InsideOut)
+      {
+        outward.col(1).swap(outward.col(2));
+      }
+      const conformal::GlobalConformalMapResult map =
+        conformal::globalConformalMap(mesh.Points, outward, options,
+          vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
+      PassSurface(surface, mesh, output);
+      vtkConformalConversions::AddVectors(
+        output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);
+      AddFigures(output->GetFieldData(), map);
+      WarnOf(this, map);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkGlobalConformalMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "AreaBalance: " << this->AreaBalance << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+}

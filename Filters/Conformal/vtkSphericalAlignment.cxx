@@ -1,0 +1,162 @@
+#include "vtkSphericalAlignment.h"
+
+#include "EdgeWeights.h"
+#include "SphericalAlignment.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkSphericalAlignment);
+
+namespace
+{
+// Places on the sphere and what they correspond to.
+struct Pairs
+{
+  conformal::Points From, To;
+  Eigen::VectorXd Weights;
+};
+
+Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landmarks,
+  const conformal::Points& map, const conformal::Points& reference)
+{
+  const auto size = static_cast<conformal::Index>(landmarks.size());
+  Pairs pairs = { conformal::Points(size, 3), conformal::Points(size, 3),
+    Eigen::VectorXd::Ones(size) };
+  for (conformal::Index i = 0; i < size; ++i)
+  {
+    const auto [id, referenceId] = landmarks[i];
+    if (id < 0 || id >= map.rows() || referenceId < 0 || referenceId >= reference.rows())
+    {
+      throw std::invalid_argument("landmark " + std::to_string(i) + " names the points " +
+        std::to_string(id) + " and " + std::to_string(referenceId) + " of " +
+        std::to_string(map.rows()) + " and " + std::to_string(reference.rows()));
+    }
+    pairs.From.row(i) = map.row(id);
+    pairs.To.row(i) = reference.row(referenceId);
+  }
+  return pairs;
+}
+
+Pairs PairsOfSurfaces(
+  vtkAlgorithm* self, vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference)
+{
+  conformal::MappedMesh other;
+  other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints());
+  other.Faces = vtkConformalConversions::ToTriangles(reference);
+  other.SpherePositions = vtkConformalConversions::ToSpherePositions(reference);
+  const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints());
+  const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
+  if (triangles.rows() == 0 || other.Faces.rows() == 0)
+  {
+    throw std::invalid_argument("without landmarks both surfaces need triangles");
+  }
+  if (!points.allFinite() || !other.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points are not finite");
+  }
+  return { map,
+    conformal::carryMap(
+      points, other, vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(self)),
+    conformal::vertexAreas(points, triangles) };
+}
+
+void AddTuple(vtkFieldData* data, const char* name, const double* values, int components)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->InsertNextTuple(values);
+  data->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalAlignment::vtkSphericalAlignment()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::SetReferenceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::AddLandmark(vtkIdType pointId, vtkIdType referencePointId)
+{
+  this->Landmarks.emplace_back(pointId, referencePointId);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::RemoveAllLandmarks()
+{
+  if (!this->Landmarks.empty())
+  {
+    this->Landmarks.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalAlignment::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+  {
+    vtkWarningMacro(<< "the " << (surface->GetNumberOfPoints() == 0 ? "surface" : "reference")
+                    << " is empty, nothing was aligned");
+    return 1;
+  }
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
+      const Pairs pairs = this->Landmarks.empty()
+        ? PairsOfSurfaces(this, surface, map, reference)
+        : PairsOfLandmarks(
+            this->Landmarks, map, vtkConformalConversions::ToSpherePositions(reference));
+      const conformal::SphericalAlignmentResult result = conformal::alignSpheres(pairs.From,
+        pairs.To, pairs.Weights, static_cast<conformal::AlignmentKind>(this->Transform));
+      result.Transform.applyTo(map);
+
+      output->ShallowCopy(surface);
+      vtkConformalConversions::AddVectors(
+        output->GetPointData(), vtkConformalConversions::SpherePositionName(), map);
+      vtkFieldData* data = output->GetFieldData();
+      vtkConformalConversions::AddNumber(data, "AlignmentError", result.Error);
+      AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
+      const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
+      AddTuple(data, "AlignmentRotation", rows.data(), 9);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Transform: " << this->Transform << "\n";
+  os << indent << "NumberOfLandmarks: " << this->Landmarks.size() << "\n";
+}

@@ -1,0 +1,147 @@
+#include "GlobalConformalMap.h"
+
+#include "EdgeWeights.h"
+#include "GenusZeroCheck.h"
+#include "GuYauMap.h"
+#include "HarmonicSphereMap.h"
+#include "MoebiusTransform.h"
+#include "ProgressiveSphereMap.h"
+#include "SphereOrientation.h"
+#include "UnitBox.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+void check(const GlobalConformalMapOptions& options)
+{
+  if (!(options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0))
+  {
+    throw std::invalid_argument("AreaBalance must lie in [0, 1]");
+  }
+  if (options.MaximumNumberOfIterations < 0)
+  {
+    throw std::invalid_argument("MaximumNumberOfIterations must not be negative");
+  }
+  if (!(options.Tolerance >= 0.0))
+  {
+    throw std::invalid_argument("Tolerance must be a number, at least 0");
+  }
+}
+
+Points balanced(const Points& places, const Triangles& triangles, double balance,
+  Index mostRelaxations, const Progress& progress)
+{
+  ProgressiveSphereMapOptions options;
+  options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
+  options.AreaBalance = balance;
+  options.MaximumNumberOfRelaxations = mostRelaxations;
+  return mapToSphere(places, triangles, options, progress).Positions;
+}
+
+// With as little more balance of areas as leaves room for every triangle. Insertions that first
+// have to make room can take a second each, so few are allowed while there is another attempt.
+Points progressive(
+  const Points& places, const Triangles& triangles, double leastBalance, const Progress& progress)
+{
+  constexpr Index fewRelaxations = 10;
+  constexpr double share = 0.8; // of what is left of the progress, for each attempt
+  double begin = 0.0, last = -1.0;
+  for (double balance : { leastBalance, 0.02, 0.05, 0.2, 0.5 })
+  {
+    if (balance < leastBalance || balance == last)
+    {
+      continue;
+    }
+    const double end = begin + share * (1.0 - begin);
+    try
+    {
+      return balanced(places, triangles, balance, fewRelaxations, partOf(progress, begin, end));
+    }
+    catch (const std::runtime_error&)
+    {
+      begin = end;
+      last = balance;
+    }
+  }
+  // The surface is shapeless, or too strange: as if all triangles were equal.
+  return balanced(Points::Zero(places.rows(), 3), triangles, 0.5, std::numeric_limits<Index>::max(),
+    partOf(progress, begin, 1.0));
+}
+
+// Turned to where it agrees best with the directions from the surface's middle.
+void turn(Points& positions, const Points& places, const Triangles& triangles)
+{
+  const Eigen::VectorXd areas = vertexAreas(places, triangles);
+  const Eigen::RowVector3d middle = areas.transpose() * places / areas.sum();
+  MoebiusTransform rotation;
+  rotation.Rotation = closestRotation(positions, places.rowwise() - middle, areas);
+  rotation.applyTo(positions);
+}
+
+void mapRobustly(const Points& places, const Triangles& triangles, double areaBalance,
+  GlobalConformalMapResult& result, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const bool conformal = areaBalance == 0.0;
+  if (conformal)
+  {
+    HarmonicSphereMap map =
+      mapHarmonically(places, triangles, parallelFor, partOf(progress, 0.0, 0.7));
+    result.NumberOfIterations = map.NumberOfSolves;
+    result.Converged = map.OneToOne;
+    result.Tier = map.Repaired ? GlobalConformalTier::Repaired : GlobalConformalTier::Harmonic;
+    result.Positions = std::move(map.Positions);
+  }
+  if (!result.Converged)
+  {
+    result.Tier = GlobalConformalTier::Progressive;
+    result.Positions =
+      progressive(places, triangles, areaBalance, partOf(progress, conformal ? 0.7 : 0.0, 1.0));
+    result.Converged = true;
+  }
+  turn(result.Positions, places, triangles);
+}
+}
+
+//------------------------------------------------------------------------------
+GlobalConformalMapResult globalConformalMap(const Points& points, const Triangles& triangles,
+  const GlobalConformalMapOptions& options, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  check(options);
+  requireGenusZero(triangles, points.rows(), partOf(progress, 0.0, 0.02));
+  const Points places = inUnitBox(points);
+  GlobalConformalMapResult result;
+  if (options.Method == GlobalConformalMethod::GuYau)
+  {
+    GuYauOptions steps;
+    steps.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
+    steps.Tolerance = options.Tolerance;
+    GuYauResult map =
+      mapByGuYau(places, triangles, steps, parallelFor, partOf(progress, 0.02, 1.0));
+    result.Positions = std::move(map.Positions);
+    result.Energy = map.Energy;
+    result.NumberOfIterations = map.NumberOfIterations;
+    result.Converged = map.Converged && map.NumberOfInfiniteStringConstants == 0;
+    result.NumberOfNegativeStringConstants = map.NumberOfNegativeStringConstants;
+    result.NumberOfInfiniteStringConstants = map.NumberOfInfiniteStringConstants;
+  }
+  else
+  {
+    const StringConstants strings = harmonicStrings(places, triangles);
+    result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
+    result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
+    report(progress, 0.04);
+    mapRobustly(
+      places, triangles, options.AreaBalance, result, parallelFor, partOf(progress, 0.04, 1.0));
+    result.Energy = stringEnergy(strings.Strings, result.Positions);
+  }
+  result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
+  result.Converged = result.Converged && result.NumberOfFlippedTriangles == 0;
+  report(progress, 1.0);
+  return result;
+}
+}

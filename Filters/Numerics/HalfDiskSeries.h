@@ -1,0 +1,195 @@
+/// Power series at a corner of the half disk (SchwarzChristoffel.h), and complex numbers that stay
+/// exactly real on its border.
+
+#ifndef ConformalHalfDiskSeries_h
+#define ConformalHalfDiskSeries_h
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+
+namespace conformal
+{
+namespace halfdisk
+{
+using Complex = std::complex<double>;
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Log4 = 1.38629436111989061883;
+constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
+constexpr double LargestLogS = -1.09861; // |s| < 1/3, a little beyond the farthest point's 0.268
+constexpr int MaximumTerms = 36;         // an even number, enough for |s| = 1/3
+
+inline int next(int corner)
+{
+  return corner == 2 ? 0 : corner + 1;
+}
+
+inline int previous(int corner)
+{
+  return corner == 0 ? 2 : corner - 1;
+}
+
+/// exp, exactly real on the edges of the half disk.
+inline Complex expOf(const Complex& logarithm)
+{
+  const double size = std::exp(logarithm.real());
+  if (logarithm.imag() == 0.0)
+  {
+    return { size, 0.0 };
+  }
+  if (logarithm.imag() == Pi)
+  {
+    return { -size, 0.0 };
+  }
+  return { size * std::cos(logarithm.imag()), size * std::sin(logarithm.imag()) };
+}
+
+/// log(1 + x) with all digits for small x.
+inline Complex log1p(const Complex& x)
+{
+  return { 0.5 * std::log1p(x.real() * (2.0 + x.real()) + x.imag() * x.imag()),
+    std::atan2(x.imag(), 1.0 + x.real()) };
+}
+
+inline Complex times(const Complex& a, const Complex& b)
+{
+  return { a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real() };
+}
+
+inline Complex over(const Complex& a, const Complex& b)
+{
+  const double square = std::norm(b);
+  return { (a.real() * b.real() + a.imag() * b.imag()) / square,
+    (a.imag() * b.real() - a.real() * b.imag()) / square };
+}
+
+/// Terms, an even number, that a series with coefficients of order 1 needs for all digits.
+inline int termsFor(double logS)
+{
+  return logS > LogEpsilon / MaximumTerms ? MaximumTerms
+                                          : 2 * (static_cast<int>(LogEpsilon / logS) / 2 + 1);
+}
+
+/// coefficients[0] s + coefficients[1] s^2 + ..., an even number of real coefficients: even and odd
+/// powers as two independent recurrences in s^2, real arithmetic within.
+inline Complex sumSeries(const double* coefficients, int terms, const Complex& s)
+{
+  const Complex x = times(s, s);
+  const double p = 2.0 * x.real(), q = std::norm(x);
+  const int pairs = terms / 2;
+  double odd1 = 0.0, odd2 = 0.0, even1 = 0.0, even2 = 0.0;
+  for (int i = pairs - 1; i > 0; --i)
+  {
+    const double odd = coefficients[2 * i] - q * odd2 + p * odd1;
+    const double even = coefficients[2 * i + 1] - q * even2 + p * even1;
+    odd2 = odd1;
+    odd1 = odd;
+    even2 = even1;
+    even1 = even;
+  }
+  const Complex odd(coefficients[0] - q * odd2 + x.real() * odd1, x.imag() * odd1);
+  const Complex even(coefficients[1] - q * even2 + x.real() * even1, x.imag() * even1);
+  return times(s, odd) + times(x, even);
+}
+
+/// The same on the border.
+inline double sumSeries(const double* coefficients, int terms, double s)
+{
+  const double x = s * s;
+  double odd = 0.0, even = 0.0;
+  for (int i = terms - 2; i >= 0; i -= 2)
+  {
+    odd = odd * x + coefficients[i];
+    even = even * x + coefficients[i + 1];
+  }
+  return s * (odd + s * even);
+}
+
+/// 1, 1/2, 1/3, ...
+inline constexpr auto Reciprocals = []()
+{
+  std::array<double, MaximumTerms> result{};
+  for (int n = 0; n < MaximumTerms; ++n)
+  {
+    result[n] = 1.0 / (n + 1.0);
+  }
+  return result;
+}();
+
+/// The series of one corner. With f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n, d_0 = 1, the map
+/// is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+class CornerSeries
+{
+public:
+  CornerSeries() = default;
+  CornerSeries(double a, double b, double c)
+    : A(a)
+    , Twist(2.0 * (c - b))
+  {
+  }
+
+  /// Have at least so many terms.
+  void extend(int terms)
+  {
+    for (; this->Terms < terms; ++this->Terms)
+    {
+      // (1 - s^2) f' = (2 (c - b) + 2 a s) f
+      const int n = this->Terms;
+      const double d =
+        (this->Twist * this->Last + (n - 1 + 2.0 * this->A) * this->BeforeLast) * Reciprocals[n];
+      this->Slope[n] = d;
+      this->Map[n] = this->A * d / (n + 1.0 + this->A);
+      this->BeforeLast = this->Last;
+      this->Last = d;
+    }
+  }
+
+  /// log s for a given log W, W = (1 + sum)^(1/a) s. W = s / (1 - g s + q s^2) agrees up to s^3 and
+  /// is W for the extremes among univalent functions, so this is near everywhere.
+  Complex guess(const Complex& logUniform)
+  {
+    const auto [g, q] = this->leading();
+    const Complex w = expOf(logUniform);
+    const Complex half = 1.0 + g * w;
+    const Complex ratio = over(2.0, half + std::sqrt(times(half, half) - 4.0 * q * times(w, w)));
+    return logUniform + log1p(ratio - 1.0);
+  }
+
+  /// The same on the border: s for W of either sign.
+  double guess(double w)
+  {
+    const auto [g, q] = this->leading();
+    const double half = 1.0 + g * w;
+    return 2.0 * w / (half + std::sqrt(std::max(0.0, half * half - 4.0 * q * w * w)));
+  }
+
+  /// d log f / d log s.
+  double bend(double s) const { return s * (this->Twist + 2.0 * this->A * s) / (1.0 - s * s); }
+
+  std::array<double, MaximumTerms> Map;   // of s^1, s^2, ...
+  std::array<double, MaximumTerms> Slope; // the same of f
+
+private:
+  struct Leading
+  {
+    double G, Q;
+  };
+  Leading leading()
+  {
+    this->extend(2);
+    const double g = this->Map[0] / this->A;
+    return { g, 0.5 * (1.0 + this->A) * g * g - this->Map[1] / this->A };
+  }
+
+  double A = 0.0;
+  double Twist = 0.0;
+  double Last = 1.0;
+  double BeforeLast = 0.0;
+  int Terms = 0;
+};
+}
+}
+
+#endif

@@ -1,0 +1,247 @@
+#include "TextCloudParser.h"
+
+#include "LineReader.h"
+#include "ProgressReport.h"
+#include "TextCloudLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::size_t SampleBytes = std::size_t(4) << 20; // a hundred lines, even of long ones
+
+class TextCloudReader
+{
+public:
+  TextCloudReader(ByteReader& input, const TextCloudOptions& options, const ParseLimits& limits,
+    const ParseProgress& progress, SurfaceData& data)
+    : Input(input)
+    , Options(options)
+    , Limits(limits)
+    , Data(data)
+    , Lines(input)
+    , Progress(input, progress)
+  {
+  }
+
+  void read()
+  {
+    this->findLayout();
+    bool isCountNext = this->Layout.HasCount;
+    bool isNamesNext = this->Layout.HasNames;
+    while (this->Lines.next())
+    {
+      const std::string_view line = this->Lines.text();
+      this->Progress.tick();
+      if (this->readPoint(line))
+      {
+        this->append();
+      }
+      else if (isRemark(line))
+      {
+        continue;
+      }
+      else if (isNamesNext && !startsWithNumber(line, ','))
+      {
+        isNamesNext = false;
+      }
+      else if (this->Layout.HasCount && (isCountNext || this->PointsToCome == 0))
+      {
+        this->readCount(line);
+        isCountNext = false;
+      }
+      else
+      {
+        this->refuseLine(line);
+      }
+    }
+    if (this->Layout.HasCount && this->PointsToCome > 0)
+    {
+      this->Input.fail(ParseCode::PrematureEnd,
+        "the file ends, expected " + std::to_string(this->PointsToCome) + " points more");
+    }
+    this->Data.Points = std::move(this->Layout.Arrays.front());
+    this->Layout.Arrays.erase(this->Layout.Arrays.begin());
+    this->Data.PointArrays = std::move(this->Layout.Arrays);
+  }
+
+private:
+  void findLayout()
+  {
+    const std::string_view start = this->Input.peek(SampleBytes);
+    if (start.empty())
+    {
+      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
+    }
+    try
+    {
+      this->Layout =
+        findTextCloudLayout(start, start.size() == this->Input.left(), this->Options.DecimalComma);
+    }
+    catch (const NoTextCloud& e)
+    {
+      throw ParseError({ ParseCode::UnrecognizedType, e.Line, 0, e.what() });
+    }
+    this->Row.resize(this->Layout.Columns.size());
+    const double rows = 1.02 * static_cast<double>(this->Input.left()) / this->Layout.MeanLineBytes;
+    for (NamedArray& array : this->Layout.Arrays)
+    {
+      array.Values.reserve(static_cast<std::size_t>(rows + 1.0) * array.tupleBytes());
+    }
+  }
+
+  // Reads a line into Row; false if it is no point.
+  bool readPoint(std::string_view line)
+  {
+    if (this->Options.DecimalComma)
+    {
+      this->Text = line;
+      std::replace(this->Text.begin(), this->Text.end(), ',', '.');
+      line = this->Text;
+    }
+    const char delimiter = this->Layout.Delimiter;
+    const char* c = line.data();
+    const char* const end = c + line.size();
+    const auto skipBlanks = [&]()
+    {
+      while (c != end && isBlank(*c))
+      {
+        ++c;
+      }
+    };
+    bool isFirst = true;
+    for (double& value : this->Row)
+    {
+      skipBlanks();
+      if (delimiter != ' ' && !isFirst)
+      {
+        if (c == end || *c != delimiter)
+        {
+          return false;
+        }
+        ++c;
+        skipBlanks();
+      }
+      const std::size_t length =
+        readNumber({ c, static_cast<std::size_t>(end - c) }, value, delimiter);
+      if (length == 0)
+      {
+        return false;
+      }
+      c += length;
+      isFirst = false;
+    }
+    skipBlanks();
+    if (delimiter != ' ' && c != end && *c == delimiter) // one after the last word
+    {
+      ++c;
+      skipBlanks();
+    }
+    return c == end;
+  }
+
+  void append()
+  {
+    if (this->Layout.HasCount && this->PointsToCome-- == 0)
+    {
+      this->Input.fail(
+        ParseCode::Malformed, "found one more point than the count before the points says");
+    }
+    bool isFinite = true;
+    for (std::size_t i = 0; i < this->Row.size(); ++i)
+    {
+      isFinite = isFinite && (this->Layout.Columns[i].Array > 0 || std::isfinite(this->Row[i]));
+    }
+    if (!isFinite)
+    {
+      ++this->Data.DroppedPoints;
+      return;
+    }
+    for (NamedArray& array : this->Layout.Arrays)
+    {
+      array.Values.extend(array.tupleBytes());
+    }
+    for (std::size_t i = 0; i < this->Row.size(); ++i)
+    {
+      const TextCloudLayout::Column column = this->Layout.Columns[i];
+      NamedArray& array = this->Layout.Arrays[column.Array];
+      unsigned char* tuple = array.Values.data() + array.Values.size() - array.tupleBytes();
+      if (array.Type == ScalarType::Float64)
+      {
+        std::memcpy(tuple + column.Component * sizeof(double), &this->Row[i], sizeof(double));
+        continue;
+      }
+      if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0))
+      {
+        this->Lines.failExpecting("colours in 0..255 as in the lines before");
+      }
+      tuple[column.Component] = static_cast<unsigned char>(this->Row[i]);
+    }
+  }
+
+  void readCount(std::string_view line)
+  {
+    LineWords words(line);
+    std::uint64_t count = 0;
+    if (!words.next(count) || !words.next().empty())
+    {
+      this->Lines.failExpecting("the number of points that follow");
+    }
+    constexpr std::size_t leastBytes = 5; // "0 0 0" at the end of a file
+    this->PointsToCome =
+      this->Limits.checkedCount(this->Input, "points", count, leastBytes, 3 * sizeof(double));
+  }
+
+  void refuseLine(std::string_view line)
+  {
+    if (this->Options.SkipMalformedLines)
+    {
+      ++this->Data.SkippedLines;
+      return;
+    }
+    const bool mayBeDecimal =
+      !this->Options.DecimalComma && line.find(',') != std::string_view::npos;
+    this->Lines.failExpecting(std::to_string(this->Row.size()) + " numbers" +
+      (mayBeDecimal ? "; if the commas are decimal marks, set DecimalComma" : ""));
+  }
+
+  ByteReader& Input;
+  const TextCloudOptions& Options;
+  const ParseLimits& Limits;
+  SurfaceData& Data;
+  LineReader Lines;
+  ProgressReport Progress;
+  TextCloudLayout Layout;
+  std::vector<double> Row;
+  std::string Text;
+  std::uint64_t PointsToCome = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options,
+  const ParseLimits& limits, const ParseProgress& progress)
+{
+  return parseSurface(
+    [&](SurfaceData& data) { TextCloudReader(input, options, limits, progress, data).read(); });
+}
+
+//------------------------------------------------------------------------------
+bool looksLikeTextCloud(std::string_view start)
+{
+  try
+  {
+    return findTextCloudLayout(start, false, false).AllLinesFit;
+  }
+  catch (const NoTextCloud&)
+  {
+    return false;
+  }
+}
+}

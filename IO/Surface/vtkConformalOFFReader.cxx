@@ -1,0 +1,26 @@
+#include "vtkConformalOFFReader.h"
+
+#include "OFFParser.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkConformalOFFReader);
+
+//------------------------------------------------------------------------------
+int vtkConformalOFFReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeOFF) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkConformalOFFReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  return conformal::parseOFF(input, {}, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalOFFReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

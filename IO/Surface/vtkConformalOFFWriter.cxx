@@ -1,0 +1,20 @@
+#include "vtkConformalOFFWriter.h"
+
+#include "SurfaceBytes.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkConformalOFFWriter);
+
+//------------------------------------------------------------------------------
+void vtkConformalOFFWriter::WriteFiles(const std::function<bool(double)>& progress)
+{
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makeOFF(surface, progress); });
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalOFFWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,39 @@
+/**
+ * @class   vtkConformalOFFWriter
+ * @brief   write OFF text with normals, colours and texture coordinates
+ *
+ * Input port 0: vtkPolyData. What is written is OFF as text: active normals, colours and texture
+ * coordinates of the points, active colours (or else the array "ColorIndex" of 1 integer) of the
+ * polygons. Numbers are written so that they are read back the same.
+ *
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkConformalOFFReader
+ */
+
+#ifndef vtkConformalOFFWriter_h
+#define vtkConformalOFFWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkConformalOFFWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkConformalOFFWriter* New();
+  vtkTypeMacro(vtkConformalOFFWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkConformalOFFWriter() = default;
+  ~vtkConformalOFFWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkConformalOFFWriter(const vtkConformalOFFWriter&) = delete;
+  void operator=(const vtkConformalOFFWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,40 @@
+/**
+ * @class   vtkConformalPLYWriter
+ * @brief   write PLY with all arrays
+ *
+ * Input port 0: vtkPolyData. What is written is PLY, binary little endian, with all arrays of
+ * points and polygons: active normals, texture coordinates and colours by their usual names, others
+ * of several components as NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.
+ * 8-byte integers become doubles.
+ *
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkConformalPLYReader
+ */
+
+#ifndef vtkConformalPLYWriter_h
+#define vtkConformalPLYWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkConformalPLYWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkConformalPLYWriter* New();
+  vtkTypeMacro(vtkConformalPLYWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkConformalPLYWriter() = default;
+  ~vtkConformalPLYWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkConformalPLYWriter(const vtkConformalPLYWriter&) = delete;
+  void operator=(const vtkConformalPLYWriter&) = delete;
+};
+
+#endif

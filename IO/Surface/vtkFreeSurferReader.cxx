@@ -1,0 +1,44 @@
+#include "vtkFreeSurferReader.h"
+
+#include "FreeSurferParser.h"
+#include "SurfacePairing.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkFreeSurferReader);
+
+//------------------------------------------------------------------------------
+vtkFreeSurferReader::~vtkFreeSurferReader()
+{
+  delete[] this->SphereFileName;
+  delete[] this->CurvatureFileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkFreeSurferReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeFreeSurferSurface) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkFreeSurferReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, progress);
+  conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",
+    [](conformal::ByteReader& sphere) { return conformal::parseFreeSurferSurface(sphere); });
+  conformal::addPointArrays(result, this->CurvatureFileName ? this->CurvatureFileName : "",
+    [](conformal::ByteReader& curvature) { return conformal::parseFreeSurferCurv(curvature); });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkFreeSurferReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SphereFileName: " << (this->SphereFileName ? this->SphereFileName : "(none)")
+     << "\n";
+  os << indent
+     << "CurvatureFileName: " << (this->CurvatureFileName ? this->CurvatureFileName : "(none)")
+     << "\n";
+}

@@ -1,0 +1,75 @@
+/**
+ * @class   vtkFreeSurferReader
+ * @brief   read FreeSurfer's surfaces with their sphere and their curvature
+ *
+ * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
+ * lh.white.
+ * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
+ *   SphereFileName, such as lh.sphere, which has the same faces.
+ * - point array "Curvature" (float, 1 component): the values of the file CurvatureFileName, such as
+ *   lh.curv or lh.thickness, of the new or the old layout.
+ *
+ * The volume's geometry behind the faces is not read: points are those of the file. What all
+ * readers of this module share is said in vtkSurfaceFileReader.
+ *
+ * @sa
+ * vtkSurfaceFileReader
+ */
+
+#ifndef vtkFreeSurferReader_h
+#define vtkFreeSurferReader_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileReader.h"
+
+class VTKIOSURFACE_EXPORT vtkFreeSurferReader : public vtkSurfaceFileReader
+{
+public:
+  static vtkFreeSurferReader* New();
+  vtkTypeMacro(vtkFreeSurferReader, vtkSurfaceFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Name of the file whose points are the places of the surface's points on the sphere. Default is
+   * none.
+   */
+  vtkSetFilePathMacro(SphereFileName);
+  vtkGetFilePathMacro(SphereFileName);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a file with one number for each point. Default is none.
+   */
+  vtkSetFilePathMacro(CurvatureFileName);
+  vtkGetFilePathMacro(CurvatureFileName);
+  ///@}
+
+  /**
+   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* name);
+
+  const char* GetFileExtensions() override
+  {
+    return ".white .pial .inflated .smoothwm .orig .sphere";
+  }
+  const char* GetDescriptiveName() override { return "FreeSurfer surfaces"; }
+
+protected:
+  vtkFreeSurferReader() = default;
+  ~vtkFreeSurferReader() override;
+
+  conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+
+private:
+  vtkFreeSurferReader(const vtkFreeSurferReader&) = delete;
+  void operator=(const vtkFreeSurferReader&) = delete;
+
+  char* SphereFileName = nullptr;
+  char* CurvatureFileName = nullptr;
+};
+
+#endif

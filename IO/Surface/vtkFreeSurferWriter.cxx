@@ -1,0 +1,51 @@
+#include "vtkFreeSurferWriter.h"
+
+#include "SurfaceBytes.h"
+#include "SurfaceWalk.h"
+
+#include "vtkObjectFactory.h"
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkFreeSurferWriter);
+
+namespace
+{
+const conformal::NamedArray& Find(const conformal::SurfaceData& surface, const std::string& name)
+{
+  const conformal::NamedArray* array =
+    conformal::findArray(surface.PointArrays, name, 1, [](conformal::ScalarType) { return true; });
+  if (!array)
+  {
+    throw std::invalid_argument("the surface has no point array \"" + name + "\" of 1 component");
+  }
+  return *array;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress)
+{
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface)
+    {
+      if (this->Content == CURVATURE)
+      {
+        return conformal::makeFreeSurferCurv(
+          Find(surface, this->ArrayName), conformal::numberOfPolygons(surface));
+      }
+      if (this->Content == SPHERE)
+      {
+        return conformal::makeFreeSurferSphere(surface, progress);
+      }
+      return conformal::makeFreeSurferSurface(surface, progress);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFreeSurferWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Content: " << this->Content << "\n";
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+}

@@ -1,0 +1,70 @@
+/**
+ * @class   vtkFreeSurferWriter
+ * @brief   write FreeSurfer's surfaces, spheres and curvatures
+ *
+ * Input port 0: vtkPolyData of triangles. Content chooses what is written:
+ * - SURFACE: the points, as floats, and the triangles.
+ * - SPHERE: the same triangles with the points of array "SpherePosition" (3 components) times 100,
+ *   the radius of FreeSurfer's spheres.
+ * - CURVATURE: the point array ArrayName (1 component), as floats.
+ *
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkFreeSurferReader
+ */
+
+#ifndef vtkFreeSurferWriter_h
+#define vtkFreeSurferWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkFreeSurferWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkFreeSurferWriter* New();
+  vtkTypeMacro(vtkFreeSurferWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum
+  {
+    SURFACE,
+    SPHERE,
+    CURVATURE
+  };
+
+  ///@{
+  /**
+   * What is written: SURFACE, SPHERE or CURVATURE. Default is SURFACE.
+   */
+  vtkSetClampMacro(Content, int, SURFACE, CURVATURE);
+  vtkGetMacro(Content, int);
+  void SetContentToSurface() { this->SetContent(SURFACE); }
+  void SetContentToSphere() { this->SetContent(SPHERE); }
+  void SetContentToCurvature() { this->SetContent(CURVATURE); }
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point array that CURVATURE writes. Default is "Curvature".
+   */
+  vtkSetMacro(ArrayName, std::string);
+  vtkGetMacro(ArrayName, std::string);
+  ///@}
+
+protected:
+  vtkFreeSurferWriter() = default;
+  ~vtkFreeSurferWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkFreeSurferWriter(const vtkFreeSurferWriter&) = delete;
+  void operator=(const vtkFreeSurferWriter&) = delete;
+
+  int Content = SURFACE;
+  std::string ArrayName = "Curvature";
+};
+
+#endif

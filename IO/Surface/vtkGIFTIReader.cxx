@@ -1,0 +1,44 @@
+#include "vtkGIFTIReader.h"
+
+#include "GIFTIFile.h"
+#include "GIFTIParser.h"
+#include "SurfacePairing.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkGIFTIReader);
+
+//------------------------------------------------------------------------------
+vtkGIFTIReader::~vtkGIFTIReader()
+{
+  delete[] this->SphereFileName;
+  delete[] this->ShapeFileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkGIFTIReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeGIFTI) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkGIFTIReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, progress);
+  conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",
+    [](conformal::ByteReader& sphere) { return conformal::parseGIFTISurface(sphere); });
+  conformal::addPointArrays(result, this->ShapeFileName ? this->ShapeFileName : "",
+    [](conformal::ByteReader& shape) { return conformal::parseGIFTIArrays(shape); });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkGIFTIReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SphereFileName: " << (this->SphereFileName ? this->SphereFileName : "(none)")
+     << "\n";
+  os << indent << "ShapeFileName: " << (this->ShapeFileName ? this->ShapeFileName : "(none)")
+     << "\n";
+}

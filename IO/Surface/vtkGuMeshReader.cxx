@@ -1,0 +1,26 @@
+#include "vtkGuMeshReader.h"
+
+#include "GuMeshParser.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkGuMeshReader);
+
+//------------------------------------------------------------------------------
+int vtkGuMeshReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeGuMesh) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkGuMeshReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  return conformal::parseGuMesh(input, {}, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkGuMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,52 @@
+/**
+ * @class   vtkGuMeshReader
+ * @brief   read meshes in the .m format of X. Gu's MeshLib, with their sphere map
+ *
+ * Output port 0: vtkPolyData, the vertices (double) and faces of the file.
+ * - point array "SpherePosition" (double, 3 components), of unit length: trait sph of the vertices,
+ *   as H. Hoppe's programs write it. All vertices must have it, or none.
+ * - point array "Normals" (double, 3 components), active: trait normal; 0 where it is missing.
+ * - point array "TCoords" (double, 2 components), active: trait uv; 0 where it is missing.
+ * - point and cell array "RGB" (unsigned char, 3 components), active scalars: trait rgb of vertices
+ *   and of faces; white where it is missing.
+ *
+ * What all readers of this module share is said in vtkSurfaceFileReader.
+ *
+ * @sa
+ * vtkSurfaceFileReader
+ */
+
+#ifndef vtkGuMeshReader_h
+#define vtkGuMeshReader_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileReader.h"
+
+class VTKIOSURFACE_EXPORT vtkGuMeshReader : public vtkSurfaceFileReader
+{
+public:
+  static vtkGuMeshReader* New();
+  vtkTypeMacro(vtkGuMeshReader, vtkSurfaceFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* name);
+
+  const char* GetFileExtensions() override { return ".m"; }
+  const char* GetDescriptiveName() override { return "Gu's meshes with traits"; }
+
+protected:
+  vtkGuMeshReader() = default;
+  ~vtkGuMeshReader() override = default;
+
+  conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+
+private:
+  vtkGuMeshReader(const vtkGuMeshReader&) = delete;
+  void operator=(const vtkGuMeshReader&) = delete;
+};
+
+#endif

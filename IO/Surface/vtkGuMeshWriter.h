@@ -1,0 +1,42 @@
+/**
+ * @class   vtkGuMeshWriter
+ * @brief   write meshes in the .m format of X. Gu's MeshLib, with their sphere map
+ *
+ * Input port 0: vtkPolyData. What is written is Gu's .m: points and polygons, and of the points as
+ * traits
+ * - array "SpherePosition" (3 components): trait sph,
+ * - active normals, texture coordinates and colours (3 unsigned chars): normal, uv, rgb,
+ *
+ * and of the polygons active colours. Numbers are written so that they are read back the same.
+ *
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkGuMeshReader
+ */
+
+#ifndef vtkGuMeshWriter_h
+#define vtkGuMeshWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkGuMeshWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkGuMeshWriter* New();
+  vtkTypeMacro(vtkGuMeshWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkGuMeshWriter() = default;
+  ~vtkGuMeshWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkGuMeshWriter(const vtkGuMeshWriter&) = delete;
+  void operator=(const vtkGuMeshWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,27 @@
+#include "vtkPCDReader.h"
+
+#include "PCDHeader.h"
+#include "PCDParser.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkPCDReader);
+
+//------------------------------------------------------------------------------
+int vtkPCDReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikePCD) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkPCDReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  return conformal::parsePCD(input, {}, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkPCDReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

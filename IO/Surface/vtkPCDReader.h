@@ -1,0 +1,52 @@
+/**
+ * @class   vtkPCDReader
+ * @brief   read clouds in the PCD format of the Point Cloud Library
+ *
+ * Output port 0: vtkPolyData, the points of a file of version 0.5 to 0.7, ascii, binary or
+ * binary_compressed, with one vertex for each. The points are floats if x, y and z are, else
+ * doubles. A point that is not finite is one that the scanner did not see: it is dropped without a
+ * warning.
+ * - point array "Normals" (float or double, 3 components), active: normal_x, normal_y, normal_z.
+ * - point array "RGB" or "RGBA" (unsigned char), active scalars: rgb or rgba of four bytes.
+ * - point arrays of the name, type and count of every other field but padding.
+ *
+ * What all readers of this module share is said in vtkSurfaceFileReader.
+ *
+ * @sa
+ * vtkSurfaceFileReader
+ */
+
+#ifndef vtkPCDReader_h
+#define vtkPCDReader_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileReader.h"
+
+class VTKIOSURFACE_EXPORT vtkPCDReader : public vtkSurfaceFileReader
+{
+public:
+  static vtkPCDReader* New();
+  vtkTypeMacro(vtkPCDReader, vtkSurfaceFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* name);
+
+  const char* GetFileExtensions() override { return ".pcd"; }
+  const char* GetDescriptiveName() override { return "PCD point clouds"; }
+
+protected:
+  vtkPCDReader() = default;
+  ~vtkPCDReader() override = default;
+
+  conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+
+private:
+  vtkPCDReader(const vtkPCDReader&) = delete;
+  void operator=(const vtkPCDReader&) = delete;
+};
+
+#endif

@@ -1,0 +1,36 @@
+#include "vtkStanfordScansReader.h"
+
+#include "AlignedScans.h"
+
+#include "vtkObjectFactory.h"
+
+#include <filesystem>
+
+vtkStandardNewMacro(vtkStanfordScansReader);
+
+//------------------------------------------------------------------------------
+int vtkStanfordScansReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeAlignedScans) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkStanfordScansReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  conformal::AlignedScansOptions options;
+  options.InvertRotation = this->InvertRotation;
+  options.AllowExternalFiles = this->AllowExternalFiles;
+  const auto folder = std::filesystem::u8path(this->FileName).parent_path();
+  const auto open = [&](const std::string& name, conformal::ByteReader& scan)
+  { return conformal::openFile((folder / std::filesystem::u8path(name)).u8string(), scan); };
+  return conformal::parseAlignedScans(input, open, options, {}, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkStanfordScansReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InvertRotation: " << (this->InvertRotation ? "on" : "off") << "\n";
+  os << indent << "AllowExternalFiles: " << (this->AllowExternalFiles ? "on" : "off") << "\n";
+}

@@ -1,0 +1,72 @@
+/**
+ * @class   vtkStanfordScansReader
+ * @brief   read range scans and the motions that align them as one cloud
+ *
+ * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
+ * Stanford scanning repository names, each moved as the file says, with one vertex for each.
+ * - point array "ScanId" (int, 1 component): the line of the scan, counted from 0.
+ * - point arrays of the names and types that all scans have, such as "confidence", "intensity".
+ *
+ * What all readers of this module share is said in vtkSurfaceFileReader.
+ *
+ * @sa
+ * vtkSurfaceFileReader vtkConformalPLYReader
+ */
+
+#ifndef vtkStanfordScansReader_h
+#define vtkStanfordScansReader_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileReader.h"
+
+class VTKIOSURFACE_EXPORT vtkStanfordScansReader : public vtkSurfaceFileReader
+{
+public:
+  static vtkStanfordScansReader* New();
+  vtkTypeMacro(vtkStanfordScansReader, vtkSurfaceFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether the quaternions turn the other way. Default is off: a point is turned by the inverse of
+   * the rotation that a quaternion commonly stands for, as the repository's files want it. Wrong
+   * scans do not overlap.
+   */
+  vtkSetMacro(InvertRotation, bool);
+  vtkGetMacro(InvertRotation, bool);
+  vtkBooleanMacro(InvertRotation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the file may name scans outside of its folder. Default is off.
+   */
+  vtkSetMacro(AllowExternalFiles, bool);
+  vtkGetMacro(AllowExternalFiles, bool);
+  vtkBooleanMacro(AllowExternalFiles, bool);
+  ///@}
+
+  /**
+   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* name);
+
+  const char* GetFileExtensions() override { return ".conf"; }
+  const char* GetDescriptiveName() override { return "Aligned range scans"; }
+
+protected:
+  vtkStanfordScansReader() = default;
+  ~vtkStanfordScansReader() override = default;
+
+  conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+
+private:
+  vtkStanfordScansReader(const vtkStanfordScansReader&) = delete;
+  void operator=(const vtkStanfordScansReader&) = delete;
+
+  bool InvertRotation = false;
+  bool AllowExternalFiles = false;
+};
+
+#endif

@@ -1,0 +1,181 @@
+#include "vtkSurfaceConversions.h"
+
+#include "FileOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTriangleFilter.h"
+
+#include <cmath>
+
+namespace vtkSurfaceConversions
+{
+namespace
+{
+// The type of ours that holds all numbers of a VTK type.
+conformal::ScalarType TypeOf(int type)
+{
+  const bool isLong = type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE;
+  const bool isUnsignedLong = type == VTK_UNSIGNED_LONG || type == VTK_UNSIGNED_LONG_LONG;
+  if (isLong || isUnsignedLong)
+  {
+    return isLong ? conformal::ScalarType::Int64 : conformal::ScalarType::UInt64;
+  }
+  switch (type)
+  {
+    case VTK_CHAR:
+    case VTK_SIGNED_CHAR:
+      return conformal::ScalarType::Int8;
+    case VTK_UNSIGNED_CHAR:
+      return conformal::ScalarType::UInt8;
+    case VTK_SHORT:
+      return conformal::ScalarType::Int16;
+    case VTK_UNSIGNED_SHORT:
+      return conformal::ScalarType::UInt16;
+    case VTK_INT:
+      return conformal::ScalarType::Int32;
+    case VTK_UNSIGNED_INT:
+      return conformal::ScalarType::UInt32;
+    case VTK_FLOAT:
+      return conformal::ScalarType::Float32;
+    default:
+      return conformal::ScalarType::Float64;
+  }
+}
+
+// Any array of numbers, in VTK's own memory or not.
+conformal::NamedArray ToNamedArray(vtkDataArray* array, const std::string& name)
+{
+  const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  conformal::NamedArray result =
+    conformal::makeArray(name, TypeOf(array->GetDataType()), components);
+  const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+  conformal::withType(result.Type,
+    [&](auto zero)
+    {
+      result.Values.resize(count * sizeof(zero));
+      const bool isPlain = array->HasStandardMemoryLayout() &&
+        array->GetDataTypeSize() == static_cast<int>(sizeof(zero));
+      if (count > 0 && isPlain)
+      {
+        std::memcpy(result.Values.data(), array->GetVoidPointer(0), count * sizeof(zero));
+        return;
+      }
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const auto value = static_cast<decltype(zero)>(array->GetComponent(
+          static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
+        std::memcpy(result.Values.data() + i * sizeof(value), &value, sizeof(value));
+      }
+    });
+  return result;
+}
+
+std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data, vtkIdType tuples)
+{
+  std::vector<conformal::NamedArray> arrays;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (!array || array->GetNumberOfTuples() != tuples || array->GetNumberOfComponents() < 1)
+    {
+      continue;
+    }
+    const int components = array->GetNumberOfComponents();
+    const bool isColor = array == data->GetScalars() && array->GetDataType() == VTK_UNSIGNED_CHAR &&
+      (components == 3 || components == 4);
+    const std::string name = array->GetName() ? array->GetName() : "";
+    arrays.push_back(ToNamedArray(array,
+      isColor                         ? (components == 3 ? "RGB" : "RGBA")
+        : array == data->GetNormals() ? "Normals"
+        : array == data->GetTCoords() ? "TCoords"
+                                      : name));
+  }
+  return arrays;
+}
+
+void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
+{
+  const vtkIdType points = input->GetNumberOfPoints();
+  vtkNew<vtkIdList> ids;
+  data.PolygonOffsets.push(0);
+  for (vtkIdType cell = 0; cell < input->GetNumberOfPolys(); ++cell)
+  {
+    input->GetPolys()->GetCellAtId(cell, ids);
+    for (const vtkIdType id : *ids)
+    {
+      if (id < 0 || id >= points)
+      {
+        throw WriteError(vtkErrorCode::UserError, "a polygon has an id that no point has");
+      }
+      data.PolygonIds.push(id);
+    }
+    data.PolygonOffsets.push(static_cast<std::int64_t>(data.PolygonIds.size()));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
+{
+  const bool areTriangles =
+    input->GetNumberOfStrips() == 0 && input->GetPolys()->IsHomogeneous() == 3;
+  if (areTriangles)
+  {
+    return input;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(input);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
+{
+  const vtkSmartPointer<vtkPolyData> surface =
+    input->GetNumberOfStrips() > 0 ? OnlyTriangles(input) : vtkSmartPointer<vtkPolyData>(input);
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    throw WriteError(vtkErrorCode::UserError, "the surface has no points");
+  }
+  conformal::SurfaceData data;
+  data.Points = ToNamedArray(surface->GetPoints()->GetData(), "Points");
+  if (!isFloating(data.Points.Type))
+  {
+    throw WriteError(vtkErrorCode::UserError, "the points are neither floats nor doubles");
+  }
+  if (conformal::replaceNonFinite(data.Points) > 0)
+  {
+    throw WriteError(vtkErrorCode::UserError, "a coordinate is not finite");
+  }
+  data.PointArrays = ToNamedArrays(surface->GetPointData(), surface->GetNumberOfPoints());
+  AddPolygons(surface, data);
+  if (surface->GetNumberOfCells() == surface->GetNumberOfPolys())
+  {
+    data.PolygonArrays = ToNamedArrays(surface->GetCellData(), surface->GetNumberOfCells());
+  }
+  return data;
+}
+
+//------------------------------------------------------------------------------
+void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files)
+{
+  const conformal::WriteStatus status = conformal::writeFiles(files);
+  if (status.Code == conformal::WriteCode::CannotOpen)
+  {
+    throw WriteError(vtkErrorCode::CannotOpenFileError, status.Path + " cannot be opened");
+  }
+  if (status.Code == conformal::WriteCode::OutOfDiskSpace)
+  {
+    throw WriteError(vtkErrorCode::OutOfDiskSpaceError, status.Path + " cannot be written whole");
+  }
+}
+}

@@ -1,0 +1,45 @@
+// From vtkPolyData to what the makers of bytes take, and from bytes to files. Private.
+#ifndef vtkSurfaceConversions_h
+#define vtkSurfaceConversions_h
+
+#include "SurfaceData.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace vtkSurfaceConversions
+{
+/// Why nothing was written, with an error code of vtkErrorCode.
+class WriteError : public std::runtime_error
+{
+public:
+  WriteError(unsigned long code, const std::string& message)
+    : std::runtime_error(message)
+    , Code(code)
+  {
+  }
+  const unsigned long Code;
+};
+
+/// The surface itself if all its cells are triangles, else a triangulated copy without others.
+vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
+
+/// Points, polygons and named arrays of numbers. The active normals, texture coordinates and
+/// colours (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
+/// become triangles; vertices and lines are left out, and so are cell arrays unless all cells are
+/// polygons.
+/// @throws WriteError for an id that no point has, or a coordinate that is not finite
+conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
+
+/// Write files whole or not at all.
+/// @throws WriteError
+void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
+}
+
+#endif

@@ -1,0 +1,71 @@
+/**
+ * @class   vtkSurfaceFileReader
+ * @brief   base of the readers of scans and meshes: what all of them do alike
+ *
+ * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a
+ * cloud and gets one vertex for each point, so that it can be seen.
+ * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): active
+ *   where the file has them. What other arrays there are, and their types, the readers say.
+ * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
+ *   "NumberOfSkippedLines" (vtkIdType, 1 component): each there only if not 0, and then said in a
+ *   warning. A point of a cloud is dropped if a coordinate is not finite, a polygon if it has fewer
+ *   than 3 ids or one of them twice; other values that are not finite are replaced by 0.
+ *
+ * A file that breaks the rules, ends early, or has a mesh with a point that is not finite or an id
+ * that no point has, gives an error with its line or byte, an empty output, and an error code of
+ * vtkErrorCode. Numbers are read alike in every locale. A reader that is asked to abort gives an
+ * empty output without an error.
+ */
+
+#ifndef vtkSurfaceFileReader_h
+#define vtkSurfaceFileReader_h
+
+#include "vtkAbstractPolyDataReader.h"
+#include "vtkIOSurfaceModule.h" // for export macro
+
+#include <functional>  // for progress
+#include <string_view> // for the start of a file
+
+namespace conformal
+{
+class ByteReader;
+struct SurfaceResult;
+}
+
+class VTKIOSURFACE_EXPORT vtkSurfaceFileReader : public vtkAbstractPolyDataReader
+{
+public:
+  vtkTypeMacro(vtkSurfaceFileReader, vtkAbstractPolyDataReader);
+
+  /**
+   * The usual extensions of such files, with a dot, between blanks.
+   */
+  virtual const char* GetFileExtensions() = 0;
+
+  /**
+   * What a list of file types calls them.
+   */
+  virtual const char* GetDescriptiveName() = 0;
+
+protected:
+  vtkSurfaceFileReader();
+  ~vtkSurfaceFileReader() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  // Read the opened file. Throws std::invalid_argument for a property that makes no sense.
+  virtual conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const std::function<bool(double)>& progress) = 0;
+
+  // Whether a file can be opened and its first bytes look right.
+  static bool StartsLike(VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view));
+
+private:
+  // Says how many things were amiss, in a warning and in the output's field data.
+  void Warn(vtkPolyData* output, const char* name, vtkTypeUInt64 count, const char* message);
+
+  vtkSurfaceFileReader(const vtkSurfaceFileReader&) = delete;
+  void operator=(const vtkSurfaceFileReader&) = delete;
+};
+
+#endif

@@ -1,0 +1,86 @@
+#include "vtkSurfaceFileWriter.h"
+
+#include "ParseStatus.h"
+#include "SurfaceData.h"
+#include "vtkSurfaceConversions.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+
+//------------------------------------------------------------------------------
+vtkSurfaceFileWriter::~vtkSurfaceFileWriter()
+{
+  delete[] this->FileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceFileWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceFileWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
+  const int isWritten = this->Superclass::Write();
+  return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceFileWriter::WriteData()
+{
+  try
+  {
+    if (!this->FileName || !this->FileName[0])
+    {
+      throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
+    }
+    this->WriteFiles(
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return this->GetAbortExecute() == 0;
+      });
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const conformal::ParseError&) // asked to abort: nothing was written
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  catch (const vtkSurfaceConversions::WriteError& e)
+  {
+    this->SetErrorCode(e.Code);
+    vtkErrorMacro(<< e.what());
+  }
+  catch (const std::invalid_argument& e)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< e.what());
+  }
+  catch (const std::exception& e)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< e.what());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceFileWriter::WriteSurface(
+  const std::function<std::string(const conformal::SurfaceData&)>& make)
+{
+  const std::string bytes =
+    make(vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
+  vtkSurfaceConversions::WriteTogether({ { this->FileName, bytes } });
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceFileWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,31 @@
+#include "vtkTextCloudReader.h"
+
+#include "TextCloudParser.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkTextCloudReader);
+
+//------------------------------------------------------------------------------
+int vtkTextCloudReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeTextCloud) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkTextCloudReader::Parse(
+  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+{
+  conformal::TextCloudOptions options;
+  options.DecimalComma = this->DecimalComma;
+  options.SkipMalformedLines = this->SkipMalformedLines;
+  return conformal::parseTextCloud(input, options, {}, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkTextCloudReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DecimalComma: " << (this->DecimalComma ? "on" : "off") << "\n";
+  os << indent << "SkipMalformedLines: " << (this->SkipMalformedLines ? "on" : "off") << "\n";
+}

@@ -1,0 +1,40 @@
+/**
+ * @class   vtkTextCloudWriter
+ * @brief   write clouds of points as text
+ *
+ * Input port 0: vtkPolyData. What is written is one point on a line, all its numbers between
+ * blanks; a remark at the start names the columns if there are more than x, y and z. Arrays of
+ * several components other than active normals and colours (3 unsigned chars) become several
+ * columns. Polygons are left out. Numbers are written so that they are read back the same.
+ *
+ * What all writers of this module share is said in vtkSurfaceFileWriter.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkTextCloudReader
+ */
+
+#ifndef vtkTextCloudWriter_h
+#define vtkTextCloudWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkTextCloudWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkTextCloudWriter* New();
+  vtkTypeMacro(vtkTextCloudWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkTextCloudWriter() = default;
+  ~vtkTextCloudWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkTextCloudWriter(const vtkTextCloudWriter&) = delete;
+  void operator=(const vtkTextCloudWriter&) = delete;
+};
+
+#endif

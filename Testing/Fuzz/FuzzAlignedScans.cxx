@@ -1,0 +1,16 @@
+#include "AlignedScans.h"
+
+#include "FuzzTarget.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+  const auto open = [](const std::string&, conformal::ByteReader& scan)
+  {
+    scan = conformal::ByteReader(std::string_view("ply\nformat ascii 1.0\nelement vertex 1\n"
+                                                  "property float x\nproperty float y\n"
+                                                  "property float z\nend_header\n1 2 3\n"));
+    return conformal::ParseStatus();
+  };
+  return fuzz::run(bytes, size,
+    [&](conformal::ByteReader& input) { return conformal::parseAlignedScans(input, open); });
+}

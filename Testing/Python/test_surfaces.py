@@ -1,0 +1,70 @@
+"""The curved seamless surface comes closer to what the mesh was learned from than subdivision does:
+on the bear, and on real scans where they are."""
+import os
+import unittest
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+import numpy as np
+
+import compare_surfaces
+import scan_files
+from builtin_figure import figure_cloud
+from conformalsom import vtkConformalSOM, vtkCurvedSeamlessMap, vtkGeodesicSphereSource
+
+SCANS = os.environ["CONFORMALSOM_SCAN_DIR"]
+
+
+class TestSurfaces(unittest.TestCase):
+    def test_curvature_and_fit_come_closer_on_the_bear(self):
+        rows = compare_surfaces.compared(figure_cloud(20000), 16, 48)
+        error = {name: p2s for name, (_, p2s, _) in rows.items()}
+        self.assertLess(error["CSS Curvature"], 0.9 * error["PN triangles"])
+        self.assertLess(error["CSS Fitted"], error["CSS Curvature"])
+
+    def test_figures_on_real_scans(self):
+        for name in ("igea.ply", "stanford-bunny.obj"):
+            path = os.path.join(SCANS, name)
+            if not os.path.exists(path):
+                self.skipTest(f"{name} is not in CONFORMALSOM_SCAN_DIR")
+            with self.subTest(name):
+                reader = scan_files.reader_for(path, scan_files.SCAN_READERS)
+                reader.Update()
+                rows = compare_surfaces.compared(reader.GetOutput())
+                error = {row: p2s for row, (_, p2s, _) in rows.items()}
+                for other in ("butterfly", "Loop", "PN triangles"):
+                    self.assertLess(error["CSS Curvature"], 0.9 * error[other])
+                self.assertLess(error["CSS Fitted"], 0.3 * error["butterfly"])
+                if name == "igea.ply":
+                    self.assertLess(rows["CSS Curvature"][2], 2.0)
+
+    def test_maps_numpy_arrays(self):
+        """The array calls, and an integral over the sphere that is the surface's area."""
+        sphere = vtkGeodesicSphereSource()
+        sphere.SetFrequency(6)
+        sphere.Update()
+        surface_map = vtkCurvedSeamlessMap()
+        self.assertTrue(surface_map.Build(sphere.GetOutput()))
+        directions = np.random.default_rng(1).normal(size=(20000, 3))
+        directions /= np.linalg.norm(directions, axis=1)[:, None]
+        positions, normals, back, areas = (vtkDoubleArray() for _ in range(4))
+        self.assertTrue(surface_map.ToSurface(numpy_to_vtk(directions), positions, normals))
+        self.assertTrue(surface_map.ToSphere(positions, back))
+        self.assertTrue(surface_map.Differentiate(numpy_to_vtk(directions), None, None, areas))
+        self.assertLess(np.abs(vtk_to_numpy(back) - directions).max(), 1e-9)
+        self.assertLess(np.abs(np.linalg.norm(vtk_to_numpy(positions), axis=1) - 1.0).max(), 5e-4)
+        self.assertGreater((vtk_to_numpy(normals) * directions).sum(axis=1).min(), 0.999)
+        self.assertAlmostEqual(vtk_to_numpy(areas).mean(), 1.0, delta=2e-3)
+
+    def test_learned_meshes_say_whether_they_are_polished(self):
+        for rounds, expected in ((0, 0), (2, 1)):
+            network = vtkConformalSOM()
+            network.SetInputData(figure_cloud(3000))
+            network.SetFrequency(6)
+            network.SetNumberOfPolishRounds(rounds)
+            network.Update()
+            self.assertEqual(network.GetOutput().GetFieldData().GetArray("Polished").GetValue(0), expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
