@@ -26,6 +26,8 @@ vtkStandardNewMacro(vtkCurvedSeamlessSurface);
 
 namespace
 {
+constexpr conformal::Index BlockSize = 4096;
+
 // Directions and triangles in which the surface is wanted.
 conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
 {
@@ -75,13 +77,17 @@ void SmoothNormals(
 
 void FillGaps(VectorMap normals, const VectorMap& directions)
 {
-  for (conformal::Index i = 0; i < normals.rows(); ++i)
-  {
-    if (normals.row(i).isZero(0.0))
+  conformal::forBlocks(vtkConformalConversions::SMPFor(), normals.rows(), BlockSize,
+    [&](conformal::Index begin, conformal::Index end)
     {
-      normals.row(i) = directions.row(i);
-    }
-  }
+      for (conformal::Index i = begin; i < end; ++i)
+      {
+        if (normals.row(i).isZero(0.0))
+        {
+          normals.row(i) = directions.row(i);
+        }
+      }
+    });
 }
 
 vtkNew<vtkUnsignedCharArray> DegenerateCells(
@@ -90,15 +96,17 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
   vtkNew<vtkUnsignedCharArray> cells;
   cells->SetName("Degenerate");
   cells->SetNumberOfValues(triangles.rows());
-  for (conformal::Index r = 0; r < triangles.rows(); ++r)
-  {
-    unsigned char degenerate = 0;
-    for (int k = 0; k < 3; ++k)
+  unsigned char* degenerate = cells->GetPointer(0);
+  conformal::forBlocks(vtkConformalConversions::SMPFor(), triangles.rows(), BlockSize,
+    [&](conformal::Index begin, conformal::Index end)
     {
-      degenerate |= degeneratePoints[triangles(r, k)];
-    }
-    cells->SetValue(r, degenerate);
-  }
+      for (conformal::Index r = begin; r < end; ++r)
+      {
+        const auto ids = triangles.row(r);
+        degenerate[r] =
+          degeneratePoints[ids[0]] | degeneratePoints[ids[1]] | degeneratePoints[ids[2]];
+      }
+    });
   return cells;
 }
 }
@@ -158,7 +166,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       vtkConformalConversions::SetTriangles(output, dense.Faces);
       const vtkNew<vtkDoubleArray> directions =
         Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
-      ViewOf(directions) = conformal::unitVectors(dense.Positions, "direction");
+      conformal::copyUnitVectors(
+        dense.Positions, "direction", directions->GetPointer(0), vtkConformalConversions::SMPFor());
       dense.Positions.resize(0, 3);
 
       const conformal::Index size = directions->GetNumberOfTuples();

@@ -142,8 +142,8 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     const Points& positions = result.Network.Positions;
     const Triangles& faces = result.Network.Faces;
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
-    TriangleTree surface(
-      result.Weights, faces, partOf(progress, done / work, (done + 0.1 * passWork(f)) / work));
+    TriangleTree surface(result.Weights, faces, parallelFor,
+      partOf(progress, done / work, (done + 0.1 * passWork(f)) / work));
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {

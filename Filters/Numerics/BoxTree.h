@@ -3,6 +3,7 @@
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
 
+#include "Parallel.h"
 #include "Types.h"
 
 #include <limits>
@@ -51,7 +52,8 @@ struct BoxTree
 /// Build by median splits of the items' box centres along the longest side. Depends on the boxes
 /// only, so every run gives the same tree. O(n log n).
 /// @throws Aborted
-BoxTree buildBoxTree(const std::vector<Box>& boxes, const Progress& progress = {});
+BoxTree buildBoxTree(const std::vector<Box>& boxes, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

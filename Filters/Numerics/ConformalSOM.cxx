@@ -96,7 +96,7 @@ std::vector<double> quantizationErrors(
   }
   FixedPointSums squares(weights.rows()), counts(weights.rows());
   forEachFoot(
-    samples, TriangleTree(weights, result.Network.Faces), samples.size(), {},
+    samples, TriangleTree(weights, result.Network.Faces, parallelFor), samples.size(), {},
     [&](Index, const Vector3& x, const FootPoint& foot)
     {
       int corner = 0;

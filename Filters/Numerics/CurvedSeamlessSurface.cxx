@@ -6,6 +6,7 @@
 #include "VertexNormals.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -35,14 +36,14 @@ double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
 
 /// The faces turned to be counter-clockwise on the sphere, or an exception if it is not covered
 /// just once.
-Triangles facesOfMap(const Points& sphere, const Triangles& faces)
+Triangles facesOfMap(const Points& sphere, const Triangles& faces, const ParallelFor& parallelFor)
 {
   Triangles turned = faces;
-  SphereCoverage coverage = measureSphereCoverage(sphere, turned);
+  SphereCoverage coverage = measureSphereCoverage(sphere, turned, parallelFor);
   if (coverage.Degree < 0)
   {
     turned.col(1).swap(turned.col(2));
-    coverage = measureSphereCoverage(sphere, turned);
+    coverage = measureSphereCoverage(sphere, turned, parallelFor);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -55,20 +56,40 @@ Triangles facesOfMap(const Points& sphere, const Triangles& faces)
 }
 
 //------------------------------------------------------------------------------
-Points unitVectors(const PointView& vectors, const char* what)
+void copyUnitVectors(
+  const PointView& vectors, const char* what, double* units, const ParallelFor& parallelFor)
+{
+  std::atomic<Index> bad{ vectors.size() }; // the first one
+  forBlocks(parallelFor, vectors.size(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Vector3 x = vectors[i];
+        const double length = x.stableNorm();
+        Eigen::Map<Vector3>(units + 3 * i) = x / length;
+        if (!(length > 0.0) || !std::isfinite(length))
+        {
+          Index first = bad;
+          while (i < first && !bad.compare_exchange_weak(first, i))
+          {
+          }
+          return;
+        }
+      }
+    });
+  if (bad < vectors.size())
+  {
+    throw std::invalid_argument(
+      std::string(what) + " " + std::to_string(bad) + " is zero or not finite: no direction");
+  }
+}
+
+//------------------------------------------------------------------------------
+Points unitVectors(const PointView& vectors, const char* what, const ParallelFor& parallelFor)
 {
   Points units(vectors.size(), 3);
-  for (Index i = 0; i < units.rows(); ++i)
-  {
-    const Vector3 x = vectors[i];
-    const double length = x.stableNorm();
-    if (!(length > 0.0) || !std::isfinite(length))
-    {
-      throw std::invalid_argument(
-        std::string(what) + " " + std::to_string(i) + " is zero or not finite: no direction");
-    }
-    units.row(i) = x / length;
-  }
+  copyUnitVectors(vectors, what, units.data(), parallelFor);
   return units;
 }
 
@@ -77,9 +98,9 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   const Triangles& faces, const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
   const ParallelFor& parallelFor, const Progress& progress)
   : Options(options)
-  , Sphere(unitVectors(sphere, "sphere position"))
+  , Sphere(unitVectors(sphere, "sphere position", parallelFor))
   , Model(model)
-  , Faces(facesOfMap(this->Sphere, faces))
+  , Faces(facesOfMap(this->Sphere, faces, parallelFor))
 {
   if (sphere.rows() != model.rows() || !model.allFinite())
   {
@@ -99,15 +120,16 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   const double rounding = 1e-12;
   this->InsideOut = signedVolume(centered, this->Faces) < -rounding;
   report(progress, 0.2);
-  this->Neighbors = triangleNeighbors(this->Faces, model.rows());
-  this->Locator = SphereLocator(this->Sphere, this->Faces, this->Neighbors);
+  const Adjacency around = vertexTriangles(this->Faces, model.rows());
+  this->Neighbors = triangleNeighbors(this->Faces, around, parallelFor);
+  this->Locator = SphereLocator(this->Sphere, this->Faces, this->Neighbors, parallelFor);
   report(progress, 0.4);
   this->Flat =
     FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode, parallelFor);
   report(progress, 0.5);
   if (this->differentiable())
   {
-    this->curve(cloud, parallelFor, partOf(progress, 0.5, 1.0));
+    this->curve(around, cloud, parallelFor, partOf(progress, 0.5, 1.0));
   }
   else
   {
@@ -124,19 +146,21 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
 }
 
 //------------------------------------------------------------------------------
-void CurvedSeamlessSurface::curve(
-  const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
+void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples* cloud,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   Points normals = Points::Zero(this->Model.rows(), 3);
   if (this->Options.DomeHeight != DomeHeight::None)
   {
-    normals = vertexNormals(this->Model, this->Faces);
+    normals = vertexNormals(this->Model, this->Faces, around, parallelFor);
   }
   this->Curved = CurvedTriangles(this->Model, normals, this->Faces);
   if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
   {
-    const Points lowered = lowerVertices(this->Curved, this->Options.VertexShift);
-    this->Curved = CurvedTriangles(lowered, vertexNormals(lowered, this->Faces), this->Faces);
+    const Points lowered =
+      lowerVertices(this->Curved, around, this->Options.VertexShift, parallelFor);
+    normals = vertexNormals(lowered, this->Faces, around, parallelFor);
+    this->Curved = CurvedTriangles(lowered, normals, this->Faces);
   }
   if (this->Options.DomeHeight == DomeHeight::Fitted)
   {
@@ -223,6 +247,10 @@ void CurvedSeamlessSurface::Evaluator::moveTo(Index triangle)
     if (this->Surface.differentiable())
     {
       this->Curved = this->Surface.Curved[triangle];
+      if (this->Surface.Options.DomeHeight != DomeHeight::None)
+      {
+        this->Shading = ShadingNormals(this->Curved);
+      }
     }
   }
 }
@@ -274,8 +302,8 @@ CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
   Image image;
   image.Triangle = r;
   image.Position = this->Curved.position(q);
-  image.Normal = s.Options.DomeHeight == DomeHeight::None ? this->Curved.surfaceNormal(q)
-                                                          : this->Curved.smoothNormal(q);
+  image.Normal =
+    s.Options.DomeHeight == DomeHeight::None ? this->Curved.surfaceNormal(q) : this->Shading(q);
   if (s.InsideOut)
   {
     image.Normal = -image.Normal;
@@ -299,8 +327,9 @@ Vector3 CurvedSeamlessSurface::Evaluator::direction(Index triangle, const Vector
 }
 
 //------------------------------------------------------------------------------
-CurvedSeamlessInverse::CurvedSeamlessInverse(const CurvedSeamlessSurface& surface)
-  : Tree(surface.curvedTriangles())
+CurvedSeamlessInverse::CurvedSeamlessInverse(
+  const CurvedSeamlessSurface& surface, const ParallelFor& parallelFor)
+  : Tree(surface.curvedTriangles(), parallelFor)
 {
   requireDifferentiable(surface, "inverse");
 }
@@ -372,7 +401,7 @@ void invert(const CurvedSeamlessSurface& surface, const PointView& points, doubl
       throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
     }
   }
-  const CurvedSeamlessInverse inverse(surface);
+  const CurvedSeamlessInverse inverse(surface, parallelFor);
   forBlocks(parallelFor, points.size(), BlockSize, progress,
     [&](Index begin, Index end)
     {
@@ -401,7 +430,7 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, con
   const CurvedSeamlessSurface surface(
     sphere, model, faces, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
   CurvedSeamlessSurfaceResult result;
-  result.Directions = unitVectors(directions, "direction");
+  result.Directions = unitVectors(directions, "direction", parallelFor);
   result.Positions.resize(directions.rows(), 3);
   result.Normals.resize(directions.rows(), 3);
   result.Degenerate.resize(directions.rows());

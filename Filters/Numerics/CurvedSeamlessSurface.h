@@ -98,8 +98,8 @@ public:
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
-  void curve(
-    const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress);
+  void curve(const Adjacency& around, const TrainingSamples* cloud, const ParallelFor& parallelFor,
+    const Progress& progress);
   void scaleDomes();
   Vector3 onSphere(Index triangle, const Vector3& barycentric) const;
   Eigen::Matrix3d projection(Index triangle, const Vector3& direction) const;
@@ -149,6 +149,7 @@ private:
   const CurvedSeamlessSurface& Surface;
   std::optional<FlatMap::Triangle> Flat;
   CurvedTriangle Curved;
+  ShadingNormals Shading;
   int Last = -1;
 };
 
@@ -164,7 +165,8 @@ public:
 
   /// @param[in] surface  must outlive this
   /// @throws std::invalid_argument if it is not differentiable
-  explicit CurvedSeamlessInverse(const CurvedSeamlessSurface& surface);
+  explicit CurvedSeamlessInverse(
+    const CurvedSeamlessSurface& surface, const ParallelFor& parallelFor = {});
 
   /// @param[in] point      finite
   /// @param[in] evaluator  of the same surface
@@ -207,9 +209,13 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
 void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
   double* feet = nullptr, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
-/// @return #P by 3 unit vectors
-/// @throws std::invalid_argument if one is zero or not finite; what says which
-Points unitVectors(const PointView& vectors, const char* what);
+/// @param[out] units  3 each; may be the vectors themselves
+/// @throws std::invalid_argument if one is zero or not finite; what says of what kind they are
+void copyUnitVectors(
+  const PointView& vectors, const char* what, double* units, const ParallelFor& parallelFor = {});
+
+/// The same as #P by 3 coordinates.
+Points unitVectors(const PointView& vectors, const char* what, const ParallelFor& parallelFor = {});
 
 struct CurvedSeamlessSurfaceResult
 {

@@ -242,7 +242,7 @@ template <typename Body>
 void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
   std::vector<int>& hints, const ParallelFor& parallelFor, const Progress& progress, Body body)
 {
-  const CurvedTriangleTree tree(surface);
+  const CurvedTriangleTree tree(surface, parallelFor);
   constexpr Index BlockSize = 256;
   constexpr Index ChunkSize = 64 * BlockSize;
   std::vector<FootPoint> feet(std::min(ChunkSize, samples.size()));

@@ -7,6 +7,11 @@
 
 namespace conformal
 {
+namespace
+{
+constexpr Index BlockSize = 256;
+}
+
 CurvedTriangle::CurvedTriangle(
   const std::array<Vector3, 3>& positions, const std::array<Vector3, 3>& normals)
   : W(positions)
@@ -14,21 +19,40 @@ CurvedTriangle::CurvedTriangle(
 {
   for (int k = 0; k < 3; ++k)
   {
-    this->Ends[k] = normals[k].stableNormalized();
     for (int j = 0; j < 3; ++j)
     {
       this->Rise(k, j) = (this->W[j] - this->W[k]).dot(this->N[k]);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+ShadingNormals::ShadingNormals(const CurvedTriangle& triangle)
+{
+  const std::array<Vector3, 3>& w = triangle.positions();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Ends[k] = triangle.normals()[k].normalized();
+  }
   for (int k = 0; k < 3; ++k)
   {
     // The mean of the two normals, mirrored at the plane across the edge.
-    const Vector3 edge = this->W[(k + 2) % 3] - this->W[(k + 1) % 3];
+    const Vector3 edge = w[(k + 2) % 3] - w[(k + 1) % 3];
     const Vector3 sum = this->Ends[(k + 1) % 3] + this->Ends[(k + 2) % 3];
     const double square = edge.squaredNorm();
     this->Middles[k] =
-      (square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum).stableNormalized();
+      (square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum).normalized();
   }
+}
+
+//------------------------------------------------------------------------------
+Vector3 ShadingNormals::operator()(const Vector3& barycentric) const
+{
+  const Vector3& m = barycentric;
+  const std::array<Vector3, 3>&e = this->Ends, &c = this->Middles;
+  const Vector3 ends = m[0] * m[0] * e[0] + m[1] * m[1] * e[1] + m[2] * m[2] * e[2];
+  const Vector3 middles = m[1] * m[2] * c[0] + m[2] * m[0] * c[1] + m[0] * m[1] * c[2];
+  return (ends + middles).normalized();
 }
 
 //------------------------------------------------------------------------------
@@ -69,16 +93,6 @@ Eigen::Matrix3d CurvedTriangle::derivative(const Vector3& barycentric) const
     derivative.col(with) = column;
   }
   return derivative;
-}
-
-//------------------------------------------------------------------------------
-Vector3 CurvedTriangle::smoothNormal(const Vector3& barycentric) const
-{
-  const Vector3& m = barycentric;
-  const std::array<Vector3, 3>&e = this->Ends, &c = this->Middles;
-  const Vector3 ends = m[0] * m[0] * e[0] + m[1] * m[1] * e[1] + m[2] * m[2] * e[2];
-  const Vector3 middles = m[1] * m[2] * c[0] + m[2] * m[0] * c[1] + m[0] * m[1] * c[2];
-  return (ends + middles).stableNormalized();
 }
 
 //------------------------------------------------------------------------------
@@ -189,38 +203,54 @@ CurvedTriangle CurvedTriangles::operator[](Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-Points lowerVertices(const CurvedTriangles& surface, double share)
+Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
+  const ParallelFor& parallelFor)
 {
-  const Points& positions = surface.positions();
+  struct Domes
+  {
+    double Area;
+    std::array<Vector3, 3> Heights; // over the middle of the edge opposite
+  };
   const Points& normals = surface.normals();
   const Triangles& faces = surface.faces();
-  Points volumes = Points::Zero(positions.rows(), 3);
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(positions.rows());
-  for (Index r = 0; r < faces.rows(); ++r)
-  {
-    const CurvedTriangle triangle = surface[r];
-    const std::array<Vector3, 3>& w = triangle.positions();
-    const double area = 0.5 * (w[1] - w[0]).cross(w[2] - w[0]).norm();
-    for (int k = 0; k < 3; ++k) // the edge opposite: its dome's height at the middle
+  std::vector<Domes> domes(faces.rows());
+  forBlocks(parallelFor, faces.rows(), BlockSize,
+    [&](Index begin, Index end)
     {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const Vector3 height = triangle.rise(k);
-      // Integrals of the bubble 4 m_i m_j against m_i, m_j and m_k.
-      volumes.row(faces(r, i)) += area * 2.0 / 15.0 * height;
-      volumes.row(faces(r, j)) += area * 2.0 / 15.0 * height;
-      volumes.row(faces(r, k)) += area / 15.0 * height;
-      areas[faces(r, k)] += area / 3.0;
-    }
-  }
-  Points lowered = positions;
-  for (Index i = 0; i < positions.rows(); ++i)
-  {
-    if (areas[i] > 0.0)
+      for (Index r = begin; r < end; ++r)
+      {
+        const CurvedTriangle triangle = surface[r];
+        const std::array<Vector3, 3>& w = triangle.positions();
+        domes[r] = { 0.5 * (w[1] - w[0]).cross(w[2] - w[0]).norm(),
+          { triangle.rise(0), triangle.rise(1), triangle.rise(2) } };
+      }
+    });
+  Points lowered = surface.positions();
+  forBlocks(parallelFor, lowered.rows(), BlockSize,
+    [&](Index begin, Index end)
     {
-      const Vector3 normal = normals.row(i);
-      lowered.row(i) -= share * normal.dot(volumes.row(i)) / areas[i] * normal;
-    }
-  }
+      for (Index i = begin; i < end; ++i)
+      {
+        Vector3 volume = Vector3::Zero();
+        double area = 0.0;
+        for (const int* r = around.begin(i); r != around.end(i); ++r)
+        {
+          const Domes& its = domes[*r];
+          for (int k = 0; k < 3; ++k)
+          {
+            // Integrals of the bubble 4 m_i m_j against m_k, and against m_i or m_j.
+            const double weight = faces(*r, k) == i ? 1.0 / 15.0 : 2.0 / 15.0;
+            volume += its.Area * weight * its.Heights[k];
+          }
+          area += its.Area / 3.0;
+        }
+        if (area > 0.0)
+        {
+          const Vector3 normal = normals.row(i);
+          lowered.row(i) -= share * normal.dot(volume) / area * normal;
+        }
+      }
+    });
   return lowered;
 }
 
@@ -228,17 +258,18 @@ Points lowerVertices(const CurvedTriangles& surface, double share)
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const ParallelFor& parallelFor)
 {
   const Triangles& faces = surface.faces();
-  const Index blockSize = 256;
   std::vector<unsigned char> flattened(faces.rows(), 0), folds(faces.rows(), 0);
+  std::vector<unsigned char> changed(surface.positions().rows(), 1);
   const int mostRounds = 20; // after which normals are of no length
   for (int round = 0; round < mostRounds; ++round)
   {
-    forBlocks(parallelFor, faces.rows(), blockSize,
+    forBlocks(parallelFor, faces.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
         {
-          folds[r] = surface[r].folds();
+          const bool asks = changed[faces(r, 0)] || changed[faces(r, 1)] || changed[faces(r, 2)];
+          folds[r] = asks && surface[r].folds();
           flattened[r] |= folds[r];
         }
       });
@@ -247,12 +278,14 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Parallel
       break;
     }
     Points normals = surface.normals();
+    std::fill(changed.begin(), changed.end(), 0);
     for (Index r = 0; r < faces.rows(); ++r)
     {
       for (int k = 0; folds[r] && k < 3; ++k)
       {
         const int i = faces(r, k);
         normals.row(i) = 0.7 * surface.normals().row(i); // domes halve
+        changed[i] = 1;
       }
     }
     surface = CurvedTriangles(surface.positions(), normals, faces);
@@ -265,7 +298,6 @@ NormalJumps measureNormalJumps(
   const CurvedTriangles& surface, const Triangles& neighbors, const ParallelFor& parallelFor)
 {
   const Triangles& faces = surface.faces();
-  constexpr Index BlockSize = 256;
   const std::array<double, 5> shares{ 0.1, 0.3, 0.5, 0.7, 0.9 };
   std::vector<NormalJumps> blocks((faces.rows() + BlockSize - 1) / BlockSize);
   forBlocks(parallelFor, faces.rows(), BlockSize,
@@ -313,22 +345,32 @@ NormalJumps measureNormalJumps(
 }
 
 //------------------------------------------------------------------------------
-CurvedTriangleTree::CurvedTriangleTree(const CurvedTriangles& surface)
+CurvedTriangleTree::CurvedTriangleTree(
+  const CurvedTriangles& surface, const ParallelFor& parallelFor)
   : Placed(surface.faces().rows())
   , PlaceOf(surface.faces().rows())
 {
-  std::vector<Box> boxes(surface.faces().rows());
-  for (Index r = 0; r < surface.faces().rows(); ++r)
-  {
-    boxes[r] = surface[r].bounds();
-  }
-  this->Tree = buildBoxTree(boxes);
-  for (std::size_t place = 0; place < this->Placed.size(); ++place)
-  {
-    const int triangle = this->Tree.Items[place];
-    this->Placed[place] = { surface[triangle], boxes[triangle] };
-    this->PlaceOf[triangle] = static_cast<int>(place);
-  }
+  const Index size = surface.faces().rows();
+  std::vector<Box> boxes(size);
+  forBlocks(parallelFor, size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        boxes[r] = surface[r].bounds();
+      }
+    });
+  this->Tree = buildBoxTree(boxes, parallelFor);
+  forBlocks(parallelFor, size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index place = begin; place < end; ++place)
+      {
+        const int triangle = this->Tree.Items[place];
+        this->Placed[place] = { surface[triangle], boxes[triangle] };
+        this->PlaceOf[triangle] = static_cast<int>(place);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

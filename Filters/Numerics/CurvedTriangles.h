@@ -33,10 +33,6 @@ public:
   /// Column k is the derivative of q with m_k.
   Eigen::Matrix3d derivative(const Vector3& barycentric) const;
 
-  /// A normal for shading, the same from both sides of an edge: the quadratic field of
-  /// \cite Vlachos2001. Unit, or zero where normals cancel.
-  Vector3 smoothNormal(const Vector3& barycentric) const;
-
   /// The surface's own normal, which jumps a little across edges. Unit, or zero without area.
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
@@ -57,8 +53,22 @@ private:
   Vector3 controlPoint(int k, int j) const;
 
   std::array<Vector3, 3> W, N;
-  std::array<Vector3, 3> Ends, Middles; // of the quadratic field of normals
-  Eigen::Matrix3d Rise;                 // (w_j - w_k) n_k at (k, j)
+  Eigen::Matrix3d Rise; // (w_j - w_k) n_k at (k, j)
+};
+
+/// Normals for shading over a triangle, the same from both sides of an edge: the quadratic field of
+/// \cite Vlachos2001.
+class ShadingNormals
+{
+public:
+  ShadingNormals() = default;
+  explicit ShadingNormals(const CurvedTriangle& triangle);
+
+  /// Unit, or zero where normals cancel.
+  Vector3 operator()(const Vector3& barycentric) const;
+
+private:
+  std::array<Vector3, 3> Ends, Middles;
 };
 
 /// Curved triangles over a mesh.
@@ -92,7 +102,10 @@ private:
 /// This is one step of the projection of the curved on to the flat surface, with the mass matrix
 /// lumped: w_i + share n_i (n_i g_i) / c_i, where g_i is the domes' volume around the vertex,
 /// weighted by its hat function, and c_i a third of the area around.
-Points lowerVertices(const CurvedTriangles& surface, double share);
+///
+/// @param[in] around  vertexTriangles of the surface's faces
+Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
+  const ParallelFor& parallelFor = {});
 
 /// Shorten normals until no triangle folds.
 /// @return #F, 1 for those that did
@@ -116,7 +129,7 @@ class CurvedTriangleTree
 {
 public:
   CurvedTriangleTree() = default;
-  explicit CurvedTriangleTree(const CurvedTriangles& surface);
+  explicit CurvedTriangleTree(const CurvedTriangles& surface, const ParallelFor& parallelFor = {});
 
   /// @param[in] hint  a triangle that may be close, or -1: saves time
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;

@@ -4,6 +4,24 @@
 
 namespace conformal
 {
+namespace
+{
+/// The triangle that an edge of this direction belongs to, or -1.
+int triangleWithEdge(const Triangles& faces, const Adjacency& around, int from, int to)
+{
+  for (const int* r = around.begin(from); r != around.end(from); ++r)
+  {
+    const auto ids = faces.row(*r);
+    if ((ids[0] == from && ids[1] == to) || (ids[1] == from && ids[2] == to) ||
+      (ids[2] == from && ids[0] == to))
+    {
+      return *r;
+    }
+  }
+  return -1;
+}
+}
+
 Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices)
 {
   Adjacency around;
@@ -59,25 +77,25 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
 
 Triangles triangleNeighbors(const Triangles& faces, Index numberOfVertices)
 {
-  const Adjacency around = vertexTriangles(faces, numberOfVertices);
-  Triangles across = Triangles::Constant(faces.rows(), 3, -1);
-  for (Index r = 0; r < faces.rows(); ++r)
-  {
-    for (int k = 0; k < 3; ++k)
+  return triangleNeighbors(faces, vertexTriangles(faces, numberOfVertices));
+}
+
+Triangles triangleNeighbors(
+  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor)
+{
+  Triangles across(faces.rows(), 3);
+  const Index blockSize = 1024;
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
     {
-      const int from = faces(r, k), to = faces(r, (k + 1) % 3);
-      for (const int* other = around.begin(to); other != around.end(to); ++other)
+      for (Index r = begin; r < end; ++r)
       {
-        for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
         {
-          if (faces(*other, j) == to && faces(*other, (j + 1) % 3) == from)
-          {
-            across(r, k) = *other;
-          }
+          across(r, k) = triangleWithEdge(faces, around, faces(r, (k + 1) % 3), faces(r, k));
         }
       }
-    }
-  }
+    });
   return across;
 }
 }

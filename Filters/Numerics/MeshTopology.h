@@ -3,6 +3,7 @@
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
 
+#include "Parallel.h"
 #include "Types.h"
 
 #include <vector>
@@ -32,6 +33,10 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices);
 /// with the opposite sense, or -1 where none does.
 /// @pre no directed edge belongs to two triangles (checkGenusZero tells)
 Triangles triangleNeighbors(const Triangles& faces, Index numberOfVertices);
+
+/// @param[in] around  vertexTriangles of the faces, where they are at hand
+Triangles triangleNeighbors(
+  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h
 
+#include "Parallel.h"
 #include "Types.h"
 
 namespace conformal
@@ -17,7 +18,8 @@ struct SphereCoverage
 ///
 /// @param[in] positions  #N by 3 unit vectors
 /// @param[in] faces      #R by 3 ids of a closed surface
-SphereCoverage measureSphereCoverage(const Points& positions, const Triangles& faces);
+SphereCoverage measureSphereCoverage(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
 }
 
 #endif

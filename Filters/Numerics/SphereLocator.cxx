@@ -15,45 +15,55 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces)
 {
 }
 
-SphereLocator::SphereLocator(
-  const Points& positions, const Triangles& faces, const Triangles& neighbors)
+SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
+  const Triangles& neighbors, const ParallelFor& parallelFor)
 {
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
   // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;
   std::vector<Box> boxes(faces.rows());
-  for (Index r = 0; r < faces.rows(); ++r)
-  {
-    double longest = 0.0;
-    for (int k = 0; k < 3; ++k)
+  const Index blockSize = 1024;
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
     {
-      const Vector3 from = positions.row(faces(r, k)), to = positions.row(faces(r, (k + 1) % 3));
-      boxes[r].extend(from);
-      longest = std::max(longest, (to - from).squaredNorm());
-    }
-    const double rise = 1.0 - std::sqrt(std::max(0.0, 1.0 - longest / 3.0)) + rounding;
-    boxes[r].Lower.array() -= rise;
-    boxes[r].Upper.array() += rise;
-  }
-  this->Tree = buildBoxTree(boxes);
+      for (Index r = begin; r < end; ++r)
+      {
+        double longest = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          const Vector3 from = positions.row(faces(r, k)),
+                        to = positions.row(faces(r, (k + 1) % 3));
+          boxes[r].extend(from);
+          longest = std::max(longest, (to - from).squaredNorm());
+        }
+        const double rise = 1.0 - std::sqrt(std::max(0.0, 1.0 - longest / 3.0)) + rounding;
+        boxes[r].Lower.array() -= rise;
+        boxes[r].Upper.array() += rise;
+      }
+    });
+  this->Tree = buildBoxTree(boxes, parallelFor);
   this->Placed.resize(faces.rows());
   this->PlaceOf.resize(faces.rows());
   for (int place = 0; place < faces.rows(); ++place)
   {
     this->PlaceOf[this->Tree.Items[place]] = place;
   }
-  for (Index place = 0; place < faces.rows(); ++place)
-  {
-    const int triangle = this->Tree.Items[place];
-    const auto ids = faces.row(triangle);
-    for (int k = 0; k < 3; ++k)
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
     {
-      const int neighbor = neighbors(triangle, (k + 1) % 3);
-      this->Placed[place].Positions[k] = positions.row(ids[k]);
-      this->Placed[place].Across[k] = neighbor < 0 ? -1 : this->PlaceOf[neighbor];
-      this->Placed[place].Ascending[k] = ids[(k + 1) % 3] < ids[(k + 2) % 3];
-    }
-  }
+      for (Index place = begin; place < end; ++place)
+      {
+        const int triangle = this->Tree.Items[place];
+        const auto ids = faces.row(triangle);
+        for (int k = 0; k < 3; ++k)
+        {
+          const int neighbor = neighbors(triangle, (k + 1) % 3);
+          this->Placed[place].Positions[k] = positions.row(ids[k]);
+          this->Placed[place].Across[k] = neighbor < 0 ? -1 : this->PlaceOf[neighbor];
+          this->Placed[place].Ascending[k] = ids[(k + 1) % 3] < ids[(k + 2) % 3];
+        }
+      }
+    });
 }
 
 // The volume spanned by the direction and the edge opposite to a corner, positive inside.

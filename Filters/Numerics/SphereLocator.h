@@ -4,6 +4,7 @@
 #define ConformalSphereLocator_h
 
 #include "BoxTree.h"
+#include "Parallel.h"
 #include "Types.h"
 
 #include <vector>
@@ -35,7 +36,8 @@ public:
   /// @param[in] faces      #R by 3 ids, counter-clockwise seen from outside
   SphereLocator(const Points& positions, const Triangles& faces);
   /// @param[in] neighbors  triangleNeighbors of the faces, where they are at hand
-  SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors);
+  SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors,
+    const ParallelFor& parallelFor = {});
 
   /// @param[in] direction  p, a unit vector
   /// @param[in] hint       a triangle that may be near, or -1: saves time, and changes nothing

@@ -41,7 +41,7 @@ SphericalAlignmentResult alignSpheres(
 Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor& parallelFor,
   const Progress& progress)
 {
-  const TriangleTree tree(other.Positions, other.Faces);
+  const TriangleTree tree(other.Positions, other.Faces, parallelFor);
   Points result(points.rows(), 3);
   constexpr Index blockSize = 256;
   forBlocks(parallelFor, points.rows(), blockSize, progress,

@@ -54,8 +54,8 @@ struct SphericalTexture
 /// With SplitSeam every triangle lies on one side of every seam and fold of the projection and of
 /// every border of the image, so none shows the image backwards or squeezed, and OutsideImage is
 /// the same at the three corners of each. Edges are cut where they meet such a line, unless that
-/// is within a thousandth of their length from an end. Thin triangles that bend so much in the image
-/// that they would turn over are cut across.
+/// is within a thousandth of their length from an end. Thin triangles that bend so much in the
+/// image that they would turn over are cut across.
 ///
 /// @param[in] points           #V by 3, finite
 /// @param[in] triangles        #F by 3 ids in [0, #V), at least one

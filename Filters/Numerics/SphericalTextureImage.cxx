@@ -124,7 +124,7 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
   {
     throw std::invalid_argument("points to take values from are not finite");
   }
-  const TriangleTree tree(positions, cloudFaces);
+  const TriangleTree tree(positions, cloudFaces, parallelFor);
   paint(
     surface, image, grid,
     [&](const SurfacePlace& place, int& hint)

@@ -109,18 +109,19 @@ std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices
   return vertices;
 }
 
-TriangleTree treeOf(const Points& points, const Triangles& triangles)
+TriangleTree treeOf(
+  const Points& points, const Triangles& triangles, const ParallelFor& parallelFor)
 {
   if (triangles.rows() > 0)
   {
-    return TriangleTree(points, triangles);
+    return TriangleTree(points, triangles, parallelFor);
   }
   std::vector<int> all(points.rows());
   for (int v = 0; v < points.rows(); ++v)
   {
     all[v] = v;
   }
-  return TriangleTree(points, asTriangles(all));
+  return TriangleTree(points, asTriangles(all), parallelFor);
 }
 
 // Points spread evenly over the area of a mesh (over its triangles, where it has no area).
@@ -268,14 +269,15 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
 
   SurfaceMismatch result;
   result.LengthUnit = frame.Unit;
-  const std::vector<double> forward = measure(TriangleTree(model, modelTriangles), size, data);
+  const std::vector<double> forward =
+    measure(TriangleTree(model, modelTriangles, parallelFor), size, data);
   result.MeanSquarePointToSurface = meanOf(forward);
   {
     const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
     result.MeanSquarePointToVertex =
-      meanOf(measure(TriangleTree(model, asTriangles(vertices)), size, data));
+      meanOf(measure(TriangleTree(model, asTriangles(vertices), parallelFor), size, data));
   }
-  const TriangleTree reference = treeOf(frame(referencePoints), referenceTriangles);
+  const TriangleTree reference = treeOf(frame(referencePoints), referenceTriangles, parallelFor);
   const Points samples =
     spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
   const std::vector<double> back =

@@ -82,8 +82,8 @@ FootPoint closestPointOfTriangle(
     [](const FootPoint& p, const FootPoint& q) { return p.SquareDistance < q.SquareDistance; });
 }
 
-TriangleTree::TriangleTree(
-  const Points& positions, const Triangles& faces, const Progress& progress)
+TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   std::vector<Box> boxes(faces.rows());
   for (Index r = 0; r < faces.rows(); ++r)
@@ -93,7 +93,7 @@ TriangleTree::TriangleTree(
       boxes[r].extend(Vector3(positions.row(faces(r, k))));
     }
   }
-  BoxTree tree = buildBoxTree(boxes, progress);
+  BoxTree tree = buildBoxTree(boxes, parallelFor, progress);
   if (faces.rows() > 0)
   {
     this->addQuad(tree, 0);

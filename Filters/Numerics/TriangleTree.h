@@ -36,7 +36,8 @@ public:
   /// @param[in] positions  #V by 3, finite
   /// @param[in] faces      #F by 3 ids
   /// @throws Aborted
-  TriangleTree(const Points& positions, const Triangles& faces, const Progress& progress = {});
+  TriangleTree(const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {},
+    const Progress& progress = {});
 
   /// The same triangles with their vertices moved. O(#F).
   void refit(const Points& positions, const Triangles& faces);

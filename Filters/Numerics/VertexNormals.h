@@ -3,6 +3,8 @@
 #ifndef ConformalVertexNormals_h
 #define ConformalVertexNormals_h
 
+#include "MeshTopology.h"
+#include "Parallel.h"
 #include "Types.h"
 
 namespace conformal
@@ -14,6 +16,10 @@ namespace conformal
 /// @param[in] faces   #F by 3 ids
 /// @return #V by 3
 Points vertexNormals(const Points& points, const Triangles& faces);
+
+/// @param[in] around  vertexTriangles of the faces, where they are at hand
+Points vertexNormals(const Points& points, const Triangles& faces, const Adjacency& around,
+  const ParallelFor& parallelFor = {});
 }
 
 #endif
