@@ -322,7 +322,11 @@ void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles)
 {
   vtkNew<vtkIdTypeArray> connectivity;
   connectivity->SetNumberOfValues(triangles.size());
-  std::copy_n(triangles.data(), triangles.size(), connectivity->GetPointer(0));
+  vtkIdType* ids = connectivity->GetPointer(0);
+  const conformal::Index blockSize = 65536;
+  conformal::forBlocks(SMPFor(), triangles.size(), blockSize,
+    [&](conformal::Index begin, conformal::Index end)
+    { std::copy(triangles.data() + begin, triangles.data() + end, ids + begin); });
   vtkNew<vtkCellArray> cells;
   cells->SetData(3, connectivity);
   surface->SetPolys(cells);

@@ -33,7 +33,7 @@ conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
 {
   if (!sphere)
   {
-    return conformal::makeGeodesicSphere(frequency);
+    return conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor());
   }
   conformal::GeodesicSphere dense;
   dense.Faces = vtkConformalConversions::ToTriangles(sphere);

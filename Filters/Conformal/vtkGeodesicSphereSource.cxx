@@ -26,7 +26,8 @@ int vtkGeodesicSphereSource::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
-      const conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(this->Frequency);
+      const conformal::GeodesicSphere sphere =
+        conformal::makeGeodesicSphere(this->Frequency, vtkConformalConversions::SMPFor());
       vtkConformalConversions::SetSurface(output, sphere.Positions, sphere.Faces);
       vtkPointData* pointData = output->GetPointData();
       vtkConformalConversions::AddVectors(

@@ -131,7 +131,8 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   for (int f : levels)
   {
     {
-      const GeodesicSphere coarse = std::exchange(result.Network, makeGeodesicSphere(f));
+      const GeodesicSphere coarse =
+        std::exchange(result.Network, makeGeodesicSphere(f, parallelFor));
       report(progress, done / work);
       const Points& positions = result.Network.Positions;
       result.Weights = f == levels.front()
@@ -247,7 +248,7 @@ ConformalSOMResult polishFrom(Points weights, double noise,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   ConformalSOMResult result;
-  result.Network = makeGeodesicSphere(options.Frequency);
+  result.Network = makeGeodesicSphere(options.Frequency, parallelFor);
   result.Weights = std::move(weights);
   result.NoiseToDetail = noise;
   PolishOptions polish = polishFor(options, noise);
@@ -290,8 +291,9 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   {
     return fromSphere;
   }
-  const HullStart start = startFromHull(samples, makeGeodesicSphere(options.Frequency).Positions,
-    parallelFor, partOf(progress, mustHull ? 0.0 : 0.4, 0.7));
+  const HullStart start =
+    startFromHull(samples, makeGeodesicSphere(options.Frequency, parallelFor).Positions,
+      parallelFor, partOf(progress, mustHull ? 0.0 : 0.4, 0.7));
   ConformalSOMResult fromHull = polishFrom(
     start.Weights, fromSphere.NoiseToDetail,
     [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,

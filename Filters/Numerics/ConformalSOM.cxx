@@ -64,7 +64,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   }
   else
   {
-    const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
+    const GeodesicSphere network = makeGeodesicSphere(options.Frequency, parallelFor);
     Points weights = network.Positions; // step 1
     if (start)
     {

@@ -49,7 +49,7 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
 }
 }
 
-GeodesicSphere makeGeodesicSphere(int f)
+GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor)
 {
   if (f < 1 || f > MaximumFrequency)
   {
@@ -89,46 +89,50 @@ GeodesicSphere makeGeodesicSphere(int f)
   };
 
   // Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite.
-  std::vector<int> above, row;
-  Index face = 0;
-  for (const auto& [a, b, c] : sides)
-  {
-    above = { a };
-    for (int i = 1; i <= f; ++i)
+  const int firstInside = nextId, numberInside = (f - 1) * (f - 2) / 2;
+  forBlocks(parallelFor, NumberOfSides, 1,
+    [&](Index side, Index)
     {
-      row.resize(i + 1);
-      for (int j = 0; j <= i; ++j)
+      const auto [a, b, c] = sides[side];
+      int id = firstInside + static_cast<int>(side) * numberInside;
+      Index face = side * f * f;
+      std::vector<int> above{ a }, row;
+      for (int i = 1; i <= f; ++i)
       {
-        if (j == 0)
+        row.resize(i + 1);
+        for (int j = 0; j <= i; ++j)
         {
-          row[j] = i == f ? b : onEdge(a, b, i);
+          if (j == 0)
+          {
+            row[j] = i == f ? b : onEdge(a, b, i);
+          }
+          else if (j == i)
+          {
+            row[j] = i == f ? c : onEdge(a, c, i);
+          }
+          else if (i == f)
+          {
+            row[j] = onEdge(b, c, j);
+          }
+          else
+          {
+            sphere.Positions.row(id) =
+              ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c))
+                .normalized();
+            row[j] = id++;
+          }
         }
-        else if (j == i)
+        for (int j = 0; j < i; ++j)
         {
-          row[j] = i == f ? c : onEdge(a, c, i);
+          sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
+          if (j + 1 < i)
+          {
+            sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
+          }
         }
-        else if (i == f)
-        {
-          row[j] = onEdge(b, c, j);
-        }
-        else
-        {
-          sphere.Positions.row(nextId) =
-            ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c)).normalized();
-          row[j] = nextId++;
-        }
+        above.swap(row);
       }
-      for (int j = 0; j < i; ++j)
-      {
-        sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
-        if (j + 1 < i)
-        {
-          sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
-        }
-      }
-      above.swap(row);
-    }
-  }
+    });
   return sphere;
 }
 }

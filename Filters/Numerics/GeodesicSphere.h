@@ -3,6 +3,7 @@
 #ifndef ConformalGeodesicSphere_h
 #define ConformalGeodesicSphere_h
 
+#include "Parallel.h"
 #include "Types.h"
 
 namespace conformal
@@ -23,7 +24,7 @@ constexpr int MaximumFrequency = 10000;
 ///
 /// @param[in] frequency  f, in [1, MaximumFrequency]
 /// @throws std::invalid_argument if f is out of range
-GeodesicSphere makeGeodesicSphere(int frequency);
+GeodesicSphere makeGeodesicSphere(int frequency, const ParallelFor& parallelFor = {});
 }
 
 #endif
