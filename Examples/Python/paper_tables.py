@@ -134,7 +134,7 @@ def checkerboard_deviation(surface, view, up, cap=45.0):
     painted.SetInputData(surface)
     painted.SetViewDirection(view)
     painted.SetViewUp(up)
-    painted.SetWrap(vtkSphericalTextureMap.REPEAT)
+    painted.SetWrapToRepeat()
     result = paper_models.run(painted)
     points = vtk_to_numpy(result.GetPoints().GetData()).astype(float)
     corners = vtk_to_numpy(result.GetPolys().GetConnectivityArray()).reshape(-1, 3)

@@ -108,6 +108,10 @@ public:
    */
   vtkSetClampMacro(Projection, int, STEREOGRAPHIC, CUBE_MAP);
   vtkGetMacro(Projection, int);
+  void SetProjectionToStereographic() { this->SetProjection(STEREOGRAPHIC); }
+  void SetProjectionToLongitudeLatitude() { this->SetProjection(LONGITUDE_LATITUDE); }
+  void SetProjectionToOctahedral() { this->SetProjection(OCTAHEDRAL); }
+  void SetProjectionToCubeMap() { this->SetProjection(CUBE_MAP); }
   ///@}
 
   ///@{
@@ -154,6 +158,9 @@ public:
    */
   vtkSetClampMacro(Wrap, int, CLAMP, MIRROR);
   vtkGetMacro(Wrap, int);
+  void SetWrapToClamp() { this->SetWrap(CLAMP); }
+  void SetWrapToRepeat() { this->SetWrap(REPEAT); }
+  void SetWrapToMirror() { this->SetWrap(MIRROR); }
   ///@}
 
   ///@{

@@ -40,7 +40,7 @@ def chain(frequency=18, surface_frequency=40):
     distortion.Update()
     split = vtkSphericalTextureMap()
     split.SetInputConnection(surface.GetOutputPort())
-    split.SetProjection(vtkSphericalTextureMap.OCTAHEDRAL)
+    split.SetProjectionToOctahedral()
     split.SplitSeamOn()
     image = vtkSphericalTextureImage()
     image.SetInputConnection(split.GetOutputPort())
