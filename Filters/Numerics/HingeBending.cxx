@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace conformal
 {
@@ -29,27 +30,44 @@ HingeBending::HingeBending(const Triangles& faces, const Adjacency& around, cons
   , Around(around)
   , HingeOf(faces.rows(), 3)
 {
-  const Triangles across = triangleNeighbors(faces, places.rows());
-  this->Hinges.reserve(faces.rows() * 3 / 2);
-  for (int r = 0; r < faces.rows(); ++r)
-  {
-    for (int k = 0; k < 3; ++k)
+  const Triangles across = triangleNeighbors(faces, around, parallelFor);
+  // Each edge is numbered by the lower of its triangles; where a block of them starts is counted
+  // first.
+  std::vector<Index> firstOfBlock((faces.rows() + BlockSize - 1) / BlockSize + 1, 0);
+  forBlocks(parallelFor, faces.rows(), BlockSize,
+    [&](Index begin, Index end)
     {
-      const int other = across(r, k);
-      if (other > r)
+      Index& count = firstOfBlock[begin / BlockSize + 1];
+      for (Index r = begin; r < end; ++r)
       {
-        int j = 0;
-        while (across(other, j) != r || faces(other, j) != faces(r, (k + 1) % 3))
-        {
-          ++j;
-        }
-        this->HingeOf(r, k) = this->HingeOf(other, j) = static_cast<int>(this->Hinges.size());
-        this->Hinges.push_back({ { faces(r, k), faces(r, (k + 1) % 3), faces(r, (k + 2) % 3),
-                                   faces(other, (j + 2) % 3) },
-          {} });
+        count += (across.row(r).array() > static_cast<int>(r)).count();
       }
-    }
-  }
+    });
+  std::partial_sum(firstOfBlock.begin(), firstOfBlock.end(), firstOfBlock.begin());
+  this->Hinges.resize(firstOfBlock.back());
+  forBlocks(parallelFor, faces.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      auto hinge = static_cast<int>(firstOfBlock[begin / BlockSize]);
+      for (int r = static_cast<int>(begin); r < end; ++r)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const int other = across(r, k);
+          if (other > r)
+          {
+            int j = 0;
+            while (across(other, j) != r || faces(other, j) != faces(r, (k + 1) % 3))
+            {
+              ++j;
+            }
+            this->HingeOf(r, k) = this->HingeOf(other, j) = hinge;
+            this->Hinges[hinge++].Corners = { faces(r, k), faces(r, (k + 1) % 3),
+              faces(r, (k + 2) % 3), faces(other, (j + 2) % 3) };
+          }
+        }
+      }
+    });
   const Index size = static_cast<Index>(this->Hinges.size());
   this->Bent.resize(size, 3);
   forBlocks(parallelFor, size, BlockSize,

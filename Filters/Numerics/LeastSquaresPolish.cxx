@@ -41,14 +41,14 @@ class Polish
 {
 public:
   Polish(const TrainingSamples& samples, const PolishOptions& options,
-    const ParallelFor& parallelFor, ConformalSOMResult& result)
+    const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
     : Samples(samples)
     , Options(options)
     , Threads(parallelFor)
     , Weights(result.Weights)
     , Faces(result.Network.Faces)
     , Neighbors(vertexNeighbors(Faces, Weights.rows()))
-    , Surface(Weights, Faces)
+    , Surface(Weights, Faces, parallelFor, progress)
     , Equations(Faces, Neighbors)
     , Scale(Weights.rows(), options.OutlierRatio)
     , Rotation(samples, options.RandomSeed)
@@ -84,7 +84,8 @@ public:
     const Points moved = this->Equations.solve(
       this->Weights, stiffness, this->Options.Evenness, this->Threads, partOf(progress, 0.7, 0.95));
     this->Weights += moved;
-    this->Surface.refit(this->Weights, this->Faces);
+    report(progress, 0.96);
+    this->Surface.refit(this->Weights, this->Faces, this->Threads);
     report(progress, 0.97);
 
     const std::vector<bool> bare =
@@ -93,6 +94,7 @@ public:
     {
       this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
     }
+    report(progress, 0.98);
     if (number >= this->Options.NumberOfRounds - FoldRounds)
     {
       this->stiffenFolds();
@@ -258,8 +260,8 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
   {
     return std::vector<double>(result.Network.Faces.rows(), 0.0);
   }
-  Polish polish(samples, options, parallelFor, result);
-  polish.measureScale(partOf(progress, 0.0, 0.05));
+  Polish polish(samples, options, parallelFor, partOf(progress, 0.0, 0.02), result);
+  polish.measureScale(partOf(progress, 0.02, 0.05));
   for (int number = 0; number < options.NumberOfRounds; ++number)
   {
     const double begin = 0.05 + 0.95 * number / options.NumberOfRounds;

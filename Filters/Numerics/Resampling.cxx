@@ -1,5 +1,6 @@
 #include "Resampling.h"
 
+#include "MeshTopology.h"
 #include "SphereCoverage.h"
 #include "SphereLocator.h"
 
@@ -9,15 +10,15 @@
 namespace conformal
 {
 Points resample(const Points& spherePositions, const Points& values, const Triangles& faces,
-  const Points& directions, const ParallelFor& parallelFor)
+  const Points& directions, const ParallelFor& parallelFor, const Progress& progress)
 {
-  constexpr Index BlockSize = 4096;
+  constexpr Index BlockSize = 512;
   Points sphere = spherePositions;
-  SphereCoverage coverage = measureSphereCoverage(sphere, faces);
+  SphereCoverage coverage = measureSphereCoverage(sphere, faces, parallelFor);
   if (coverage.Degree == -1)
   {
     sphere.col(0) *= -1.0;
-    coverage = measureSphereCoverage(sphere, faces);
+    coverage = measureSphereCoverage(sphere, faces, parallelFor);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -25,9 +26,13 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " folded triangles, but must cover it once without folds");
   }
-  const SphereLocator locator(sphere, faces);
+  const Adjacency around = vertexTriangles(faces, sphere.rows());
+  const Triangles neighbors = triangleNeighbors(faces, around, parallelFor);
+  report(progress, 0.2);
+  const SphereLocator locator(sphere, faces, neighbors, parallelFor);
+  report(progress, 0.5);
   Points resampled(directions.rows(), 3);
-  forBlocks(parallelFor, directions.rows(), BlockSize,
+  forBlocks(parallelFor, directions.rows(), BlockSize, partOf(progress, 0.5, 1.0),
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -17,8 +17,9 @@ namespace conformal
 /// @param[in] directions       #N by 3 unit vectors
 /// @return #N by 3
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once
+/// @throws Aborted
 Points resample(const Points& spherePositions, const Points& values, const Triangles& faces,
-  const Points& directions, const ParallelFor& parallelFor = {});
+  const Points& directions, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 
 #endif

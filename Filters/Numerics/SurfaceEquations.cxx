@@ -308,6 +308,7 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
     attraction.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
   }
   this->Sums = FixedPointSums(); // room for what follows
+  report(progress, 0.11);
   for (Symmetric& block : attraction.Diagonal)
   {
     // A direction that neither patterns nor stiffness hold is left as it is.
@@ -315,9 +316,11 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
     block.add(smallest + share * block.trace(), 0.0, Vector3::Zero());
   }
 
-  Resistance resistance(this->Neighbors,
-    HingeBending(this->Faces, this->Around, weights, stiffness, parallelFor),
-    vertexNormals(weights, this->Faces), stiffness, evenness, parallelFor);
+  HingeBending hinges(this->Faces, this->Around, weights, stiffness, parallelFor);
+  report(progress, 0.13);
+  Resistance resistance(this->Neighbors, std::move(hinges),
+    vertexNormals(weights, this->Faces, this->Around, parallelFor), stiffness, evenness,
+    parallelFor);
   report(progress, 0.15);
   resistance.bend(weights);
   forBlocks(parallelFor, size, BlockSize,

@@ -105,7 +105,8 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
   {
     this->PlaceOf[this->Items[place]] = place;
   }
-  this->refit(positions, faces);
+  report(progress, 1.0);
+  this->refit(positions, faces, parallelFor);
 }
 
 int TriangleTree::addQuad(const BoxTree& tree, int node)
@@ -164,13 +165,20 @@ Box TriangleTree::boxOf(const Quad& quad, int lane) const
   return box;
 }
 
-void TriangleTree::refit(const Points& positions, const Triangles& faces)
+void TriangleTree::refit(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
 {
-  for (std::size_t place = 0; place < this->Placed.size(); ++place)
-  {
-    const auto ids = faces.row(this->Items[place]);
-    this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]), positions.row(ids[2]) };
-  }
+  const Index blockSize = 4096;
+  forBlocks(parallelFor, static_cast<Index>(this->Placed.size()), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index place = begin; place < end; ++place)
+      {
+        const auto ids = faces.row(this->Items[place]);
+        this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]),
+          positions.row(ids[2]) };
+      }
+    });
   for (auto quad = this->Quads.rbegin(); quad != this->Quads.rend(); ++quad)
   {
     for (int k = 0; k < DoubleLanes; ++k)

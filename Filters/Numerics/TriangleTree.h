@@ -40,7 +40,7 @@ public:
     const Progress& progress = {});
 
   /// The same triangles with their vertices moved. O(#F).
-  void refit(const Points& positions, const Triangles& faces);
+  void refit(const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
 
   /// The closest point of the mesh; of triangles equally close, the lowest id.
   /// @param[in] x     a point; distances are exact to rounding
