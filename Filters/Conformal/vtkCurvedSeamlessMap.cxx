@@ -85,6 +85,14 @@ void Empty(std::initializer_list<vtkDoubleArray*> arrays)
     }
   }
 }
+
+conformal::Points UnitDirections(vtkDataArray* directions)
+{
+  conformal::Points copy;
+  return conformal::unitVectors(
+    vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction",
+    vtkConformalConversions::SMPFor());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -150,9 +158,7 @@ bool vtkCurvedSeamlessMap::ToSurface(
     [&]()
     {
       const conformal::CurvedSeamlessSurface& surface = this->Built();
-      conformal::Points copy;
-      const conformal::Points units = conformal::unitVectors(
-        vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction");
+      const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
       samples.Positions = Sized(positions, 3, units.rows());
       samples.Normals = Sized(normals, 3, units.rows());
@@ -169,9 +175,7 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
     [&]()
     {
       const conformal::CurvedSeamlessSurface& surface = this->Built();
-      conformal::Points copy;
-      const conformal::Points units = conformal::unitVectors(
-        vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction");
+      const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
       samples.Derivatives = Sized(derivatives, 9, units.rows());
       samples.Metrics = Sized(metrics, 9, units.rows());

@@ -118,6 +118,21 @@ public:
   std::string WarningMessage() const { return this->Observer->GetWarningMessage(); }
   void Clear() { this->Observer->Clear(); }
 
+  /// There was an error with this text.
+  void ExpectError(const std::string& text) const
+  {
+    EXPECT_TRUE(this->Error());
+    EXPECT_NE(this->ErrorMessage().find(text), std::string::npos) << this->ErrorMessage();
+  }
+  /// No error, and a warning with this text, or none if it is empty.
+  void ExpectWarning(const std::string& text) const
+  {
+    EXPECT_FALSE(this->Error()) << this->ErrorMessage();
+    EXPECT_EQ(this->Warning(), !text.empty());
+    EXPECT_TRUE(text.empty() || this->WarningMessage().find(text) != std::string::npos)
+      << this->WarningMessage();
+  }
+
 private:
   vtkNew<vtkTest::ErrorObserver> Observer;
   vtkNew<vtkTest::ErrorObserver> Executive;

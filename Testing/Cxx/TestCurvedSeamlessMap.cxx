@@ -1,6 +1,7 @@
 #include "vtkCurvedSeamlessMap.h"
 
 #include "FilterContract.h"
+#include "MeshFixtures.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
 #include "vtkGeodesicSphereSource.h"
@@ -23,24 +24,10 @@
 #include <string>
 #include <vector>
 
+using fixtures::Ellipsoid;
+
 namespace
 {
-vtkNew<vtkPolyData> Ellipsoid(int frequency = 6)
-{
-  vtkNew<vtkGeodesicSphereSource> source;
-  source->SetFrequency(frequency);
-  source->Update();
-  vtkNew<vtkPolyData> surface;
-  surface->DeepCopy(source->GetOutput());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, 3.0 * p[0] + 10.0, 2.0 * p[1], p[2]);
-  }
-  return surface;
-}
-
 vtkNew<vtkDoubleArray> RandomDirections(vtkIdType size, unsigned int seed = 1)
 {
   std::mt19937_64 engine(seed);
@@ -210,7 +197,7 @@ TEST_F(CurvedSeamlessMap, MapsToTheSurface)
 
 TEST_F(CurvedSeamlessMap, TakesDirectionsOfAnyLengthAndType)
 {
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   vtkNew<vtkIntArray> integers;
   integers->SetNumberOfComponents(3);
   integers->InsertNextTuple3(3, -4, 12);
@@ -230,7 +217,7 @@ TEST_F(CurvedSeamlessMap, TakesDirectionsOfAnyLengthAndType)
 
 TEST_F(CurvedSeamlessMap, GoesBackToTheSphere)
 {
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   const vtkNew<vtkDoubleArray> directions = RandomDirections(2000);
   vtkNew<vtkDoubleArray> positions, back, feet;
   ASSERT_TRUE(this->Map->ToSurface(directions, positions));
@@ -241,7 +228,7 @@ TEST_F(CurvedSeamlessMap, GoesBackToTheSphere)
 
 TEST_F(CurvedSeamlessMap, DifferentiatesAndMeasures)
 {
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   const vtkNew<vtkDoubleArray> directions = RandomDirections(500);
   vtkNew<vtkDoubleArray> jacobians, metrics, elements;
   ASSERT_TRUE(this->Map->Differentiate(directions, jacobians, metrics, elements));
@@ -280,7 +267,7 @@ TEST_F(CurvedSeamlessMap, SaysWhatCannotBeDone)
   this->ExpectError(this->Map->Build(vtkNew<vtkPolyData>()), "no surface");
   EXPECT_FALSE(this->Map->IsBuilt());
 
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   this->ExpectError(this->Map->ToSurface(nullptr, result), "array of 3 components");
   vtkNew<vtkDoubleArray> odd;
   odd->SetNumberOfComponents(2);
@@ -296,18 +283,18 @@ TEST_F(CurvedSeamlessMap, SaysWhatCannotBeDone)
 
   directions->SetTuple3(3, 1.0, 0.0, 0.0);
   this->Map->SetDomeHeightToPublished();
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   ASSERT_TRUE(this->Map->ToSurface(directions, result));
   this->ExpectError(this->Map->Differentiate(directions, result), "no derivative");
   this->ExpectError(this->Map->ToSphere(directions, result), "no inverse");
   this->Map->SetDomeHeightToFitted();
-  this->ExpectError(this->Map->Build(Ellipsoid()), "there is none");
+  this->ExpectError(this->Map->Build(Ellipsoid(6)), "there is none");
   EXPECT_FALSE(this->Map->IsBuilt()); // the old one must not be taken for the new one
 }
 
 TEST_F(CurvedSeamlessMap, EmptyArraysGiveEmptyArrays)
 {
-  ASSERT_TRUE(this->Map->Build(Ellipsoid()));
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   vtkNew<vtkDoubleArray> none, result;
   none->SetNumberOfComponents(3);
   EXPECT_TRUE(this->Map->ToSurface(none, result));
@@ -318,7 +305,7 @@ TEST_F(CurvedSeamlessMap, EmptyArraysGiveEmptyArrays)
 
 TEST_F(CurvedSeamlessMap, DegenerateTrianglesAreCountedWithAWarning)
 {
-  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  const vtkNew<vtkPolyData> surface = Ellipsoid(6);
   vtkNew<vtkIdList> ids;
   surface->GetPolys()->GetCellAtId(40, ids);
   surface->GetPoints()->SetPoint(ids->GetId(1), surface->GetPoint(ids->GetId(0)));
@@ -354,7 +341,7 @@ TEST_F(CurvedSeamlessMap, PropertiesAreClampedAndPrinted)
     contract::ExpectPrints(this->Map, property);
   }
   this->Map->SetVertexShift(std::nan("")); // which clamps let through
-  this->ExpectError(this->Map->Build(Ellipsoid()), "VertexShift");
+  this->ExpectError(this->Map->Build(Ellipsoid(6)), "VertexShift");
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,8 @@
 #include <string>
 #include <utility>
 
+using fixtures::Ellipsoid;
+
 namespace
 {
 void SetSpherePosition(vtkPolyData* surface, vtkIdType id, double x, double y, double z)
@@ -34,22 +36,6 @@ void SetSpherePosition(vtkPolyData* surface, vtkIdType id, double x, double y, d
 }
 
 /// An ellipsoid with its map to the sphere, to be broken.
-vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
-{
-  vtkNew<vtkGeodesicSphereSource> source;
-  source->SetFrequency(frequency);
-  source->Update();
-  vtkNew<vtkPolyData> surface;
-  surface->DeepCopy(source->GetOutput());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    surface->GetPoint(i, p);
-    surface->GetPoints()->SetPoint(i, 3.0 * p[0] + 10.0, 2.0 * p[1], p[2]);
-  }
-  return surface;
-}
-
 /// Points at the eight corners of a cube, cells as given, mapped radially.
 vtkNew<vtkPolyData> Cube(vtkCellArray* cells)
 {
@@ -105,8 +91,7 @@ protected:
   {
     this->Seen.Clear();
     vtkPolyData* output = this->Run(surface);
-    EXPECT_TRUE(this->Seen.Error());
-    EXPECT_NE(this->Seen.ErrorMessage().find(why), std::string::npos) << this->Seen.ErrorMessage();
+    this->Seen.ExpectError(why);
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
     EXPECT_EQ(output->GetNumberOfCells(), 0);
   }
@@ -116,13 +101,7 @@ protected:
   {
     this->Seen.Clear();
     vtkPolyData* output = this->Run(surface);
-    EXPECT_FALSE(this->Seen.Error()) << this->Seen.ErrorMessage();
-    EXPECT_EQ(this->Seen.Warning(), !warning.empty());
-    if (!warning.empty())
-    {
-      EXPECT_NE(this->Seen.WarningMessage().find(warning), std::string::npos)
-        << this->Seen.WarningMessage();
-    }
+    this->Seen.ExpectWarning(warning);
     EXPECT_EQ(output->GetNumberOfPoints(), 1002);
     contract::ExpectSpherePosition(output);
     contract::ExpectArray(output->GetPointData(), "Normals", VTK_DOUBLE, 3, 1002);
@@ -590,17 +569,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesThatDisagreeAreTurned)
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  fixtures::ChangePolygons(surface,
-    [](vtkIdType i, vtkIdList* ids)
-    {
-      if (i % 50 == 0)
-      {
-        const vtkIdType first = ids->GetId(0);
-        ids->SetId(0, ids->GetId(1));
-        ids->SetId(1, first);
-      }
-      return true;
-    });
+  fixtures::TurnOverEvery(50, surface);
   vtkPolyData* output = this->ExpectDone(surface, "7 triangles were turned");
   EXPECT_LT(LargestDifference(output, expected), 1e-12);
 }
@@ -610,12 +579,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesInsideOutAreFine)
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  surface->GetPolys()->ReverseCellAtId(0); // all of them
-  for (vtkIdType i = 1; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->ReverseCellAtId(i);
-  }
-  surface->Modified();
+  fixtures::TurnOverEvery(1, surface);
   EXPECT_LT(LargestDifference(this->ExpectDone(surface, ""), expected), 1e-12);
 }
 

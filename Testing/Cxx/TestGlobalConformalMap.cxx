@@ -82,13 +82,7 @@ protected:
   {
     this->Seen.Clear();
     vtkPolyData* output = this->Run(surface);
-    EXPECT_FALSE(this->Seen.Error()) << this->Seen.ErrorMessage();
-    EXPECT_EQ(this->Seen.Warning(), !warning.empty());
-    if (!warning.empty())
-    {
-      EXPECT_NE(this->Seen.WarningMessage().find(warning), std::string::npos)
-        << this->Seen.WarningMessage();
-    }
+    this->Seen.ExpectWarning(warning);
     contract::ExpectSpherePosition(output);
     EXPECT_EQ(this->Figure("NumberOfFlippedTriangles"), 0);
     EXPECT_EQ(this->Figure("Converged"), 1);
@@ -99,8 +93,7 @@ protected:
   {
     this->Seen.Clear();
     vtkPolyData* output = this->Run(surface);
-    EXPECT_TRUE(this->Seen.Error());
-    EXPECT_NE(this->Seen.ErrorMessage().find(why), std::string::npos) << this->Seen.ErrorMessage();
+    this->Seen.ExpectError(why);
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
     EXPECT_EQ(output->GetNumberOfCells(), 0);
     EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0);
@@ -436,17 +429,7 @@ TEST_F(GlobalConformalMap, TrianglesThatDisagreeAreTurned)
   const vtkNew<vtkPolyData> surface = Pebble();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  fixtures::ChangePolygons(surface,
-    [](vtkIdType i, vtkIdList* ids)
-    {
-      if (i % 100 == 0)
-      {
-        const vtkIdType first = ids->GetId(0);
-        ids->SetId(0, ids->GetId(1));
-        ids->SetId(1, first);
-      }
-      return true;
-    });
+  fixtures::TurnOverEvery(100, surface);
   vtkPolyData* output = this->ExpectDone(surface, "8 triangles were turned");
   EXPECT_LT(LargestDifference(output, expected), 1e-9);
 }
@@ -456,11 +439,7 @@ TEST_F(GlobalConformalMap, TrianglesInsideOutAreMappedFromOutside)
   const vtkNew<vtkPolyData> surface = Pebble();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
-  {
-    surface->GetPolys()->ReverseCellAtId(i);
-  }
-  surface->Modified();
+  fixtures::TurnOverEvery(1, surface);
   EXPECT_LT(LargestDifference(this->ExpectDone(surface, ""), expected), 1e-6);
 }
 
