@@ -84,6 +84,12 @@ conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
 }
 
 //------------------------------------------------------------------------------
+std::string MessageOf(const std::exception& error)
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "out of memory" : error.what();
+}
+
+//------------------------------------------------------------------------------
 bool ReportErrors(vtkObject* self, const std::function<void()>& core)
 {
   try
@@ -91,13 +97,9 @@ bool ReportErrors(vtkObject* self, const std::function<void()>& core)
     core();
     return true;
   }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorWithObjectMacro(self, << "out of memory");
-  }
   catch (const std::exception& e)
   {
-    vtkErrorWithObjectMacro(self, << e.what());
+    vtkErrorWithObjectMacro(self, << MessageOf(e));
   }
   return false;
 }

@@ -5,7 +5,9 @@
 #include "Parallel.h" // for ParallelFor
 #include "Types.h"    // for Points, Triangles, PointView, Progress
 
+#include <exception>  // for MessageOf's argument
 #include <functional> // for RunCore's argument, GhostTest
+#include <string>     // for MessageOf
 #include <vector>     // for AddNumbers' argument
 
 class vtkAlgorithm;
@@ -31,6 +33,9 @@ conformal::ParallelFor SMPFor();
 /// Reports to the filter's progress observers; stops when the filter is asked to abort.
 /// Maps [0, 1] to [begin, end] of the filter's own progress.
 conformal::Progress ProgressOf(vtkAlgorithm* self, double begin = 0.0, double end = 1.0);
+
+/// What an exception of the core says to the user.
+std::string MessageOf(const std::exception& error);
 
 /// Run the core. What it throws becomes an error of the object, and false.
 bool ReportErrors(vtkObject* self, const std::function<void()>& core);

@@ -2,11 +2,13 @@
 
 #include "ConformalSOM.h"
 #include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -15,10 +17,12 @@
 #include "vtkTable.h"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
 vtkStandardNewMacro(vtkConformalSOM);
+vtkCxxSetObjectMacro(vtkConformalSOM, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -44,10 +48,14 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
   return options;
 }
 
-// The priorities, and how many of them are no use as weights.
-conformal::NumberView ReadPriorities(
-  vtkPointSet* input, const char* name, std::vector<double>& copy, vtkIdType& unusable)
+// The priorities of this process's points, none where it has no points.
+conformal::NumberView ViewPriorities(
+  vtkPointSet* input, const char* name, std::vector<double>& copy)
 {
+  if (!name || input->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
   vtkDataArray* array = input->GetPointData()->GetArray(name);
   if (!array || array->GetNumberOfComponents() != 1 ||
     array->GetNumberOfTuples() != input->GetNumberOfPoints())
@@ -55,20 +63,55 @@ conformal::NumberView ReadPriorities(
     throw std::invalid_argument(std::string("the input has no point array \"") + name +
       "\" with 1 component and a value for each point");
   }
-  const conformal::NumberView priorities = vtkConformalConversions::ViewNumbers(array, copy);
-  bool positive = false;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  return vtkConformalConversions::ViewNumbers(array, copy);
+}
+
+// How many priorities are no use as weights, on all processes.
+vtkIdType CountUnusable(
+  const conformal::NumberView& priorities, const char* name, const conformal::Reduce& reduce)
+{
+  std::int64_t unusable = 0, positive = 0;
+  for (vtkIdType i = 0; i < priorities.size(); ++i)
   {
     const bool usable = std::isfinite(priorities[i]) && priorities[i] >= 0.0;
     unusable += !usable;
-    positive = positive || (usable && priorities[i] > 0.0);
+    positive += usable && priorities[i] > 0.0;
   }
-  if (!positive)
+  std::int64_t sums[] = { priorities.size(), unusable, positive };
+  reduce.sum(sums, 3);
+  if (sums[0] > 0 && sums[2] == 0)
   {
     throw std::invalid_argument(
       std::string("no point has a positive priority in the array \"") + name + "\"");
   }
-  return priorities;
+  return sums[1];
+}
+
+// What the points have that their user should know.
+void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable)
+{
+  if (unusable > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << unusable << " priorities are negative or not finite and count as 0");
+  }
+  if (samples.numberOfNonFinite() > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << samples.numberOfNonFinite() << " points are not finite and left out");
+  }
+  if (samples.empty())
+  {
+    vtkWarningWithObjectMacro(self, << "there are no points to learn from; the output is empty");
+  }
+  else if (samples.rank() < 3)
+  {
+    vtkWarningWithObjectMacro(self, << "rank " << samples.rank() << " cloud: its points are "
+                                    << (samples.rank() == 2      ? "coplanar"
+                                           : samples.rank() == 1 ? "collinear"
+                                                                 : "all equal")
+                                    << ", and so is the mesh flat");
+  }
 }
 
 // What learning saw that its user should know.
@@ -101,7 +144,19 @@ void WarnAbout(
   }
 }
 
-void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& history)
+void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
+  const conformal::ConformalSOMResult& result, bool polished)
+{
+  using vtkConformalConversions::AddNumber;
+  AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
+  AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
+  AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
+  AddNumber(data, "Polished", static_cast<long long>(polished));
+}
+
+using Records = std::vector<conformal::TrainingRecord>;
+
+void FillHistory(vtkTable* table, const Records& history)
 {
   const auto addColumn = [&](const char* name, auto value)
   {
@@ -127,12 +182,14 @@ vtkConformalSOM::vtkConformalSOM()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 //------------------------------------------------------------------------------
 vtkConformalSOM::~vtkConformalSOM()
 {
   this->SetPriorityArrayName(nullptr);
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +208,14 @@ int vtkConformalSOM::FillOutputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+int vtkConformalSOM::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkConformalSOM::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -159,72 +224,52 @@ int vtkConformalSOM::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
 
-  return vtkConformalConversions::RunCore(this,
-    [&]()
+  return vtkConformalConversions::RunCore(this, this->Controller,
+    [&](vtkConformalConversions::Processes& processes)
     {
       conformal::Points copy;
       const conformal::PointView points =
         vtkConformalConversions::ViewPoints(input->GetPoints(), copy);
       std::vector<double> priorityCopy;
-      conformal::NumberView priorities;
-      vtkIdType unusable = 0;
-      if (this->PriorityArrayName && points.size() > 0)
-      {
-        priorities = ReadPriorities(input, this->PriorityArrayName, priorityCopy, unusable);
-      }
+      const conformal::NumberView priorities =
+        ViewPriorities(input, this->PriorityArrayName, priorityCopy);
+      const vtkIdType unusable =
+        CountUnusable(priorities, this->PriorityArrayName, processes.reduce());
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const conformal::TrainingSamples samples(points, priorities,
-        vtkConformalConversions::GhostTest(input), threads, {},
-        vtkConformalConversions::ProgressOf(this, 0.0, 0.02));
-      if (unusable > 0)
+        vtkConformalConversions::GhostTest(input), threads, processes.reduce(),
+        processes.progress(0.0, 0.02));
+      if (processes.isFirst())
       {
-        vtkWarningMacro(<< unusable << " priorities are negative or not finite and count as 0");
-      }
-      if (samples.numberOfNonFinite() > 0)
-      {
-        vtkWarningMacro(<< samples.numberOfNonFinite() << " points are not finite and left out");
+        WarnAbout(this, samples, unusable);
       }
       if (samples.empty())
       {
-        vtkWarningMacro(<< "there are no points to learn from; the output is empty");
         return;
-      }
-      if (samples.rank() < 3)
-      {
-        vtkWarningMacro(<< "rank " << samples.rank() << " cloud: its points are "
-                        << (samples.rank() == 2      ? "coplanar"
-                               : samples.rank() == 1 ? "collinear"
-                                                     : "all equal")
-                        << ", and so is the mesh flat");
       }
       conformal::MappedMesh mesh;
       if (start)
       {
-        mesh = vtkConformalConversions::ToMappedMesh(this, start);
+        mesh = vtkConformalConversions::ToSharedMesh(this, start, processes);
       }
-      const conformal::ConformalSOMResult result =
-        conformal::trainConformalSOM(samples, OptionsOf(this), start ? &mesh : nullptr, threads,
-          vtkConformalConversions::ProgressOf(this, 0.02, 1.0));
-      WarnAbout(this, result, samples.size());
-
+      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
+        samples, OptionsOf(this), start ? &mesh : nullptr, threads, processes.progress(0.02, 1.0));
+      if (processes.isFirst())
+      {
+        WarnAbout(this, result, samples.totalSize());
+      }
       vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
       vtkConformalConversions::AddVectors(output->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.Network.Positions);
-      vtkConformalConversions::AddNumber(
-        output->GetFieldData(), "Rank", static_cast<long long>(samples.rank()));
-      vtkConformalConversions::AddNumber(
-        output->GetFieldData(), "UnsupportedFraction", result.UnsupportedFraction);
-      vtkConformalConversions::AddNumber(
-        output->GetFieldData(), "StartedFromHull", static_cast<long long>(result.Hulled));
-      const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
-      vtkConformalConversions::AddNumber(
-        output->GetFieldData(), "Polished", static_cast<long long>(polished));
       if (this->GenerateErrorScalars)
       {
         vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",
           conformal::quantizationErrors(samples, result, threads));
       }
-      FillHistory(history, result.History);
+      const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
+      AddFigures(output->GetFieldData(), samples, result, polished);
+      vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
+      FillHistory(history, processes.isFirst() ? result.History : Records());
     });
 }
 
@@ -257,4 +302,6 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
                                           : "Automatic")
      << "\n";
   os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
+  os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

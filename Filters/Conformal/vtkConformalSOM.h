@@ -21,11 +21,14 @@
  * - field data "StartedFromHull" (1 value): whether Batch took the hull.
  * - field data "Polished" (1 value): whether the triangles were fitted to the points by least
  *   squares: Batch, unless NumberOfPolishRounds is 0.
+ * - with DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType),
+ *   the active global ids.
  *
- * Output port 1: vtkTable, one row for each epoch (Online) or pass (Batch): "Frequency" of the
- * lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t),
- * "MeanSquareError" of the points presented, to the mesh, and "MeanDisplacement" of the neurons;
- * both in the unit of training, in which the cloud's largest distance from its centroid is 1.
+ * Output port 1: vtkTable, on the first process, one row for each epoch (Online) or pass (Batch):
+ * "Frequency" of the lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere,
+ * "LearningRate" alpha(t), "MeanSquareError" of the points presented, to the mesh, and
+ * "MeanDisplacement" of the neurons; both in the unit of training, in which the cloud's largest
+ * distance from its centroid is 1.
  *
  * The conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), section 2: neurons on
@@ -50,6 +53,8 @@
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkMultiProcessController;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkConformalSOM : public vtkPolyDataAlgorithm
 {
@@ -120,7 +125,7 @@ public:
   ///@{
   /**
    * Seed of the choice of points. In [0, VTK_INT_MAX]. Default is 1. The same input gives the same
-   * bits, on any number of threads.
+   * bits, on any number of threads and processes.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -256,12 +261,35 @@ public:
   vtkBooleanMacro(GenerateErrorScalars, bool);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the points. Each runs this filter with its own points, perhaps none,
+   * and asks its inputs for its own piece; the surface is that of all points together, to the bit,
+   * however many processes there are. Default is the global controller; null for points of this
+   * process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each process gets a piece of the surface: a run of its triangles, with the points they
+   * use and with global ids. Default is off: the first process gets all of it, the others empty
+   * arrays.
+   */
+  vtkSetMacro(DistributeOutput, bool);
+  vtkGetMacro(DistributeOutput, bool);
+  vtkBooleanMacro(DistributeOutput, bool);
+  ///@}
+
 protected:
   vtkConformalSOM();
   ~vtkConformalSOM() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -286,6 +314,8 @@ private:
   bool AutomaticPriority = true;
   int StartingShape = AUTOMATIC;
   bool GenerateErrorScalars = false;
+  vtkMultiProcessController* Controller = nullptr;
+  bool DistributeOutput = false;
 };
 
 #endif

@@ -2,15 +2,18 @@
 
 #include "GenusZeroHull.h"
 #include "vtkConformalConversions.h"
+#include "vtkProcessConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkGenusZeroHull);
+vtkCxxSetObjectMacro(vtkGenusZeroHull, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -22,6 +25,37 @@ conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::
     points.row(i) = samples.restore(points.row(i));
   }
   return points;
+}
+
+// What the points and their hull have that their user should know.
+void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples,
+  const conformal::GenusZeroHullResult& hull)
+{
+  if (samples.numberOfNonFinite() > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << samples.numberOfNonFinite() << " points are not finite and left out");
+  }
+  if (samples.empty())
+  {
+    vtkWarningWithObjectMacro(self, << "there are no points to wrap; the output is empty");
+  }
+  else if (samples.rank() < 3)
+  {
+    vtkWarningWithObjectMacro(self, << "rank " << samples.rank()
+                                    << " cloud: its points enclose nothing, the hull is a shell "
+                                       "around them");
+  }
+  else if (hull.Leaks)
+  {
+    vtkWarningWithObjectMacro(self,
+      << "the data have a hole nearly as wide as what is behind it; what is inside is a guess");
+  }
+  else if (hull.NumberOfInsideNodes == 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the points enclose nothing, the hull is a shell around them");
+  }
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
@@ -41,10 +75,30 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
 }
 
 //------------------------------------------------------------------------------
+vtkGenusZeroHull::vtkGenusZeroHull()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkGenusZeroHull::~vtkGenusZeroHull()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
 int vtkGenusZeroHull::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGenusZeroHull::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -60,41 +114,29 @@ int vtkGenusZeroHull::RequestData(
   options.Persistence = this->Persistence;
   options.SmoothingPasses = this->SmoothingPasses;
 
-  return vtkConformalConversions::RunCore(this,
-    [&]()
+  return vtkConformalConversions::RunCore(this, this->Controller,
+    [&](vtkConformalConversions::Processes& processes)
     {
       conformal::Points copy;
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const conformal::TrainingSamples samples(
         vtkConformalConversions::ViewPoints(input->GetPoints(), copy), {},
-        vtkConformalConversions::GhostTest(input), threads);
-      if (samples.numberOfNonFinite() > 0)
+        vtkConformalConversions::GhostTest(input), threads, processes.reduce());
+      conformal::GenusZeroHullResult hull;
+      if (!samples.empty())
       {
-        vtkWarningMacro(<< samples.numberOfNonFinite() << " points are not finite and left out");
+        hull = conformal::makeGenusZeroHull(samples, options, threads, processes.progress());
       }
-      if (samples.empty())
+      if (processes.isFirst())
       {
-        vtkWarningMacro(<< "there are no points to wrap; the output is empty");
-        return;
+        WarnAbout(this, samples, hull);
       }
-      const conformal::GenusZeroHullResult hull = conformal::makeGenusZeroHull(
-        samples, options, threads, vtkConformalConversions::ProgressOf(this));
-      if (samples.rank() < 3)
+      if (!samples.empty())
       {
-        vtkWarningMacro(<< "rank " << samples.rank()
-                        << " cloud: its points enclose nothing, the hull is a shell around them");
+        vtkConformalConversions::SetSurface(output, Restore(samples, hull.Points), hull.Triangles);
+        AddFigures(output->GetFieldData(), samples, hull);
+        vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
       }
-      else if (hull.Leaks)
-      {
-        vtkWarningMacro(<< "the data have a hole nearly as wide as what is behind it; what is "
-                           "inside is a guess");
-      }
-      else if (hull.NumberOfInsideNodes == 0)
-      {
-        vtkWarningMacro(<< "the points enclose nothing, the hull is a shell around them");
-      }
-      vtkConformalConversions::SetSurface(output, Restore(samples, hull.Points), hull.Triangles);
-      AddFigures(output->GetFieldData(), samples, hull);
     });
 }
 
@@ -106,4 +148,6 @@ void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "Persistence: " << this->Persistence << "\n";
   os << indent << "SmoothingPasses: " << this->SmoothingPasses << "\n";
+  os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

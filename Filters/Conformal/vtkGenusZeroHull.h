@@ -6,8 +6,9 @@
  * finite are left out with a warning, hidden or duplicate ghost points silently.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of genus zero around the points, in their
- * coordinates, double precision; triangles are counter-clockwise seen from outside. Field data, one
- * value each, lengths in units of the coordinates:
+ * coordinates, double precision; triangles are counter-clockwise seen from outside. With
+ * DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType), the
+ * active global ids. Field data, one value each, lengths in units of the coordinates:
  * - "Rank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for equal points.
  * - "LatticeSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
  * - "NumberOfInsideNodes" (idtype): lattice nodes inside, farther from the points than the offset.
@@ -41,6 +42,8 @@
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkMultiProcessController;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkGenusZeroHull : public vtkPolyDataAlgorithm
 {
@@ -84,11 +87,34 @@ public:
   vtkGetMacro(SmoothingPasses, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the points. Each runs this filter with its own points, perhaps none,
+   * and asks its inputs for its own piece; the surface is that of all points together, to the bit,
+   * however many processes there are. Default is the global controller; null for points of this
+   * process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
+   * Whether each process gets a piece of the surface: a run of its triangles, with the points they
+   * use and with global ids. Default is off: the first process gets all of it, the others empty
+   * arrays.
+   */
+  vtkSetMacro(DistributeOutput, bool);
+  vtkGetMacro(DistributeOutput, bool);
+  vtkBooleanMacro(DistributeOutput, bool);
+  ///@}
+
 protected:
-  vtkGenusZeroHull() = default;
-  ~vtkGenusZeroHull() override = default;
+  vtkGenusZeroHull();
+  ~vtkGenusZeroHull() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -99,6 +125,8 @@ private:
   double Offset = 1.0;
   double Persistence = 1.5;
   int SmoothingPasses = 10;
+  vtkMultiProcessController* Controller = nullptr;
+  bool DistributeOutput = false;
 };
 
 #endif

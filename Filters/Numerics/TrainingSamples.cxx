@@ -107,7 +107,10 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   , Weights(weights)
   , Sums(reduce)
 {
-  if (weights.size() > 0 && weights.size() != points.size())
+  std::int64_t weighted[] = { weights.size() > 0, weights.size() != points.size() };
+  reduce.sum(weighted, 2);
+  this->Weighted = weighted[0] > 0;
+  if (this->Weighted && weighted[1] > 0)
   {
     throw std::invalid_argument("there must be as many weights as points");
   }

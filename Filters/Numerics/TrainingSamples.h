@@ -26,7 +26,7 @@ public:
   ///                      are points that are not finite.
   /// @param[in] skip      whether to leave a point out for a reason of the caller's; may be empty
   /// @param[in] reduce    adds up over the processes that hold the other parts
-  /// @throws std::invalid_argument if weights has not #P entries
+  /// @throws std::invalid_argument on all processes, if weights has not #P entries on one of them
   /// @throws Aborted
   TrainingSamples(const PointView& points, const NumberView& weights = {},
     const std::function<bool(Index)>& skip = {}, const ParallelFor& parallelFor = {},
@@ -47,7 +47,8 @@ public:
   {
     return this->weighted() ? this->Weights[this->id(i)] / this->LargestWeight : 1.0;
   }
-  bool weighted() const { return this->Weights.size() > 0; }
+  /// Whether there are weights, on any process: one without points has none.
+  bool weighted() const { return this->Weighted; }
 
   /// From the points' own unit to that of training, and back.
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
@@ -73,6 +74,7 @@ private:
   conformal::Reduce Sums;
   Index Size = 0, TotalSize = 0, FirstOfTotal = 0;
   Index NonFinite = 0;
+  bool Weighted = false;
   double LargestWeight = 1.0;
   Vector3 Center = Vector3::Zero();
   double Scale = 1.0;

@@ -224,11 +224,12 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
   auto filter = MakeFilter(cloud);
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetRandomSeed(4); });
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetTrainingModeToOnline(); });
-  for (const char* property : { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed",
-         "ReferencePoint", "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius",
-         "NeighborhoodTimeConstant", "InitialLearningRate", "LearningRateTimeConstant",
-         "PassesPerLevel", "SamplesPerNeuron", "NumberOfPolishRounds", "Smoothness",
-         "AutomaticPriority", "StartingShape", "GenerateErrorScalars" })
+  for (const char* property :
+    { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed", "ReferencePoint",
+      "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius", "NeighborhoodTimeConstant",
+      "InitialLearningRate", "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron",
+      "NumberOfPolishRounds", "Smoothness", "AutomaticPriority", "StartingShape",
+      "GenerateErrorScalars", "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(filter, property);
   }

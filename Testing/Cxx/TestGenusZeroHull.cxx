@@ -342,7 +342,8 @@ TEST_F(GenusZeroHull, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetPersistence(2.0); });
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->SetSmoothingPasses(5); });
-  for (const char* property : { "Spacing", "Offset", "Persistence", "SmoothingPasses" })
+  for (const char* property :
+    { "Spacing", "Offset", "Persistence", "SmoothingPasses", "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(this->Filter, property);
   }

@@ -417,6 +417,43 @@ TEST(ConformalSOM, RanksPresentTheSamePatterns)
   }
 }
 
+// A process without points has no weights either.
+TEST(ConformalSOM, RanksWithoutPointsDrawWithTheOthers)
+{
+  const Points points = potato(1000);
+  std::vector<double> priority;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    priority.push_back(1.0 + points(i, 0));
+  }
+  ConformalSOMOptions options = online(4);
+  options.NumberOfEpochs = 3;
+  const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points, priority), options);
+  ranks::run(3,
+    [&](const conformal::Reduce& reduce)
+    {
+      const bool hasAll = reduce.Rank == 1;
+      const Points own = hasAll ? points : Points(0, 3);
+      const TrainingSamples part(
+        own, hasAll ? conformal::NumberView(priority) : conformal::NumberView(), {}, {}, reduce);
+      EXPECT_TRUE(part.weighted());
+      EXPECT_EQ(trainConformalSOM(part, options).Weights, whole.Weights) << reduce.Rank;
+    });
+}
+
+TEST(ConformalSOM, RanksRefuseWeightsThatSomeLack)
+{
+  const Points points = potato(100);
+  const std::vector<double> priority(100, 1.0);
+  ranks::run(2,
+    [&](const conformal::Reduce& reduce)
+    {
+      const conformal::NumberView weights =
+        reduce.Rank == 0 ? conformal::NumberView(priority) : conformal::NumberView();
+      EXPECT_THROW(TrainingSamples(points, weights, {}, {}, reduce), std::invalid_argument);
+    });
+}
+
 TEST(ConformalSOM, RanksShareTheHull)
 {
   const Points points = horseshoe(6000);

@@ -53,6 +53,14 @@ def chain(frequency=18, surface_frequency=40):
     hull.SetInputData(scan)
     hull.SetSpacing(0.04)
     hull.Update()
+    network_piece, hull_piece = vtkConformalSOM(), vtkGenusZeroHull()
+    for piece in (network_piece, hull_piece):
+        piece.SetInputData(scan)
+        piece.DistributeOutputOn()
+    network_piece.SetFrequency(6)
+    network_piece.Update()
+    hull_piece.SetSpacing(0.1)
+    hull_piece.Update()
     conformal = vtkGlobalConformalMap()
     conformal.SetInputConnection(network.GetOutputPort())
     alignment = vtkSphericalAlignment()
@@ -62,7 +70,9 @@ def chain(frequency=18, surface_frequency=40):
     stages = (network, surface, painted, mismatch, distortion, image, sphere, hull, conformal,
               alignment)
     by_name = {stage.GetClassName(): stage for stage in stages}
-    return {**by_name, "vtkSphericalTextureMap with SplitSeam": split}
+    return {**by_name, "vtkSphericalTextureMap with SplitSeam": split,
+            "vtkConformalSOM with DistributeOutput": network_piece,
+            "vtkGenusZeroHull with DistributeOutput": hull_piece}
 
 
 def promised_arrays():

@@ -1,0 +1,274 @@
+#include "vtkProcessConversions.h"
+
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+/// An error that all processes know of.
+class SharedError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+void Require(int success)
+{
+  if (!success)
+  {
+    throw SharedError("the processes cannot reach each other");
+  }
+}
+
+// A text of one process, on all of them.
+std::string Broadcast(vtkMultiProcessController* controller, std::string text, int from)
+{
+  vtkMultiProcessStream stream;
+  stream << text;
+  Require(controller->Broadcast(stream, from));
+  stream >> text;
+  return text;
+}
+
+// Numbers of one process, on all of them. Only that one has any.
+template <typename Matrix>
+Matrix Broadcast(const conformal::Reduce& reduce, const Matrix& own)
+{
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const Numbers numbers = own.template cast<double>();
+  const std::vector<double> all =
+    conformal::gather(reduce, { numbers.data(), numbers.data() + numbers.size() });
+  return Eigen::Map<const Numbers>(all.data(), static_cast<conformal::Index>(all.size()) / 3, 3)
+    .template cast<typename Matrix::Scalar>();
+}
+
+vtkNew<vtkIdTypeArray> IdsFrom(vtkIdType begin, vtkIdType end, const char* name)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(name);
+  ids->SetNumberOfValues(end - begin);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + (end - begin), begin);
+  return ids;
+}
+
+// The triangles [begin, end) with the points they use; the rest of the surface is gone.
+void KeepTriangles(vtkPolyData* surface, vtkIdType begin, vtkIdType end)
+{
+  constexpr vtkIdType unused = -1;
+  std::vector<vtkIdType> newIds(surface->GetNumberOfPoints(), unused);
+  vtkNew<vtkIdList> kept, places, corners;
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType triangle = begin; triangle < end; ++triangle)
+  {
+    surface->GetPolys()->GetCellAtId(triangle, corners);
+    for (vtkIdType& id : *corners)
+    {
+      if (newIds[id] == unused)
+      {
+        newIds[id] = places->InsertNextId(kept->InsertNextId(id));
+      }
+      id = newIds[id];
+    }
+    triangles->InsertNextCell(corners);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints()->GetDataType());
+  surface->GetPoints()->GetPoints(kept, points);
+  vtkNew<vtkPointData> data;
+  data->CopyGlobalIdsOn();
+  data->CopyAllocate(surface->GetPointData(), kept->GetNumberOfIds());
+  data->CopyData(surface->GetPointData(), kept, places);
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  surface->GetPointData()->ShallowCopy(data);
+}
+}
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+Processes::Processes(vtkAlgorithm* self, vtkMultiProcessController* controller)
+  : Self(self)
+  , Controller(controller)
+{
+  if (controller)
+  {
+    this->Rank = controller->GetLocalProcessId();
+    this->Size = controller->GetNumberOfProcesses();
+  }
+}
+
+//------------------------------------------------------------------------------
+conformal::Reduce Processes::reduce()
+{
+  conformal::Reduce reduce;
+  reduce.Rank = this->Rank;
+  reduce.NumberOfRanks = this->Size;
+  if (this->Size > 1)
+  {
+    reduce.Sum = [this](std::int64_t* values, conformal::Index count)
+    {
+      // Piece by piece: MPI counts in ints, and the sums need room of their own.
+      constexpr conformal::Index pieceSize = 1 << 20;
+      this->agree();
+      std::vector<std::int64_t> sums(std::min(count, pieceSize));
+      for (conformal::Index first = 0; first < count; first += pieceSize)
+      {
+        const conformal::Index size = std::min(pieceSize, count - first);
+        Require(
+          this->Controller->AllReduce(values + first, sums.data(), size, vtkCommunicator::SUM_OP));
+        std::copy_n(sums.begin(), size, values + first);
+      }
+    };
+  }
+  return reduce;
+}
+
+//------------------------------------------------------------------------------
+conformal::Progress Processes::progress(double begin, double end)
+{
+  const conformal::Progress report = ProgressOf(this->Self, begin, end);
+  if (this->Size == 1)
+  {
+    return report;
+  }
+  return [this, report](double fraction)
+  {
+    this->StopWanted = !report(fraction) || this->StopWanted;
+    return true;
+  };
+}
+
+//------------------------------------------------------------------------------
+void Processes::agree(const std::string* error)
+{
+  // The first process with an error, or else their number; then whether all want to go on.
+  const std::int64_t own[] = { error ? this->Rank : this->Size, this->StopWanted ? 0 : 1 };
+  std::int64_t all[2];
+  Require(this->Controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP));
+  if (all[0] < this->Size)
+  {
+    const int first = static_cast<int>(all[0]);
+    throw SharedError("on process " + std::to_string(first) + ": " +
+      Broadcast(this->Controller, error ? *error : std::string(), first));
+  }
+  if (all[1] == 0)
+  {
+    throw conformal::Aborted();
+  }
+}
+
+//------------------------------------------------------------------------------
+int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
+  const std::function<void(Processes&)>& core)
+{
+  Processes processes(self, controller);
+  return RunCore(self,
+    [&]()
+    {
+      if (processes.size() == 1)
+      {
+        core(processes);
+        return;
+      }
+      std::string error;
+      try
+      {
+        core(processes);
+      }
+      catch (const SharedError&)
+      {
+        throw;
+      }
+      catch (const conformal::Aborted&) // thrown by agree() only
+      {
+        throw;
+      }
+      catch (const std::exception& e)
+      {
+        error = MessageOf(e);
+        processes.agree(&error);
+      }
+      processes.agree();
+    });
+}
+
+//------------------------------------------------------------------------------
+void RequestOwnPieces(
+  vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs)
+{
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), controller->GetNumberOfProcesses());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh, Processes& processes)
+{
+  const conformal::Reduce reduce = processes.reduce();
+  std::vector<std::int64_t> has(processes.size(), 0);
+  has[processes.rank()] = mesh->GetNumberOfPoints() > 0;
+  reduce.sum(has.data(), processes.size());
+  const auto found = std::find(has.begin(), has.end(), 1);
+  const auto owner = found == has.end() ? 0 : found - has.begin();
+  conformal::MappedMesh own;
+  if (owner == processes.rank())
+  {
+    own = ToMappedMesh(self, mesh);
+  }
+  return { Broadcast(reduce, own.Positions), Broadcast(reduce, own.Faces),
+    Broadcast(reduce, own.SpherePositions) };
+}
+
+//------------------------------------------------------------------------------
+void KeepOwnShare(vtkPolyData* surface, bool inPieces, const Processes& processes)
+{
+  const vtkIdType size = surface->GetNumberOfPolys();
+  if (!inPieces)
+  {
+    if (!processes.isFirst())
+    {
+      KeepTriangles(surface, 0, 0);
+    }
+    return;
+  }
+  const auto cut = [&](vtkIdType rank) { return size * rank / processes.size(); };
+  const vtkIdType begin = cut(processes.rank()), end = cut(processes.rank() + 1);
+  surface->GetPointData()->SetGlobalIds(IdsFrom(0, surface->GetNumberOfPoints(), "GlobalPointIds"));
+  KeepTriangles(surface, begin, end);
+  surface->GetCellData()->SetGlobalIds(IdsFrom(begin, end, "GlobalCellIds"));
+}
+}

@@ -1,0 +1,72 @@
+// From vtkMultiProcessController to the processes of the core.
+#ifndef vtkProcessConversions_h
+#define vtkProcessConversions_h
+
+#include "ConformalSOM.h" // for MappedMesh
+#include "Parallel.h"     // for Reduce
+#include "Types.h"        // for Progress
+
+#include <functional> // for RunCore's argument
+#include <string>     // for what went wrong
+
+class vtkAlgorithm;
+class vtkInformationVector;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+namespace vtkConformalConversions
+{
+/// The processes that run a filter together, each on its part of the points. One process, or no
+/// controller, is the ordinary case.
+///
+/// What stops one of them, an error or the wish of its user, stops all of them at the same place:
+/// before they add up they tell each other how they are. So none waits for one that has left.
+class Processes
+{
+public:
+  Processes(vtkAlgorithm* self, vtkMultiProcessController* controller);
+  Processes(const Processes&) = delete;
+  void operator=(const Processes&) = delete;
+
+  int rank() const { return this->Rank; }
+  int size() const { return this->Size; }
+  bool isFirst() const { return this->Rank == 0; }
+
+  /// How they add up. Must not outlive this.
+  conformal::Reduce reduce();
+
+  /// As ProgressOf, but of several processes none stops on its own.
+  conformal::Progress progress(double begin = 0.0, double end = 1.0);
+
+  /// Hear of all. An error is that of the first process that has one.
+  /// @param[in] error  what went wrong on this process, null for nothing
+  /// @throws SharedError if something went wrong
+  /// @throws conformal::Aborted if one was asked to abort
+  void agree(const std::string* error = nullptr);
+
+private:
+  vtkAlgorithm* Self;
+  vtkMultiProcessController* Controller;
+  int Rank = 0;
+  int Size = 1;
+  bool StopWanted = false;
+};
+
+/// Run the core on all processes together; all return the same. See RunCore for one.
+int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
+  const std::function<void(Processes&)>& core);
+
+/// In RequestUpdateExtent: of several processes, each asks all inputs for its own piece, whatever
+/// piece of the output it is asked for.
+void RequestOwnPieces(
+  vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
+
+/// A mesh with a map to the sphere, on all processes, from the first one that has points of it.
+conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh, Processes& processes);
+
+/// Of a surface that all processes have alike: the first one keeps it, the others its empty
+/// arrays. Or, in pieces, each keeps a run of its triangles with their points, and global ids.
+void KeepOwnShare(vtkPolyData* surface, bool inPieces, const Processes& processes);
+}
+
+#endif

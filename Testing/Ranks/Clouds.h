@@ -1,0 +1,230 @@
+// Clouds, whole and as the parts that processes have of them.
+#ifndef Clouds_h
+#define Clouds_h
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace clouds
+{
+inline vtkMultiProcessController* Controller()
+{
+  return vtkMultiProcessController::GetGlobalController();
+}
+
+inline int Rank()
+{
+  return Controller()->GetLocalProcessId();
+}
+
+inline int NumberOfRanks()
+{
+  return Controller()->GetNumberOfProcesses();
+}
+
+/// A point for each pair of random numbers in [0, 1).
+inline vtkSmartPointer<vtkPolyData> Make(
+  vtkIdType size, const std::function<void(double, double, double*)>& place)
+{
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  random->SetSeed(7);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const double u = random->GetNextRangeValue(0.0, 1.0), v = random->GetNextRangeValue(0.0, 1.0);
+    double x[3];
+    place(u, v, x);
+    points->InsertNextPoint(x);
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  return cloud;
+}
+
+inline vtkSmartPointer<vtkPolyData> Ellipsoid(vtkIdType size)
+{
+  return Make(size,
+    [](double u, double v, double* x)
+    {
+      const double z = 2.0 * u - 1.0, angle = 2.0 * std::acos(-1.0) * v;
+      x[0] = 5.0 + 3.0 * std::sqrt(1.0 - z * z) * std::cos(angle);
+      x[1] = 2.0 * std::sqrt(1.0 - z * z) * std::sin(angle);
+      x[2] = z;
+    });
+}
+
+/// A bent sausage with round ends; learned from a sphere it spans a web.
+inline vtkSmartPointer<vtkPolyData> Horseshoe(vtkIdType size)
+{
+  constexpr double tube = 0.3;
+  const double pi = std::acos(-1.0), arc = 5.0 / 3.0 * pi;
+  return Make(size,
+    [&](double u, double v, double* x)
+    {
+      const double along = (arc + 4.0 * tube) * u - 2.0 * tube;
+      const double end = std::clamp(along, 0.0, arc);
+      const double cap = std::clamp((along - end) / (2.0 * tube), -1.0, 1.0);
+      const double radius = tube * std::sqrt(1.0 - cap * cap), around = 2.0 * pi * v;
+      const double out = 1.0 + radius * std::cos(around);
+      x[0] = out * std::cos(end) - tube * cap * std::sin(end);
+      x[1] = out * std::sin(end) + tube * cap * std::cos(end);
+      x[2] = radius * std::sin(around);
+    });
+}
+
+inline void AddPriorities(vtkPolyData* cloud)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Priority");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    array->InsertNextValue(1.0 + std::abs(cloud->GetPoint(i)[2]));
+  }
+  cloud->GetPointData()->AddArray(array);
+}
+
+/// How a cloud may be spread, as the end of each rank's part.
+inline std::vector<vtkIdType> EvenCuts(vtkIdType size)
+{
+  std::vector<vtkIdType> ends;
+  for (vtkIdType rank = 1; rank <= NumberOfRanks(); ++rank)
+  {
+    ends.push_back(size * rank / NumberOfRanks());
+  }
+  return ends;
+}
+
+/// The first rank has nothing, the second the first third; with two ranks, all.
+inline std::vector<vtkIdType> UnevenCuts(vtkIdType size)
+{
+  std::vector<vtkIdType> ends(NumberOfRanks(), size / 3);
+  ends.front() = NumberOfRanks() > 1 ? 0 : size;
+  ends.back() = size;
+  return ends;
+}
+
+/// This rank's part. Without points there are no arrays either, as readers leave it.
+inline vtkSmartPointer<vtkPolyData> OwnPart(vtkPolyData* cloud, const std::vector<vtkIdType>& ends)
+{
+  auto part = vtkSmartPointer<vtkPolyData>::New();
+  const vtkIdType begin = Rank() == 0 ? 0 : ends[Rank() - 1], end = ends[Rank()];
+  if (begin == end)
+  {
+    return part;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  part->GetPointData()->CopyAllocate(cloud->GetPointData());
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    part->GetPointData()->CopyData(
+      cloud->GetPointData(), i, points->InsertNextPoint(cloud->GetPoint(i)));
+  }
+  part->SetPoints(points);
+  return part;
+}
+
+inline void ExpectSameBits(vtkDataArray* a, vtkDataArray* b)
+{
+  ASSERT_NE(a, nullptr);
+  ASSERT_NE(b, nullptr);
+  ASSERT_EQ(a->GetDataType(), b->GetDataType());
+  ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
+  EXPECT_EQ(std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+              a->GetNumberOfValues() * a->GetDataTypeSize()),
+    0);
+}
+
+/// The first rank has that surface, the others have its arrays without values.
+inline void ExpectOnFirstRank(vtkPolyData* surface, vtkPolyData* expected)
+{
+  ASSERT_GT(expected->GetNumberOfPoints(), 0);
+  vtkPointData* data = expected->GetPointData();
+  ASSERT_EQ(surface->GetPointData()->GetNumberOfArrays(), data->GetNumberOfArrays());
+  if (Rank() > 0)
+  {
+    EXPECT_EQ(surface->GetNumberOfPoints(), 0);
+    EXPECT_EQ(surface->GetNumberOfCells(), 0);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      EXPECT_EQ(surface->GetPointData()->GetArray(data->GetArrayName(i))->GetNumberOfTuples(), 0);
+    }
+    return;
+  }
+  ExpectSameBits(surface->GetPoints()->GetData(), expected->GetPoints()->GetData());
+  ExpectSameBits(
+    surface->GetPolys()->GetConnectivityArray(), expected->GetPolys()->GetConnectivityArray());
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    ExpectSameBits(surface->GetPointData()->GetArray(data->GetArrayName(i)), data->GetArray(i));
+  }
+}
+
+/// Every rank has a piece, together they have all of that surface, each triangle once.
+inline void ExpectInPieces(vtkPolyData* piece, vtkPolyData* expected)
+{
+  auto* pointIds = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetGlobalIds());
+  auto* cellIds = vtkIdTypeArray::SafeDownCast(piece->GetCellData()->GetGlobalIds());
+  ASSERT_NE(pointIds, nullptr);
+  ASSERT_NE(cellIds, nullptr);
+  const vtkIdType size = piece->GetNumberOfPolys(), whole = expected->GetNumberOfPolys();
+  ASSERT_EQ(cellIds->GetNumberOfTuples(), size);
+  ASSERT_EQ(pointIds->GetNumberOfTuples(), piece->GetNumberOfPoints());
+  EXPECT_NEAR(static_cast<double>(size), static_cast<double>(whole) / NumberOfRanks(), 1.0);
+  std::vector<int> own(whole, 0), all(whole, 0);
+  vtkNew<vtkIdList> corners, wholeCorners;
+  for (vtkIdType cell = 0; cell < size; ++cell)
+  {
+    own[cellIds->GetValue(cell)] = 1;
+    piece->GetPolys()->GetCellAtId(cell, corners);
+    expected->GetPolys()->GetCellAtId(cellIds->GetValue(cell), wholeCorners);
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_EQ(pointIds->GetValue(corners->GetId(k)), wholeCorners->GetId(k));
+    }
+  }
+  Controller()->AllReduce(own.data(), all.data(), whole, vtkCommunicator::SUM_OP);
+  EXPECT_EQ(all, std::vector<int>(whole, 1));
+  vtkPointData* data = expected->GetPointData();
+  for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i)
+  {
+    double x[3], y[3];
+    piece->GetPoint(i, x);
+    expected->GetPoint(pointIds->GetValue(i), y);
+    ASSERT_TRUE(std::equal(x, x + 3, y));
+    for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = piece->GetPointData()->GetArray(data->GetArrayName(a));
+      ASSERT_NE(array, nullptr);
+      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      {
+        ASSERT_EQ(
+          array->GetComponent(i, c), data->GetArray(a)->GetComponent(pointIds->GetValue(i), c));
+      }
+    }
+  }
+}
+}
+
+#endif
