@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy \
   libeigen3-dev libexpat1-dev zlib1g-dev libgtest-dev libbenchmark-dev libboost-dev assimp-utils xvfb \
-  xauth libgl1-mesa-dri
+  xauth libgl1-mesa-dri openmpi-bin
 
 launcher=()
 if command -v ccache >/dev/null; then

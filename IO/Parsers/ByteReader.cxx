@@ -43,8 +43,9 @@ ByteReader::ByteReader(std::string_view bytes)
 }
 
 //------------------------------------------------------------------------------
-ByteReader::ByteReader(Read read, std::uint64_t size)
+ByteReader::ByteReader(Read read, std::uint64_t size, Seek seek)
   : Source(std::move(read))
+  , Jump(std::move(seek))
   , Size(size)
 {
 }
@@ -92,6 +93,15 @@ void ByteReader::refill(std::size_t count)
 //------------------------------------------------------------------------------
 bool ByteReader::skip(std::uint64_t count)
 {
+  const std::uint64_t target = this->offset() + std::min(count, this->left());
+  const std::uint64_t fetched = this->WindowOffset + (this->End - this->Window);
+  if (this->Binary && this->Source && this->Jump && target > fetched)
+  {
+    count -= target - this->offset();
+    this->Jump(target);
+    this->WindowOffset = target;
+    this->Window = this->Begin = this->End = this->Buffer.data();
+  }
   while (count > 0)
   {
     const std::size_t there = this->peek(1).size();
@@ -146,7 +156,9 @@ ParseStatus openFile(const std::string& path, ByteReader& input)
   }
   input = ByteReader([file](char* buffer, std::size_t count)
     { return static_cast<std::size_t>(file->sgetn(buffer, count)); },
-    size);
+    size,
+    [file](std::uint64_t offset)
+    { file->pubseekpos(static_cast<std::streamoff>(offset), std::ios::in); });
   return {};
 }
 }

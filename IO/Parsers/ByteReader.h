@@ -21,10 +21,12 @@ class ByteReader
 public:
   /// Fills a buffer; fewer bytes than asked for mean the end.
   using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
+  /// Goes to an offset, from where the next bytes are read.
+  using Seek = std::function<void(std::uint64_t offset)>;
 
   ByteReader() = default;
   explicit ByteReader(std::string_view bytes);
-  ByteReader(Read read, std::uint64_t size);
+  ByteReader(Read read, std::uint64_t size, Seek seek = {});
   ByteReader(ByteReader&&) = default;
   ByteReader& operator=(ByteReader&&) = default;
 
@@ -45,10 +47,12 @@ public:
   /// Go past bytes that peek() has shown.
   void advance(std::size_t count) { this->Begin += count; }
 
-  /// Go past any number of bytes; false if the input ends before.
+  /// Go past any number of bytes; false if the input ends before. Bytes of binary data are not
+  /// read if there is another way.
   bool skip(std::uint64_t count);
 
-  /// Lines are counted from the start for messages; from here on the input is binary.
+  /// Lines are counted from the start for messages; from here on the input is binary, or a text
+  /// of which others read the lines before.
   void beginBinary() { this->Binary = true; }
 
   /// Number of the line that holds the next byte, from 1; 0 in binary data. LF, CR and CRLF end
@@ -61,6 +65,7 @@ private:
   void refill(std::size_t count);
 
   Read Source;
+  Seek Jump;
   std::vector<char> Buffer;
   const char* Window = nullptr; ///< first byte that is still there
   const char* Begin = nullptr;  ///< next byte

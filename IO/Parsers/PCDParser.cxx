@@ -27,9 +27,10 @@ bool isPadding(const PCDField& field)
 class PCDReader
 {
 public:
-  PCDReader(
-    ByteReader& input, const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+  PCDReader(ByteReader& input, const FilePiece& piece, const ParseLimits& limits,
+    const ParseProgress& progress, SurfaceData& data)
     : Input(input)
+    , Piece(piece)
     , Limits(limits)
     , Data(data)
     , Progress(input, progress)
@@ -49,8 +50,17 @@ public:
     const std::uint64_t leastBytes = isText      ? 2 * this->numbers() - 1
       : this->Header.Format == PCDFormat::Binary ? recordBytes
                                                  : recordBytes / LZFDecoder::MostGrowth;
-    const std::size_t count = this->Limits.checkedCount(
+    std::size_t count = this->Limits.checkedCount(
       this->Input, "points", this->Header.NumberOfPoints, leastBytes, 2 * recordBytes);
+    if (this->Header.Format == PCDFormat::Binary)
+    {
+      this->Input.skip(this->Piece.begin(count) * recordBytes);
+      count = this->Piece.end(count) - this->Piece.begin(count);
+    }
+    else if (!this->Piece.isFirst())
+    {
+      count = 0;
+    }
     records.resize(count);
     if (count > 0)
     {
@@ -262,6 +272,7 @@ private:
   }
 
   ByteReader& Input;
+  const FilePiece& Piece;
   const ParseLimits& Limits;
   SurfaceData& Data;
   ProgressReport Progress;
@@ -270,8 +281,10 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parsePCD(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece, const ParseLimits& limits,
+  const ParseProgress& progress)
 {
-  return parseSurface([&](SurfaceData& data) { PCDReader(input, limits, progress, data).read(); });
+  return parseSurface(
+    [&](SurfaceData& data) { PCDReader(input, piece, limits, progress, data).read(); });
 }
 }

@@ -4,6 +4,7 @@
 #define ConformalPCDParser_h
 
 #include "ByteReader.h"
+#include "FilePiece.h"
 #include "ParseLimits.h"
 #include "SurfaceData.h"
 
@@ -15,8 +16,10 @@ namespace conformal
 /// "Normals". Fields rgb and rgba of four bytes, whatever type they claim, are colours, "RGB" and
 /// "RGBA" (UInt8). Every other field keeps its name, type and count; padding is left out. A point
 /// that is not finite is one that the scanner did not see: it is dropped without a word.
-SurfaceResult parsePCD(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+///
+/// @param[in] piece  of a binary file that is not compressed; others cannot be cut
+SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece = {},
+  const ParseLimits& limits = {}, const ParseProgress& progress = {});
 }
 
 #endif

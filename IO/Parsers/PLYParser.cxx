@@ -78,6 +78,13 @@ private:
   template <typename Values>
   void readElements(Values values)
   {
+    const FilePiece& piece = this->Options.Piece;
+    const bool isCut = !piece.isWhole() && this->canCut();
+    if (!piece.isFirst() && !isCut)
+    {
+      this->readPoints(values, *this->find("vertex"), 0);
+      return;
+    }
     for (const PLYElement& element : this->Header.Elements)
     {
       std::size_t leastBytes = 0;
@@ -90,6 +97,12 @@ private:
       const std::size_t count =
         this->Limits.checkedCount(this->Input, "records of the element " + quoted(element.Name),
           element.Count, leastBytes - (isText ? 1 : 0), element.Properties.size() * sizeof(double));
+      if (element.Name == "vertex" && isCut)
+      {
+        this->Input.skip(piece.begin(count) * leastBytes);
+        this->readPoints(values, element, piece.end(count) - piece.begin(count));
+        return;
+      }
       if (element.Name == "vertex")
       {
         this->readPoints(values, element, count);
@@ -111,6 +124,13 @@ private:
         this->skipRecords(values, element, count);
       }
     }
+  }
+
+  // Whether a run of points can be read without the others, and means something without faces.
+  bool canCut() const
+  {
+    return this->Header.Format != PLYFormat::Ascii && !this->IsMesh &&
+      !this->find("vertex")->hasLists();
   }
 
   //----------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define ConformalPLYParser_h
 
 #include "ByteReader.h"
+#include "FilePiece.h"
 #include "ParseLimits.h"
 #include "SurfaceData.h"
 
@@ -12,6 +13,7 @@ namespace conformal
 struct PLYOptions
 {
   double MaximumEdgeLength = 0.0; ///< of triangles from a range grid; 0: see appendGridTriangles()
+  FilePiece Piece;                ///< of a binary cloud without lists; other files cannot be cut
 };
 
 /// Read a PLY file: ascii, binary_little_endian or binary_big_endian, its elements in any order.

@@ -78,6 +78,7 @@ struct Sample
   std::size_t NamesLine = 0;
   std::vector<std::string_view> Lines; // of numbers
   std::size_t FirstLine = 0;
+  std::size_t FirstOffset = 0;
 };
 
 bool isPlainText(std::string_view line)
@@ -118,7 +119,11 @@ Sample takeSample(std::string_view start, bool isWhole)
     }
     else
     {
-      sample.FirstLine = sample.Lines.empty() ? number : sample.FirstLine;
+      if (sample.Lines.empty())
+      {
+        sample.FirstLine = number;
+        sample.FirstOffset = line.data() - start.data();
+      }
       sample.Lines.push_back(line);
     }
   }
@@ -329,6 +334,7 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   {
     throw NoTextCloud(1, "the text has no points");
   }
+  layout.FirstOffset = sample.FirstOffset;
   layout.HasCount = isWholeNumber(sample.Lines[0]);
   if (layout.HasCount) // so may be other blocks
   {

@@ -26,6 +26,7 @@ struct TextCloudLayout
   };
   std::vector<Column> Columns;
   std::vector<NamedArray> Arrays; ///< without values; the first are the points
+  std::size_t FirstOffset = 0;    ///< where the lines with numbers begin
   double MeanLineBytes = 0.0;     ///< of the lines with points that were seen
   bool AllLinesFit = false;       ///< whether there were some and all have a number in each column
 };

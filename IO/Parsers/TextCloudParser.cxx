@@ -33,9 +33,14 @@ public:
   void read()
   {
     this->findLayout();
+    const bool hasStart = this->Options.Piece.isFirst();
     bool isCountNext = this->Layout.HasCount;
-    bool isNamesNext = this->Layout.HasNames;
-    while (this->Lines.next())
+    bool isNamesNext = this->Layout.HasNames && hasStart;
+    if (!hasStart)
+    {
+      this->goToLineFrom(this->Begin);
+    }
+    while (this->Lines.next() && this->Input.offset() < this->End)
     {
       const std::string_view line = this->Lines.text();
       this->Progress.tick();
@@ -79,6 +84,7 @@ private:
     {
       this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
     }
+    const std::uint64_t first = this->Input.offset();
     try
     {
       this->Layout =
@@ -89,10 +95,39 @@ private:
       throw ParseError({ ParseCode::UnrecognizedType, e.Line, 0, e.what() });
     }
     this->Row.resize(this->Layout.Columns.size());
-    const double rows = 1.02 * static_cast<double>(this->Input.left()) / this->Layout.MeanLineBytes;
+    this->findPiece(first + this->Layout.FirstOffset);
+    const double rows =
+      1.02 * static_cast<double>(this->End - this->Begin) / this->Layout.MeanLineBytes;
     for (NamedArray& array : this->Layout.Arrays)
     {
       array.Values.reserve(static_cast<std::size_t>(rows + 1.0) * array.tupleBytes());
+    }
+  }
+
+  // The bytes in which the lines of this piece begin.
+  void findPiece(std::uint64_t firstPoint)
+  {
+    const FilePiece& piece = this->Options.Piece;
+    const std::uint64_t size = this->Input.size();
+    if (this->Layout.HasCount)
+    {
+      this->Begin = piece.isFirst() ? firstPoint : size;
+      this->End = size;
+      return;
+    }
+    this->Begin = firstPoint + piece.begin(size - firstPoint);
+    this->End = firstPoint + piece.end(size - firstPoint);
+  }
+
+  // Go to the first line that begins there or later. A line end may lie across that place.
+  void goToLineFrom(std::uint64_t offset)
+  {
+    this->Input.beginBinary();
+    if (offset > this->Input.offset())
+    {
+      this->Input.skip(offset - 1 - this->Input.offset());
+      this->Lines.next();
+      this->Lines.finish();
     }
   }
 
@@ -221,6 +256,7 @@ private:
   std::vector<double> Row;
   std::string Text;
   std::uint64_t PointsToCome = 0;
+  std::uint64_t Begin = 0, End = 0; ///< of the piece
 };
 }
 

@@ -4,6 +4,7 @@
 #define ConformalTextCloudParser_h
 
 #include "ByteReader.h"
+#include "FilePiece.h"
 #include "ParseLimits.h"
 #include "SurfaceData.h"
 
@@ -15,6 +16,7 @@ struct TextCloudOptions
 {
   bool DecimalComma = false;       ///< whether numbers are written 0,5
   bool SkipMalformedLines = false; ///< count lines that are no point instead of refusing the file
+  FilePiece Piece;                 ///< by bytes, at line ends; a file with a count cannot be cut
 };
 
 /// Read a text with one point on a line, see findTextCloudLayout(). Points are Float64; "Normals"

@@ -13,8 +13,8 @@ int vtkConformalOFFReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkConformalOFFReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkConformalOFFReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
   return conformal::parseOFF(input, {}, progress);
 }

@@ -45,8 +45,8 @@ protected:
   vtkConformalOFFReader() = default;
   ~vtkConformalOFFReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkConformalOFFReader(const vtkConformalOFFReader&) = delete;

@@ -57,8 +57,9 @@ protected:
   vtkConformalPLYReader() = default;
   ~vtkConformalPLYReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  bool CutsFiles() const override { return true; }
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkConformalPLYReader(const vtkConformalPLYReader&) = delete;

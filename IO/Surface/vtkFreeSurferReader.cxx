@@ -21,8 +21,8 @@ int vtkFreeSurferReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkFreeSurferReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkFreeSurferReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
   conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, progress);
   conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",

@@ -61,8 +61,8 @@ protected:
   vtkFreeSurferReader() = default;
   ~vtkFreeSurferReader() override;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkFreeSurferReader(const vtkFreeSurferReader&) = delete;

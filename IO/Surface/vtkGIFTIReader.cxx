@@ -22,8 +22,8 @@ int vtkGIFTIReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkGIFTIReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkGIFTIReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
   conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, progress);
   conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",

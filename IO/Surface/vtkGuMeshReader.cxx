@@ -13,8 +13,8 @@ int vtkGuMeshReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkGuMeshReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkGuMeshReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
   return conformal::parseGuMesh(input, {}, progress);
 }

@@ -41,8 +41,8 @@ protected:
   vtkGuMeshReader() = default;
   ~vtkGuMeshReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkGuMeshReader(const vtkGuMeshReader&) = delete;

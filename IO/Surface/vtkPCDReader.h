@@ -41,8 +41,9 @@ protected:
   vtkPCDReader() = default;
   ~vtkPCDReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  bool CutsFiles() const override { return true; }
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkPCDReader(const vtkPCDReader&) = delete;

@@ -15,8 +15,8 @@ int vtkStanfordScansReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkStanfordScansReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
   conformal::AlignedScansOptions options;
   options.InvertRotation = this->InvertRotation;

@@ -58,8 +58,8 @@ protected:
   vtkStanfordScansReader() = default;
   ~vtkStanfordScansReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkStanfordScansReader(const vtkStanfordScansReader&) = delete;

@@ -1,10 +1,12 @@
 #include "vtkSurfaceFileReader.h"
 
 #include "ByteReader.h"
+#include "FilePiece.h"
 #include "SurfaceData.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -12,14 +14,19 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -150,6 +157,15 @@ vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
     : VertexOfEachPoint<vtkTypeInt64Array>(count);
 }
 
+conformal::FilePiece PieceOf(vtkInformation* info)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int number = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  const int count = info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+  return { static_cast<std::uint64_t>(std::max(number, 0)),
+    static_cast<std::uint64_t>(std::max(count, 1)) };
+}
+
 void Fill(vtkPolyData* output, conformal::SurfaceData& data)
 {
   const bool isCloud = data.PolygonIds.size() == 0;
@@ -169,10 +185,19 @@ void Fill(vtkPolyData* output, conformal::SurfaceData& data)
 }
 }
 
+vtkCxxSetObjectMacro(vtkSurfaceFileReader, Controller, vtkMultiProcessController);
+
 //------------------------------------------------------------------------------
 vtkSurfaceFileReader::vtkSurfaceFileReader()
 {
   this->SetNumberOfInputPorts(0);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceFileReader::~vtkSurfaceFileReader()
+{
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -184,51 +209,29 @@ bool vtkSurfaceFileReader::StartsLike(const char* name, bool (*looksRight)(std::
 }
 
 //------------------------------------------------------------------------------
+int vtkSurfaceFileReader::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceFileReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->FileName || !this->FileName[0])
-  {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro(<< "FileName is not set");
-    return 0;
-  }
-  conformal::ByteReader input;
+  const conformal::FilePiece piece = PieceOf(outputVector->GetInformationObject(0));
   conformal::SurfaceResult result;
-  result.Status = conformal::openFile(this->FileName, input);
-  if (result.Status.ok())
-  {
-    try
-    {
-      result = this->Parse(input,
-        [this](double fraction)
-        {
-          this->UpdateProgress(fraction);
-          return this->GetAbortExecute() == 0;
-        });
-    }
-    catch (const std::invalid_argument& e)
-    {
-      this->SetErrorCode(vtkErrorCode::UserError);
-      vtkErrorMacro(<< e.what());
-      return 0;
-    }
-  }
-  if (result.Status.Code == conformal::ParseCode::Aborted)
-  {
-    return 1;
-  }
-  if (result.Status.ok())
-  {
-    result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
-  }
-  if (!result.Status.ok())
+  const Outcome outcome = this->Share(this->Read(piece, output, result), piece);
+  this->SetErrorCode(outcome.ErrorCode);
+  if (outcome.Aborted || outcome.ErrorCode != vtkErrorCode::NoError)
   {
     output->Initialize();
-    this->SetErrorCode(ErrorCodeOf(result.Status.Code));
-    vtkErrorMacro(<< this->FileName << ": " << result.Status.text());
+  }
+  if (outcome.ErrorCode != vtkErrorCode::NoError)
+  {
+    vtkErrorMacro(<< outcome.Message);
     return 0;
   }
   this->Warn(output, "NumberOfDroppedPoints", result.Data.DroppedPoints,
@@ -240,6 +243,74 @@ int vtkSurfaceFileReader::RequestData(
   this->Warn(
     output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are no points");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
+  const conformal::FilePiece& piece, vtkPolyData* output, conformal::SurfaceResult& result)
+{
+  if (!this->FileName || !this->FileName[0])
+  {
+    return { vtkErrorCode::NoFileNameError, false, "FileName is not set" };
+  }
+  if (!piece.isFirst() && !this->CutsFiles())
+  {
+    return {};
+  }
+  conformal::ByteReader input;
+  result.Status = conformal::openFile(this->FileName, input);
+  if (result.Status.ok())
+  {
+    try
+    {
+      result = this->Parse(input, piece,
+        [this](double fraction)
+        {
+          this->UpdateProgress(fraction);
+          return this->GetAbortExecute() == 0;
+        });
+    }
+    catch (const std::invalid_argument& e)
+    {
+      return { vtkErrorCode::UserError, false, e.what() };
+    }
+  }
+  if (result.Status.ok())
+  {
+    result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
+  }
+  return { ErrorCodeOf(result.Status.Code), result.Status.Code == conformal::ParseCode::Aborted,
+    this->FileName + (": " + result.Status.text()) };
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Share(
+  const Outcome& own, const conformal::FilePiece& piece)
+{
+  const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
+  const int size = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  const bool together = size > 1 && piece.Count == static_cast<std::uint64_t>(size) &&
+    piece.Number == static_cast<std::uint64_t>(rank);
+  if (!together)
+  {
+    return own;
+  }
+  const bool isGood = own.ErrorCode == vtkErrorCode::NoError && !own.Aborted;
+  const int ownVote = isGood ? size : rank;
+  int first = size;
+  this->Controller->AllReduce(&ownVote, &first, 1, vtkCommunicator::MIN_OP);
+  if (first == size)
+  {
+    return own;
+  }
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(own.ErrorCode) << static_cast<int>(own.Aborted) << own.Message;
+  this->Controller->Broadcast(stream, first);
+  int code = 0, aborted = 0;
+  std::string message;
+  stream >> code >> aborted >> message;
+  return { static_cast<unsigned long>(code), aborted != 0,
+    "on process " + std::to_string(first) + ": " + message };
 }
 
 //------------------------------------------------------------------------------
@@ -255,4 +326,11 @@ void vtkSurfaceFileReader::Warn(
   number->InsertNextValue(static_cast<vtkIdType>(count));
   output->GetFieldData()->AddArray(number);
   vtkWarningMacro(<< this->FileName << ": " << count << " " << message);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
 }

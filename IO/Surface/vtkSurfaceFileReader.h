@@ -15,6 +15,9 @@
  * that no point has, gives an error with its line or byte, an empty output, and an error code of
  * vtkErrorCode. Numbers are read alike in every locale. A reader that is asked to abort gives an
  * empty output without an error.
+ *
+ * Asked for a piece, a reader of clouds reads its share of the file and no more, where the format
+ * can be cut: the pieces together are the whole, in order. All of another file is the first piece.
  */
 
 #ifndef vtkSurfaceFileReader_h
@@ -24,11 +27,15 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 
 #include <functional>  // for progress
+#include <string>      // for messages
 #include <string_view> // for the start of a file
+
+class vtkMultiProcessController;
 
 namespace conformal
 {
 class ByteReader;
+struct FilePiece;
 struct SurfaceResult;
 }
 
@@ -47,25 +54,56 @@ public:
    */
   virtual const char* GetDescriptiveName() = 0;
 
+  ///@{
+  /**
+   * The processes that read a file together, if each is asked for the piece of its number: an error
+   * of one is an error of all then, so that none goes on to a filter where it would wait for the
+   * others. Default is the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
 protected:
   vtkSurfaceFileReader();
-  ~vtkSurfaceFileReader() override = default;
+  ~vtkSurfaceFileReader() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  // Whether Parse heeds the piece. Otherwise it is asked for the first one only, and gives all.
+  virtual bool CutsFiles() const { return false; }
+
   // Read the opened file. Throws std::invalid_argument for a property that makes no sense.
-  virtual conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) = 0;
+  virtual conformal::SurfaceResult Parse(conformal::ByteReader& input,
+    const conformal::FilePiece& piece, const std::function<bool(double)>& progress) = 0;
 
   // Whether a file can be opened and its first bytes look right.
   static bool StartsLike(VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view));
 
 private:
+  // How reading ended: with an error, aborted, or well.
+  struct Outcome
+  {
+    unsigned long ErrorCode = 0;
+    bool Aborted = false;
+    std::string Message;
+  };
+  Outcome Read(
+    const conformal::FilePiece& piece, vtkPolyData* output, conformal::SurfaceResult& result);
+
+  // That of the first process that did not end well, if there is one.
+  Outcome Share(const Outcome& own, const conformal::FilePiece& piece);
+
   // Says how many things were amiss, in a warning and in the output's field data.
   void Warn(vtkPolyData* output, const char* name, vtkTypeUInt64 count, const char* message);
 
   vtkSurfaceFileReader(const vtkSurfaceFileReader&) = delete;
   void operator=(const vtkSurfaceFileReader&) = delete;
+
+  vtkMultiProcessController* Controller = nullptr;
 };
 
 #endif

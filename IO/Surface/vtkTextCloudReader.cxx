@@ -13,12 +13,13 @@ int vtkTextCloudReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkTextCloudReader::Parse(
-  conformal::ByteReader& input, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkTextCloudReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece& piece, const std::function<bool(double)>& progress)
 {
   conformal::TextCloudOptions options;
   options.DecimalComma = this->DecimalComma;
   options.SkipMalformedLines = this->SkipMalformedLines;
+  options.Piece = piece;
   return conformal::parseTextCloud(input, options, {}, progress);
 }
 

@@ -68,8 +68,9 @@ protected:
   vtkTextCloudReader() = default;
   ~vtkTextCloudReader() override = default;
 
-  conformal::SurfaceResult Parse(
-    conformal::ByteReader& input, const std::function<bool(double)>& progress) override;
+  bool CutsFiles() const override { return true; }
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
 
 private:
   vtkTextCloudReader(const vtkTextCloudReader&) = delete;

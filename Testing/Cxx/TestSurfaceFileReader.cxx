@@ -8,6 +8,7 @@
 
 #include "vtkCallbackCommand.h"
 
+#include <algorithm>
 #include <random>
 
 #ifndef _WIN32
@@ -165,5 +166,52 @@ TEST(SurfaceFileReader, EveryReaderRecoversFromAnErrorAndRunsOnlyWhenModified)
     contract::ExpectPrints(reader, "FileName");
     EXPECT_STRNE(reader->GetFileExtensions(), "");
     EXPECT_STRNE(reader->GetDescriptiveName(), "");
+  }
+}
+
+TEST(SurfaceFileReader, PiecesOfEveryReaderMakeTheWhole)
+{
+  const TemporaryFolder folder;
+  for (const contract::ReaderCase& test : contract::ReaderCases())
+  {
+    SCOPED_TRACE(test.Name);
+    folder.write(test.Beside);
+    for (const std::string& file : test.Files)
+    {
+      const std::string path = folder.write("a file", file);
+      const Reading whole(test.Make(), path);
+      for (const int count : { 2, 5 })
+      {
+        vtkIdType points = 0, cells = 0;
+        for (int number = 0; number < count; ++number)
+        {
+          const vtkSmartPointer<vtkSurfaceFileReader> reader = test.Make();
+          contract::Observed observed(reader);
+          reader->SetFileName(path.c_str());
+          reader->UpdatePiece(number, count, 0);
+          EXPECT_FALSE(observed.Error()) << observed.ErrorMessage();
+          vtkPolyData* piece = reader->GetOutput();
+          for (vtkIdType i = 0; i < piece->GetNumberOfPoints(); ++i, ++points)
+          {
+            ASSERT_LT(points, whole.Output->GetNumberOfPoints());
+            double x[3], y[3];
+            piece->GetPoint(i, x);
+            whole.Output->GetPoint(points, y);
+            ASSERT_TRUE(std::equal(x, x + 3, y));
+          }
+          cells += piece->GetNumberOfCells();
+        }
+        EXPECT_EQ(points, whole.Output->GetNumberOfPoints());
+        EXPECT_EQ(cells, whole.Output->GetNumberOfCells());
+      }
+    }
+  }
+}
+
+TEST(SurfaceFileReader, EveryReaderPrintsItsController)
+{
+  for (const contract::ReaderCase& test : contract::ReaderCases())
+  {
+    contract::ExpectPrints(test.Make(), "Controller");
   }
 }

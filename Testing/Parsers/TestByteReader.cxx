@@ -1,5 +1,6 @@
 #include "ByteReader.h"
 
+#include "FilePieces.h"
 #include "Pieces.h"
 
 #include <gtest/gtest.h>
@@ -91,4 +92,22 @@ TEST(ByteReader, OpensRegularFilesOnly)
   }
 #endif
   std::filesystem::remove_all(folder);
+}
+
+TEST(ByteReader, SkipsBinaryDataWithoutReadingThem)
+{
+  constexpr std::size_t size = std::size_t(16) << 20;
+  const std::string bytes = std::string(size, 'a') + "end";
+  std::size_t numberRead = 0;
+  conformal::ByteReader input = samples::InFile(bytes, numberRead);
+  EXPECT_EQ(input.peek(10).substr(0, 2), "aa");
+  EXPECT_TRUE(input.skip(5)); // within the window
+  EXPECT_EQ(input.offset(), 5u);
+  input.beginBinary();
+  EXPECT_TRUE(input.skip(size - 5));
+  EXPECT_EQ(input.offset(), size);
+  EXPECT_EQ(input.peek(3), "end");
+  EXPECT_LT(numberRead, size / 4);
+  EXPECT_FALSE(input.skip(4));
+  EXPECT_EQ(input.left(), 0u);
 }

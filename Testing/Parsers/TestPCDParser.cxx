@@ -1,6 +1,7 @@
 #include "PCDParser.h"
 
 #include "../CommaLocale.h"
+#include "FilePieces.h"
 #include "LZFDecoder.h"
 #include "PCDHeader.h"
 #include "PCDSamples.h"
@@ -246,4 +247,19 @@ TEST(PCDParser, IsKnownByItsFirstLines)
   {
     EXPECT_FALSE(conformal::looksLikePCD(other)) << other;
   }
+}
+
+TEST(PCDParser, PiecesMakeTheWhole)
+{
+  const auto parsePiece = [](conformal::ByteReader& input, const conformal::FilePiece& piece)
+  { return conformal::parsePCD(input, piece); };
+  samples::ExpectPiecesMakeTheWhole(samples::BinaryPCD(), parsePiece);
+  samples::ExpectPiecesMakeTheWhole(samples::AsciiPCD(), parsePiece);
+
+  constexpr std::size_t count = 3000000;
+  const std::string number = std::to_string(count);
+  const std::string large =
+    "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + number +
+    "\nHEIGHT 1\nPOINTS " + number + "\nDATA binary\n" + std::string(12 * count, '\1');
+  samples::ExpectPiecesReadTheirShare(large, parsePiece);
 }

@@ -1,6 +1,7 @@
 #include "PLYParser.h"
 
 #include "../CommaLocale.h"
+#include "FilePieces.h"
 #include "PLYHeader.h"
 #include "PLYSamples.h"
 #include "ParsedArrays.h"
@@ -533,5 +534,75 @@ TEST(PLYParser, IsKnownByItsFirstLines)
   for (const char* other : { "", "ply", "ply\n", "ply\nwood\n", "OFF\n", "plywood\nformat\n" })
   {
     EXPECT_FALSE(conformal::looksLikePLY(other)) << other;
+  }
+}
+
+// Pieces for several processes ---------------------------------------------------------------
+
+namespace
+{
+conformal::SurfaceResult parsePiece(conformal::ByteReader& input, const conformal::FilePiece& piece)
+{
+  conformal::PLYOptions options;
+  options.Piece = piece;
+  return conformal::parsePLY(input, options);
+}
+
+// So many points, one of which is not finite, with elements around them.
+std::string BinaryCloud(bool big, std::size_t count, bool mixed)
+{
+  samples::Bytes file(big,
+    std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
+      " 1.0\nelement camera 1\nproperty float focal\nproperty list uchar short lens\n"
+      "element vertex " +
+      std::to_string(count) + "\nproperty float x\nproperty " + (mixed ? "double" : "float") +
+      " y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "property short label\nelement face 0\nproperty list uchar int vertex_indices\n"
+      "element light 1\nproperty int color\nend_header\n");
+  file.add(35.5F).add(std::uint8_t(1)).add(std::int16_t(7));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float x = i == 1 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(i);
+    file.add(x);
+    mixed ? file.add(0.5 * x) : file.add(0.5F * x);
+    file.add(1.0F).add(std::uint8_t(i)).add(std::uint8_t(2)).add(std::uint8_t(3));
+    file.add(static_cast<std::int16_t>(i % 1000));
+  }
+  file.add(std::int32_t(9));
+  return file.bytes();
+}
+}
+
+TEST(PLYParser, PiecesOfABinaryCloudMakeTheWhole)
+{
+  for (const bool big : { false, true })
+  {
+    for (const bool mixed : { false, true })
+    {
+      samples::ExpectPiecesMakeTheWhole(BinaryCloud(big, 17, mixed), parsePiece);
+    }
+  }
+  samples::ExpectPiecesMakeTheWhole(BinaryCloud(false, 2, false), parsePiece);
+  samples::ExpectPiecesReadTheirShare(BinaryCloud(false, 2000000, false), parsePiece);
+}
+
+TEST(PLYParser, WhatCannotBeCutIsAllInTheFirstPiece)
+{
+  for (const std::string& bytes : { samples::AsciiMesh(), samples::AsciiCloud() })
+  {
+    samples::ExpectPiecesMakeTheWhole(bytes, parsePiece);
+    conformal::ByteReader input{ std::string_view(bytes) };
+    EXPECT_EQ(parsePiece(input, { 1, 2 }).Data.Points.numberOfTuples(), 0u);
+  }
+}
+
+TEST(PLYParser, EveryPieceOfACloudThatWasCutShortIsRefused)
+{
+  std::string bytes = BinaryCloud(false, 17, false);
+  bytes.resize(bytes.size() - 30);
+  for (std::uint64_t number = 0; number < 3; ++number)
+  {
+    conformal::ByteReader input{ std::string_view(bytes) };
+    EXPECT_EQ(parsePiece(input, { number, 3 }).Status.Code, ParseCode::PrematureEnd);
   }
 }

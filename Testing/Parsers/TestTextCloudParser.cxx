@@ -1,6 +1,7 @@
 #include "TextCloudParser.h"
 
 #include "../CommaLocale.h"
+#include "FilePieces.h"
 #include "MadeBytes.h"
 #include "ParsedArrays.h"
 #include "Pieces.h"
@@ -226,5 +227,108 @@ TEST(TextCloudParser, IsKnownByItsFirstLines)
          "x y z\n", "v 0 0 0\n", "3\nwater\nO 0 0 0\n" })
   {
     EXPECT_FALSE(conformal::looksLikeTextCloud(other)) << other;
+  }
+}
+
+// Pieces for several processes ---------------------------------------------------------------
+
+namespace
+{
+samples::ParsePiece piecesOf(bool skipMalformedLines = false)
+{
+  return [=](conformal::ByteReader& input, const conformal::FilePiece& piece)
+  {
+    conformal::TextCloudOptions options;
+    options.SkipMalformedLines = skipMalformedLines;
+    options.Piece = piece;
+    return conformal::parseTextCloud(input, options);
+  };
+}
+
+// Lines of many lengths, remarks and blank lines among them, a point that is not finite.
+std::string Lines(const std::string& head, const std::string& end)
+{
+  std::string text = head;
+  for (int i = 0; i < 23; ++i)
+  {
+    text += std::to_string(i * i * i) + " 0." + std::to_string(i) + " 7 " + std::to_string(i) + end;
+    text += i % 5 == 2 ? "# a remark with 1 2 3 4" + end + end : "";
+    text += i == 11 ? "nan 1 2 3" + end : "";
+  }
+  return text;
+}
+}
+
+TEST(TextCloudParser, PiecesMakeTheWholeForEveryLineEnd)
+{
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    for (const std::string head : { "", "\xEF\xBB\xBF", "# x y z age" })
+    {
+      const std::string text = Lines(head == "# x y z age" ? head + end : head, end);
+      samples::ExpectPiecesMakeTheWhole(text, piecesOf());
+      samples::ExpectPiecesMakeTheWhole(text.substr(0, text.size() - end.size()), piecesOf());
+    }
+    samples::ExpectPiecesMakeTheWhole(
+      Lines("// long remark before the names" + end + "x y z age" + end, end), piecesOf());
+    samples::ExpectPiecesMakeTheWhole("1 2 3" + end + "4 5 6" + end, piecesOf());
+  }
+}
+
+TEST(TextCloudParser, PiecesCutAtEveryByte)
+{
+  const std::string text = "x y z\r\n1 2 3\r\n\r\n44 55 66\r\n7 8 9";
+  for (std::uint64_t count = 1; count < 2 * text.size(); ++count)
+  {
+    std::vector<double> points;
+    for (std::uint64_t number = 0; number < count; ++number)
+    {
+      conformal::ByteReader input{ std::string_view(text) };
+      const SurfaceResult piece = piecesOf()(input, { number, count });
+      ASSERT_TRUE(piece.Status.ok()) << piece.Status.text();
+      const std::vector<double> own = values<double>(piece.Data.Points);
+      points.insert(points.end(), own.begin(), own.end());
+    }
+    ASSERT_EQ(points, (std::vector<double>{ 1, 2, 3, 44, 55, 66, 7, 8, 9 })) << count;
+  }
+}
+
+TEST(TextCloudParser, PiecesSkipTheLinesTheWholeSkips)
+{
+  samples::ExpectPiecesMakeTheWhole(
+    "1 2 3\n4 5 6\nno point\n7 8 9\n1 2\n10 11 12\n", piecesOf(true));
+}
+
+TEST(TextCloudParser, TextWithACountIsAllInTheFirstPiece)
+{
+  const std::string text = "2\n1 2 3\n4 5 6\n1\n7 8 9\n";
+  samples::ExpectPiecesMakeTheWhole(text, piecesOf());
+  conformal::ByteReader input{ std::string_view(text) };
+  EXPECT_EQ(piecesOf()(input, { 1, 2 }).Data.Points.numberOfTuples(), 0u);
+}
+
+TEST(TextCloudParser, PiecesReadTheirShare)
+{
+  std::string text;
+  while (text.size() < (std::size_t(36) << 20))
+  {
+    text += "1.25 2.5 -3.75 0.5\n";
+  }
+  samples::ExpectPiecesReadTheirShare(text, piecesOf());
+}
+
+TEST(TextCloudParser, OnlyThePieceWithABadLineIsRefused)
+{
+  const std::string text = "1 2 3\n4 5 6\n7 8 9\n10 11\n";
+  for (std::uint64_t number = 0; number < 2; ++number)
+  {
+    conformal::ByteReader input{ std::string_view(text) };
+    const SurfaceResult piece = piecesOf()(input, { number, 2 });
+    EXPECT_EQ(piece.Status.ok(), number == 0);
+    if (number == 1)
+    {
+      EXPECT_EQ(piece.Status.Line, 0u); // nobody counted those before
+      EXPECT_EQ(piece.Status.Offset, 18u);
+    }
   }
 }
