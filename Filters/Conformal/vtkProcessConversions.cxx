@@ -131,7 +131,7 @@ conformal::Reduce Processes::reduce()
     reduce.Sum = [this](std::int64_t* values, conformal::Index count)
     {
       // Piece by piece: MPI counts in ints, and the sums need room of their own.
-      constexpr conformal::Index pieceSize = 1 << 20;
+      constexpr conformal::Index pieceSize = 1 << 17;
       this->agree();
       std::vector<std::int64_t> sums(std::min(count, pieceSize));
       for (conformal::Index first = 0; first < count; first += pieceSize)

@@ -15,9 +15,8 @@
 namespace fixtures
 {
 /// A head-like closed surface: an ellipsoid with smooth bumps, scattered evenly.
-inline conformal::Points bumpyCloud(conformal::Index size)
+inline conformal::Points bumpyCloud(conformal::Index size, conformal::Random& random)
 {
-  conformal::Random random(1);
   conformal::Points points(size, 3);
   for (conformal::Index i = 0; i < size; ++i)
   {
@@ -29,6 +28,12 @@ inline conformal::Points bumpyCloud(conformal::Index size)
     points.row(i) << 0.8 * radius * x, 0.9 * radius * y, 1.1 * radius * z;
   }
   return points;
+}
+
+inline conformal::Points bumpyCloud(conformal::Index size)
+{
+  conformal::Random random(1);
+  return bumpyCloud(size, random);
 }
 
 /// Threads that take one block after the other.
