@@ -6,6 +6,8 @@
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
 
+#include <new>
+
 namespace
 {
 vtkSmartPointer<vtkConformalSOM> MakeFilter(vtkPolyData* cloud)
@@ -259,6 +261,29 @@ TEST(ConformalSOM, AbortOnOneRankStopsAll)
       EXPECT_EQ(History(filter)->GetNumberOfRows(), 0);
     }
   }
+}
+
+TEST(ConformalSOM, RunningOutOfMemoryOnOneRankIsAnErrorOfAll)
+{
+  const int last = clouds::NumberOfRanks() - 1;
+  auto cloud = clouds::Ellipsoid(4000);
+  auto filter = MakeFilter(clouds::OwnPart(cloud, clouds::EvenCuts(4000)));
+  vtkNew<vtkCallbackCommand> fail;
+  fail->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      const double progress = static_cast<vtkAlgorithm*>(caller)->GetProgress();
+      if (progress > 0.3 && progress < 1.0) // the executive ends with 1
+      {
+        throw std::bad_alloc();
+      }
+    });
+  if (clouds::Rank() == last)
+  {
+    filter->AddObserver(vtkCommand::ProgressEvent, fail);
+  }
+  ExpectErrorEverywhere(
+    filter, last > 0 ? "on process " + std::to_string(last) + ": out of memory" : "out of memory");
 }
 
 TEST(ConformalSOM, WithoutControllerEachRankLearnsItsOwn)
