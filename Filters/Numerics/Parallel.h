@@ -53,10 +53,22 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
   const auto size = std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0));
   // Bit patterns, each added to zeros, so that they arrive as they are.
   std::vector<std::int64_t> bits(size, 0);
-  std::memcpy(bits.data() + first, own.data(), own.size() * sizeof(double));
+  std::transform(own.begin(), own.end(), bits.begin() + first,
+    [](double number)
+    {
+      std::int64_t itsBits = 0;
+      std::memcpy(&itsBits, &number, sizeof(number));
+      return itsBits;
+    });
   reduce.sum(bits.data(), size);
   std::vector<double> all(size);
-  std::memcpy(all.data(), bits.data(), size * sizeof(double));
+  std::transform(bits.begin(), bits.end(), all.begin(),
+    [](std::int64_t itsBits)
+    {
+      double number = 0.0;
+      std::memcpy(&number, &itsBits, sizeof(number));
+      return number;
+    });
   return all;
 }
 
