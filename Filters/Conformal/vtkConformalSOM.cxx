@@ -52,7 +52,7 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
 conformal::NumberView ViewPriorities(
   vtkPointSet* input, const char* name, std::vector<double>& copy)
 {
-  if (!name || input->GetNumberOfPoints() == 0)
+  if (!name || !name[0] || input->GetNumberOfPoints() == 0)
   {
     return {};
   }

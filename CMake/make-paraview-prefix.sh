@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# make-paraview-prefix.sh FOLDER: a prefix in which CMake finds all of Debian 12's ParaView.
+#
+# The files that CMake asks for are in the packages paraview, paraview-dev and python3-paraview. The
+# last one cannot be installed beside VTK's own python3-vtk9, so it is fetched and unpacked, and all
+# three are put together by links. Nothing of the system is changed; a finished prefix is left alone.
+set -euo pipefail
+
+prefix=${1:?"usage: make-paraview-prefix.sh FOLDER"}
+[ ! -e "$prefix/complete" ] || exit 0
+rm -rf "$prefix"
+mkdir -p "$prefix/download"
+prefix=$(cd "$prefix" && pwd)
+
+(cd "$prefix/download" && apt-get -qq download python3-paraview 2>"$prefix/download/log") ||
+  { cat "$prefix/download/log" >&2; exit 1; }
+dpkg-deb --extract "$prefix"/download/python3-paraview_*.deb "$prefix/python3-paraview"
+
+# CMake's files say where all others are by their own place: they are copied, the others linked.
+libraries=lib/$(gcc -print-multiarch)
+mkdir -p "$prefix/bin" "$prefix/include" "$prefix/$libraries/cmake" "$prefix/$libraries/vtk/hierarchy"
+cp --recursive /usr/"$libraries"/cmake/paraview-* "$prefix/$libraries/cmake"
+ln -s /usr/include/paraview-* "$prefix/include"
+ln -s /usr/"$libraries"/paraview-* "$prefix/$libraries"
+ln -s "$prefix/python3-paraview/usr/$libraries/vtk/hierarchy/ParaView" \
+  "$prefix/$libraries/vtk/hierarchy"
+ln -s "$prefix/python3-paraview/usr/lib/python3" "$prefix/lib"
+dpkg --listfiles paraview paraview-dev | sort --unique |
+  grep --extended-regexp "^/usr/($libraries/[^/]+\.(so|a)(\..*)?|bin/.+)$" |
+  while read -r file; do
+    ln -s "$file" "$prefix/${file#/usr/}"
+  done
+ln -s "$prefix"/python3-paraview/usr/bin/* "$prefix/bin"
+rm -r "$prefix/download"
+touch "$prefix/complete"
