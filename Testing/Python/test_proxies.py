@@ -199,10 +199,10 @@ class TestProxies(unittest.TestCase):
 
     @of_each_proxy
     def test_labels_are_the_class_s_words(self, proxy):
-        label = proxy.shown.get("label").replace(" ", "")
-        self.assertIn(proxy.name, (label, label + "Source"))
+        """Scripts call proxies and properties by their labels without the blanks."""
+        self.assertEqual(proxy.shown.get("label").replace(" ", ""), proxy.name)
         for element in proxy.documented():
-            self.assertIsNone(element.get("label"))  # scripts call a property by its label
+            self.assertIsNone(element.get("label"))
 
     @of_each_proxy
     def test_what_shows_only_sometimes_names_properties_that_are_there(self, proxy):
@@ -230,6 +230,9 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(hint.get("file_description"),
                          proxy.object.GetDescriptiveName() + " (Conformal SOM)")
         self.assertTrue(callable(proxy.type.CanReadFile))
+        if len(list(proxy.shown.iter("FileListDomain"))) > 1:
+            name = proxy.shown.find("Hints/DefaultFileNameProperty").get("name")
+            self.assertEqual(name, "FileName")  # what File > Open sets
 
     @of_each_proxy
     def test_writers_are_chosen_by_extensions_that_readers_know(self, proxy):

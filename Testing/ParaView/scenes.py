@@ -1,0 +1,74 @@
+"""What the tests here have in common: a scan in a file, and the chain that paints it."""
+import os
+import subprocess
+import sys
+
+from paraview import servermanager
+from paraview import simple
+from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+import textures
+from builtin_figure import figure_cloud
+
+SIZE = [400, 400]
+
+
+def write_scan(folder, number_of_points=20000):
+    """The bear as a PLY file, by our own writer."""
+    cloud = simple.TrivialProducer()
+    cloud.GetClientSideObject().SetOutput(figure_cloud(number_of_points))
+    path = os.path.join(folder, "bear.ply")
+    servermanager.writers.ConformalPLYWriter(Input=cloud, FileName=path).UpdatePipeline()
+    simple.Delete(cloud)
+    return path
+
+
+def write_picture(folder):
+    """The picture to paint with, as a PNG file."""
+    path = os.path.join(folder, "rosette.png")
+    writer = vtkPNGWriter()
+    writer.SetInputData(textures.rosette(512))
+    writer.SetFileName(path)
+    writer.Write()
+    return path
+
+
+def open_and_paint(scan, picture):
+    """Open a scan, learn, smooth and paint it, and look at it."""
+    points = simple.OpenDataFile(scan)
+    mesh = simple.ConformalSOM(Input=points, Frequency=16)
+    surface = simple.CurvedSeamlessSurface(Input=mesh, Frequency=48)
+    painted = simple.SphericalTextureMap(Input=surface)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    simple.Show(painted, view).Texture = simple.CreateTexture(picture)
+    simple.ResetCamera(view)
+    return painted
+
+
+def draw(path):
+    """Save the active view as a picture, without the axes and their letters."""
+    view = simple.GetActiveView()
+    view.OrientationAxesVisibility = 0
+    simple.SaveScreenshot(path, view, ImageResolution=SIZE)
+
+
+def picture_of(path):
+    """A saved picture as a source of images."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader
+
+
+def replay(file, path):
+    """Draw what a saved state or a recorded script shows, in a process that knows nothing else."""
+    subprocess.run([sys.executable, os.path.abspath(__file__), file, path], check=True)
+
+
+if __name__ == "__main__":
+    if sys.argv[1].endswith(".py"):
+        with open(sys.argv[1], encoding="utf-8") as script:
+            exec(script.read())
+    else:
+        simple.LoadState(sys.argv[1])
+    draw(sys.argv[2])

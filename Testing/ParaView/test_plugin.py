@@ -1,0 +1,156 @@
+"""Every proxy of the plugin is made and works; files find their readers and writers."""
+import os
+import tempfile
+import unittest
+import glob
+import xml.etree.ElementTree as ElementTree
+
+from paraview import servermanager
+from paraview import simple
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+import scenes
+
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "ParaView")
+
+
+class TestPlugin(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="plugin ")
+        cls.scan = scenes.write_scan(cls.temporary.name, 4000)
+        cls.points = simple.OpenDataFile(cls.scan)
+        cls.mesh = simple.ConformalSOM(Input=cls.points, Frequency=8)
+        cls.surface = simple.CurvedSeamlessSurface(Input=cls.mesh, Frequency=16)
+        cls.painted = simple.SphericalTextureMap(
+            Input=cls.surface, Projection="Octahedral", SplitSeam=1)
+        cls.picture = simple.PNGSeriesReader(FileNames=[scenes.write_picture(cls.temporary.name)])
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.temporary.name, name)
+
+    def number(self, source, name):
+        """The one value of a field array."""
+        source.UpdatePipeline()
+        low, high = source.FieldData[name].GetRange()
+        self.assertEqual(low, high)
+        return low
+
+    def test_every_proxy_is_made(self):
+        manager = servermanager.ProxyManager()
+        for path in glob.glob(os.path.join(FOLDER, "*.xml")):
+            for group in ElementTree.parse(path).getroot():
+                for element in group:
+                    with self.subTest(element.get("name")):
+                        proxy = manager.NewProxy(group.get("name"), element.get("name"))
+                        proxy.UpdateVTKObjects()
+                        self.assertIsNotNone(proxy.GetClientSideObject())
+
+    def test_scan_becomes_a_surface(self):
+        self.assertEqual(self.points.GetXMLName(), "ConformalPLYReader")
+        self.assertEqual(self.points.GetDataInformation().GetNumberOfPoints(), 4000)
+        self.mesh.UpdatePipeline()
+        self.assertEqual(self.mesh.GetDataInformation().GetNumberOfPoints(), 10 * 8**2 + 2)
+        self.surface.UpdatePipeline()
+        self.assertEqual(self.surface.GetDataInformation().GetNumberOfCells(), 20 * 16**2)
+        self.assertEqual(self.number(simple.GenusZeroCheck(Input=self.surface), "IsGenusZero"), 1)
+
+    def test_history_of_learning_is_a_table(self):
+        self.mesh.UpdatePipeline()
+        table = simple.OutputPort(self.mesh, 1)
+        self.assertEqual(table.GetDataInformation().GetDataClassName(), "vtkTable")
+
+    def test_measures(self):
+        mismatch = simple.SurfaceMismatch(Input=self.surface, Reference=self.points)
+        self.assertLess(self.number(mismatch, "MeanSquarePointToSurface"), 1e-4)
+        distortion = simple.ConformalDistortion(Input=self.surface)
+        self.assertEqual(self.number(distortion, "NumberOfFlippedTriangles"), 0)
+
+    def test_other_ways_to_a_map(self):
+        mapped = simple.GlobalConformalMap(Input=simple.GenusZeroHull(Input=self.points, Spacing=0.05))
+        self.assertEqual(self.number(mapped, "Converged"), 1)
+        aligned = simple.SphericalAlignment(Input=self.surface, Reference=self.mesh,
+                                            Landmarks=[0, 0, 5, 5, 9, 9], Transform="Moebius")
+        self.assertLess(self.number(aligned, "AlignmentError"), 1e-2)
+
+    def test_optional_inputs_come_and_go(self):
+        sphere = simple.GeodesicSphereSource(Frequency=4)
+        surface = simple.CurvedSeamlessSurface(Input=self.mesh, Sphere=sphere, Cloud=self.points,
+                                               DomeHeight="Fitted")
+        surface.UpdatePipeline()
+        self.assertEqual(surface.GetDataInformation().GetNumberOfPoints(), 162)
+        surface.Sphere, surface.Frequency = None, 5
+        surface.UpdatePipeline()
+        self.assertEqual(surface.GetDataInformation().GetNumberOfPoints(), 252)
+
+    def test_menus_list_the_arrays_of_the_input(self):
+        self.painted.UpdatePipeline()
+        baked = simple.SphericalTextureImage(Input=self.painted)
+        menu = baked.GetProperty("ArrayName").Available
+        self.assertEqual(menu[0], "")
+        self.assertIn("Normals", menu)
+        self.assertEqual(baked.ArrayName, "")
+        weighted = simple.TrivialProducer()
+        cloud = vtkPolyData()
+        cloud.DeepCopy(servermanager.Fetch(self.points))
+        weight = vtkDoubleArray()
+        weight.SetName("Weight")
+        weight.SetNumberOfTuples(cloud.GetNumberOfPoints())
+        weight.Fill(1.0)
+        cloud.GetPointData().AddArray(weight)
+        weighted.GetClientSideObject().SetOutput(cloud)
+        weighted.UpdatePipeline()
+        mesh = simple.ConformalSOM(Input=weighted, Frequency=8)
+        self.assertEqual((mesh.GetProperty("PriorityArrayName").Available, mesh.PriorityArrayName),
+                         (["", "Weight"], ""))
+        mesh.PriorityArrayName = "Weight"
+        mesh.UpdatePipeline()
+        self.assertEqual(mesh.GetDataInformation().GetNumberOfPoints(), 642)
+
+    def test_images_are_baked_and_blended(self):
+        baked = simple.SphericalTextureImage(Input=self.painted, ArrayName="Normals",
+                                             ImageSize=[64, 32])
+        blended = simple.SphericalTextureBlend(Input=self.painted, Front=self.picture,
+                                               Back=self.picture, ImageSize=[64, 32])
+        for image in (baked, blended):
+            image.UpdatePipeline()
+            self.assertEqual(image.GetDataInformation().GetExtent(), (0, 63, 0, 31, 0, 0))
+
+    def test_what_is_written_is_read(self):
+        self.surface.UpdatePipeline()
+        for extension, reader in (("ply", "ConformalPLYReader"), ("off", "ConformalOFFReader"),
+                                  ("m", "GuMeshReader"), ("gii", "GIFTIReader"),
+                                  ("asc", "TextCloudReader"), ("white", "FreeSurferReader")):
+            with self.subTest(extension):
+                path = self.path("surface." + extension)
+                simple.SaveData(path, self.surface)
+                back = simple.OpenDataFile(path)
+                self.assertEqual(back.GetXMLName(), reader)
+                back.UpdatePipeline()
+                self.assertEqual(back.GetDataInformation().GetNumberOfPoints(),
+                                 self.surface.GetDataInformation().GetNumberOfPoints())
+
+    def test_readers_are_told_by_content(self):
+        """A file that is not what its name says is left to other readers."""
+        with open(self.path("water.m"), "w", encoding="ascii") as file:
+            file.write("function y = f(x)\n")
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        session = servermanager.ActiveConnection.Session
+        self.assertFalse(factory.CanReadFile(self.path("water.m"), session))
+
+    def test_painted_surface_is_written_with_its_picture(self):
+        for name in ("painted.glb", "painted.obj"):
+            writer = servermanager.writers.TexturedSurfaceWriter(
+                Input=self.painted, Texture=self.picture, FileName=self.path(name))
+            writer.UpdatePipeline()
+            self.assertGreater(os.path.getsize(self.path(name)), 100000)
+        self.assertTrue(os.path.exists(self.path("painted.png")))
+
+
+if __name__ == "__main__":
+    unittest.main()
