@@ -34,7 +34,7 @@ class TestGui(unittest.TestCase):
                            HOME=folder, XDG_RUNTIME_DIR=folder)
         cls.completed = subprocess.run(
             ["paraview", "--disable-registry", "--script=" + os.path.join(folder, "record.py"),
-             "--test-script=" + os.path.join(FOLDER, "open_and_paint.xml"), "--exit"],
+             "--test-script=" + os.path.join(FOLDER, "guide.xml"), "--exit"],
             env=environment, timeout=200, text=True, check=False,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 

@@ -13,8 +13,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 FOLDER = os.path.join(SOURCE, "Wrapping", "ParaView")
-VALUES = ("IntVectorProperty", "DoubleVectorProperty", "IdTypeVectorProperty",
-          "StringVectorProperty")
+VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
 
 
 def sentence(text):
