@@ -80,7 +80,7 @@ def draw(events, path, data, framebuffer):
         paraview.wait()
 
 
-def main(folder, scan=None):
+def main(folder, scan=""):
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="scans-") as data:
         scenes.write_picture(data)

@@ -1,8 +1,8 @@
 """Every proxy of the plugin is made and works; files find their readers and writers."""
+import glob
 import os
 import tempfile
 import unittest
-import glob
 import xml.etree.ElementTree as ElementTree
 
 from paraview import servermanager
@@ -13,6 +13,21 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 import scenes
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "ParaView")
+
+
+def proxies():
+    """Group and element of every proxy."""
+    for path in sorted(glob.glob(os.path.join(FOLDER, "*.xml"))):
+        for group in ElementTree.parse(path).getroot():
+            for element in group:
+                yield group.get("name"), element
+
+
+def hints(tag):
+    """Name of the proxy and the hint, of all that have it."""
+    for _, element in proxies():
+        for hint in element.iter(tag):
+            yield element.get("name"), hint
 
 
 class TestPlugin(unittest.TestCase):
@@ -43,13 +58,11 @@ class TestPlugin(unittest.TestCase):
 
     def test_every_proxy_is_made(self):
         manager = servermanager.ProxyManager()
-        for path in glob.glob(os.path.join(FOLDER, "*.xml")):
-            for group in ElementTree.parse(path).getroot():
-                for element in group:
-                    with self.subTest(element.get("name")):
-                        proxy = manager.NewProxy(group.get("name"), element.get("name"))
-                        proxy.UpdateVTKObjects()
-                        self.assertIsNotNone(proxy.GetClientSideObject())
+        for group, element in proxies():
+            with self.subTest(element.get("name")):
+                proxy = manager.NewProxy(group, element.get("name"))
+                proxy.UpdateVTKObjects()
+                self.assertIsNotNone(proxy.GetClientSideObject())
 
     def test_scan_becomes_a_surface(self):
         self.assertEqual(self.points.GetXMLName(), "ConformalPLYReader")
@@ -134,6 +147,34 @@ class TestPlugin(unittest.TestCase):
                 back.UpdatePipeline()
                 self.assertEqual(back.GetDataInformation().GetNumberOfPoints(),
                                  self.surface.GetDataInformation().GetNumberOfPoints())
+
+    def test_writers_are_found_by_their_extensions(self):
+        """ParaView takes the first writer that knows an extension: it must be ours."""
+        self.painted.UpdatePipeline()
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+        for name, hint in hints("WriterFactory"):
+            for extension in hint.get("extensions").split():
+                with self.subTest(extension):
+                    writer = factory.CreateWriter(self.path("x." + extension),
+                                                  self.painted.SMProxy, 0, False)
+                    self.assertEqual(writer.GetXMLName(), name)
+
+    def test_readers_are_offered_for_their_extensions(self):
+        """One each of the files that they wrote, by any of its usual names."""
+        self.surface.UpdatePipeline()
+        factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+        session = servermanager.ActiveConnection.Session
+        for name, hint in hints("ReaderFactory"):
+            writer = getattr(servermanager.writers, name.replace("Reader", "Writer"), None)
+            if not writer:
+                continue
+            for extension in hint.get("extensions").split():
+                with self.subTest(extension):
+                    path = self.path("offered." + extension)
+                    writer(Input=self.surface, FileName=path).UpdatePipeline()
+                    offered = factory.GetReaders(path, session)
+                    self.assertIn(name, [offered.GetString(i)
+                                         for i in range(offered.GetNumberOfStrings())])
 
     def test_readers_are_told_by_content(self):
         """A file that is not what its name says is left to other readers."""

@@ -26,6 +26,14 @@ function (require_core class glue core_folder)
   message(SEND_ERROR "${class}: ${glue} includes no header of ${core_folder}")
 endfunction ()
 
+# A class that makes objects for a pipeline is in ParaView too; bases and helpers are not.
+function (require_proxy class header unit)
+  file(READ "${SOURCE_DIR}/${header}" text)
+  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n")
+    require_file(${class} "Wrapping/ParaView/${unit}.xml")
+  endif ()
+endfunction ()
+
 function (check_module folder core_folder document)
   file(READ "${SOURCE_DIR}/${folder}/CMakeLists.txt" lists)
   if (NOT lists MATCHES "set\\(classes([^)]*)\\)")
@@ -42,6 +50,7 @@ function (check_module folder core_folder document)
     require_line(${class} "${document}" "^##+ ${words}$" "a section \"${words}\"")
     require_line(${class} README.md "${class}" "the class")
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
+    require_proxy(${class} "${folder}/${class}.h" ${unit})
   endforeach ()
 endfunction ()
 

@@ -1,0 +1,22 @@
+"""learn.py SCAN: under pvbatch, print a digest of the mesh and of the hull made from a scan, and
+the number of the scan's points in each process. test_ranks.py runs it on several."""
+import hashlib
+import sys
+
+from paraview import servermanager
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def digest(filter_):
+    points = servermanager.Fetch(filter_).GetPoints().GetData()
+    return hashlib.sha256(vtk_to_numpy(points).tobytes()).hexdigest()
+
+
+scan = simple.OpenDataFile(sys.argv[1])
+mesh = simple.ConformalSOM(Input=scan, Frequency=12)
+hull = simple.GenusZeroHull(Input=scan, Spacing=0.04)
+print("digest", digest(mesh), digest(hull))
+ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
+port = scan.SMProxy.GetOutputPort(0)
+print("points", *(port.GetRankDataInformation(rank).GetNumberOfPoints() for rank in range(ranks)))
