@@ -8,6 +8,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
 #include "vtkPointData.h"
@@ -184,6 +185,16 @@ std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input)
     return (ghosts->GetValue(i) &
              (vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT)) != 0;
   };
+}
+
+//------------------------------------------------------------------------------
+void WarnOfEmptyInput(vtkObject* self, const char* message)
+{
+  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
+  if (!processes || processes->GetLocalProcessId() == 0)
+  {
+    vtkWarningWithObjectMacro(self, << message);
+  }
 }
 
 //------------------------------------------------------------------------------

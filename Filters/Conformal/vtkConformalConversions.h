@@ -45,6 +45,10 @@ bool ReportErrors(vtkObject* self, const std::function<void()>& core);
 /// The result is what RequestData should return.
 int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
 
+/// Warn of an input that is empty. Of several processes only the first has to say so: on the others
+/// it is normal, since the first gets the whole surface.
+void WarnOfEmptyInput(vtkObject* self, const char* message);
+
 /// Coordinates as doubles, #P by 3 (empty for a null pointer).
 conformal::Points ToPoints(vtkPoints* points);
 

@@ -44,7 +44,7 @@ int vtkConformalDistortion::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (input->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the surface is empty, nothing was measured");
+    vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, nothing was measured");
     return 1;
   }
 

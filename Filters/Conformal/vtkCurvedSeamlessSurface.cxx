@@ -149,8 +149,9 @@ int vtkCurvedSeamlessSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (surface->GetNumberOfPoints() == 0 || (sphere && sphere->GetNumberOfPoints() == 0))
   {
-    vtkWarningMacro(<< "the " << (surface->GetNumberOfPoints() == 0 ? "surface" : "dense sphere")
-                    << " is empty, and so is the result");
+    vtkConformalConversions::WarnOfEmptyInput(this,
+      surface->GetNumberOfPoints() == 0 ? "the surface is empty, and so is the result"
+                                        : "the dense sphere is empty, and so is the result");
     return 1;
   }
   return vtkConformalConversions::RunCore(this,

@@ -83,7 +83,7 @@ int vtkGlobalConformalMap::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (surface->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the surface is empty, and so is its map");
+    vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
     return 1;
   }
   conformal::GlobalConformalMapOptions options;

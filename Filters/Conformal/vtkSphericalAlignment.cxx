@@ -126,8 +126,9 @@ int vtkSphericalAlignment::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the " << (surface->GetNumberOfPoints() == 0 ? "surface" : "reference")
-                    << " is empty, nothing was aligned");
+    vtkConformalConversions::WarnOfEmptyInput(this,
+      surface->GetNumberOfPoints() == 0 ? "the surface is empty, nothing was aligned"
+                                        : "the reference is empty, nothing was aligned");
     return 1;
   }
   return vtkConformalConversions::RunCore(this,

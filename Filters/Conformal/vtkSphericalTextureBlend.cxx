@@ -127,7 +127,8 @@ int vtkSphericalTextureBlend::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   if (surface->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the surface is empty, there is nothing to lay pictures on");
+    vtkConformalConversions::WarnOfEmptyInput(
+      this, "the surface is empty, there is nothing to lay pictures on");
     return 1;
   }
   return vtkConformalConversions::RunCore(this,

@@ -104,7 +104,8 @@ int vtkSphericalTextureImage::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   if (surface->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the surface is empty, there is nothing to bake");
+    vtkConformalConversions::WarnOfEmptyInput(
+      this, "the surface is empty, there is nothing to bake");
     return 1;
   }
   return vtkConformalConversions::RunCore(this,

@@ -133,7 +133,8 @@ int vtkSphericalTextureMap::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (input->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the surface is empty, there is nothing to lay an image on");
+    vtkConformalConversions::WarnOfEmptyInput(
+      this, "the surface is empty, there is nothing to lay an image on");
     return 1;
   }
   conformal::SphericalTextureOptions options;

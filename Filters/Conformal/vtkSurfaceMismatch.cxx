@@ -56,8 +56,9 @@ int vtkSurfaceMismatch::RequestData(
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
   if (model->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
   {
-    vtkWarningMacro(<< "the " << (model->GetNumberOfPoints() == 0 ? "model" : "reference")
-                    << " is empty, nothing was measured");
+    vtkConformalConversions::WarnOfEmptyInput(this,
+      model->GetNumberOfPoints() == 0 ? "the model is empty, nothing was measured"
+                                      : "the reference is empty, nothing was measured");
     return 1;
   }
 

@@ -1,5 +1,6 @@
-"""learn.py SCAN: under pvbatch, print a digest of the mesh and of the hull made from a scan, and
-the number of the scan's points in each process. test_ranks.py runs it on several."""
+"""learn.py SCAN: under pvbatch, print digests of the mesh, the hull and the painted surface made
+from a scan, and the number of the scan's points in each process. test_ranks.py runs it on several.
+"""
 import hashlib
 import sys
 
@@ -16,7 +17,9 @@ def digest(filter_):
 scan = simple.OpenDataFile(sys.argv[1])
 mesh = simple.ConformalSOM(Input=scan, Frequency=12)
 hull = simple.GenusZeroHull(Input=scan, Spacing=0.04)
-print("digest", digest(mesh), digest(hull))
+surface = simple.CurvedSeamlessSurface(Input=mesh, Frequency=24)
+painted = simple.SphericalTextureMap(Input=surface)
+print("digest", *(digest(filter_) for filter_ in (mesh, hull, painted)))
 ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
 port = scan.SMProxy.GetOutputPort(0)
 print("points", *(port.GetRankDataInformation(rank).GetNumberOfPoints() for rank in range(ranks)))

@@ -1,5 +1,8 @@
 """The bear painted in a script, and again from a saved state."""
 import os
+import re
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -9,6 +12,9 @@ from paraview import simple
 
 import scenes
 from baselines import expect_picture
+GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                     "..", "..", "Documentation", "ParaView.md")
+
 
 class TestPictures(unittest.TestCase):
     @classmethod
@@ -20,7 +26,7 @@ class TestPictures(unittest.TestCase):
         simple.SaveState(cls.path("state.pvsm"))
         with open(cls.path("state.py"), "w", encoding="ascii") as file:
             file.write(smstate.get_state())
-        scenes.draw(cls.path("painted.png"))
+        scenes.draw(cls.path("chain.png"))
 
     @classmethod
     def tearDownClass(cls):
@@ -31,7 +37,7 @@ class TestPictures(unittest.TestCase):
         return os.path.join(cls.folder, name)
 
     def test_bear_is_painted(self):
-        expect_picture(self, scenes.picture_of(self.path("painted.png")), "ParaViewBear")
+        expect_picture(self, scenes.picture_of(self.path("chain.png")), "ParaViewBear")
 
     def test_picture_is_laid_by_the_active_texture_coordinates(self):
         surface = servermanager.Fetch(self.painted)
@@ -45,8 +51,18 @@ class TestPictures(unittest.TestCase):
             with self.subTest(name):
                 scenes.replay(self.path(name), self.path(name + ".png"))
                 with open(self.path(name + ".png"), "rb") as again:
-                    with open(self.path("painted.png"), "rb") as first:
+                    with open(self.path("chain.png"), "rb") as first:
                         self.assertEqual(again.read(), first.read())
+
+    def test_script_of_the_guide(self):
+        with open(GUIDE, encoding="ascii") as file:
+            script = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
+        script = script.replace("PREFIX/lib/paraview-5.11/plugins", os.environ["PV_PLUGIN_PATH"])
+        for name, its_name in (("bear.ply", "igea.ply"), ("rosette.png", "picture.png")):
+            shutil.copy(self.path(name), self.path(its_name))
+        subprocess.run([sys.executable, "-c", script], cwd=self.folder, check=True)
+        with open(self.path("painted.png"), "rb") as file:
+            self.assertEqual(file.read(4), b"\x89PNG")
 
 
 if __name__ == "__main__":

@@ -15,15 +15,18 @@ POINTS = 9001  # cannot be cut evenly
 # What learn.py does, with the package conformalsom.
 PLAIN = """
 import hashlib, sys
-from conformalsom import vtkConformalPLYReader, vtkConformalSOM, vtkGenusZeroHull
+from conformalsom import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 scan, mesh, hull = vtkConformalPLYReader(), vtkConformalSOM(), vtkGenusZeroHull()
+surface, painted = vtkCurvedSeamlessSurface(), vtkSphericalTextureMap()
 scan.SetFileName(sys.argv[1])
 mesh.SetFrequency(12)
 hull.SetSpacing(0.04)
+surface.SetFrequency(24)
+for source, filter_ in (scan, mesh), (scan, hull), (mesh, surface), (surface, painted):
+    filter_.SetInputConnection(source.GetOutputPort())
 print("digest", end="")
-for filter_ in mesh, hull:
-    filter_.SetInputConnection(scan.GetOutputPort())
+for filter_ in mesh, hull, painted:
     filter_.Update()
     points = vtk_to_numpy(filter_.GetOutput().GetPoints().GetData())
     print("", hashlib.sha256(points.tobytes()).hexdigest(), end="")
@@ -33,7 +36,9 @@ for filter_ in mesh, hull:
 def said(command, **environment):
     """What a program prints, as a dictionary from the first word of a line to the others."""
     run = subprocess.run(command, env=dict(os.environ, **environment), text=True, check=True,
-                         timeout=120, stdout=subprocess.PIPE)
+                         timeout=120, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    if "WARN|" in run.stderr or "ERR|" in run.stderr:
+        raise AssertionError(run.stderr)  # an empty process is no reason to complain
     return {line.split()[0]: line.split()[1:] for line in run.stdout.splitlines() if line.strip()}
 
 
