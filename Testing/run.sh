@@ -44,9 +44,8 @@ bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 py
 failed=0
 build_and_test dev "$@" || failed=$?
 
-if bash CMake/install-packages.sh paraview paraview-dev libqt5svg5 &&
+if bash CMake/install-packages.sh paraview paraview-dev libqt5svg5; then
   bash CMake/make-paraview-prefix.sh build/paraview-prefix
-then
   build_and_test paraview "$@" || failed=$?
 else
   echo "The tests of the plugin are skipped: ParaView is not installed and could not be"

@@ -406,6 +406,17 @@ TEST(ConformalSOM, PriorityArraysThatCannotBeUsedAreErrors)
   refused(cloud, "Priority");
 }
 
+TEST(ConformalSOM, AnEmptyNameMeansEqualPriority)
+{
+  auto named = MakeFilter(MakeCloud(1000)), unnamed = MakeFilter(MakeCloud(1000));
+  named->SetPriorityArrayName("");
+  contract::Observed observed(named);
+  named->Update();
+  unnamed->Update();
+  EXPECT_FALSE(observed.Error());
+  EXPECT_EQ(named->GetOutput()->GetPoint(9)[1], unnamed->GetOutput()->GetPoint(9)[1]);
+}
+
 TEST(ConformalSOM, BadPrioritiesCountAsZeroWithAWarning)
 {
   auto cloud = MakeCloud(1000), clean = MakeCloud(1000);

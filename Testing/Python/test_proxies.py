@@ -108,7 +108,7 @@ class TestProxies(unittest.TestCase):
                 self.assertIn(name, known)
 
     @of_each_proxy
-    def test_every_command_is_a_method_with_the_property_s_name(self, proxy):
+    def test_every_command_is_a_method_named_as_the_property(self, proxy):
         for element in proxy.properties(*VALUES):
             self.assertTrue(hasattr(proxy.object, element.get("command")))
             self.assertIn(element.get("command"),
@@ -118,7 +118,7 @@ class TestProxies(unittest.TestCase):
                     self.assertTrue(hasattr(proxy.object, element.get(other)))
 
     @of_each_proxy
-    def test_defaults_are_the_class_s(self, proxy):
+    def test_defaults_are_those_of_the_class(self, proxy):
         for element in proxy.properties(*VALUES):
             name, default = element.get("name"), element.get("default_values")
             if element.get("repeat_command"):
@@ -134,7 +134,7 @@ class TestProxies(unittest.TestCase):
                     self.assertEqual(int(element.get("number_of_elements")), len(values))
 
     @of_each_proxy
-    def test_ranges_are_the_class_s(self, proxy):
+    def test_ranges_are_those_of_the_class(self, proxy):
         """A clamp of the class is the range, or the values of the menu; VTK_INT_MAX means none."""
         endless = 2.0**31 - 1
         for element in proxy.properties("IntVectorProperty", "DoubleVectorProperty"):
@@ -164,7 +164,7 @@ class TestProxies(unittest.TestCase):
                                 any(child.tag.endswith("Domain") for child in element))
 
     @of_each_proxy
-    def test_ports_are_the_class_s(self, proxy):
+    def test_ports_are_those_of_the_class(self, proxy):
         inputs = proxy.properties("InputProperty")
         ports = sorted(int(element.get("port_index", 0)) for element in inputs)
         if proxy.is_writer():
@@ -190,7 +190,7 @@ class TestProxies(unittest.TestCase):
         self.assertGreater(len(proxy.shown.findtext("Documentation").strip()), 20)
 
     @of_each_proxy
-    def test_help_is_the_header_s(self, proxy):
+    def test_help_is_that_of_the_header(self, proxy):
         pattern = os.path.join(SOURCE, "*", "*", proxy.class_name + ".h")
         with open(glob.glob(pattern)[0], encoding="ascii") as file:
             brief = re.search(r"@brief +((?:.|\n)*?)\n \*\n", file.read()).group(1)
@@ -198,7 +198,7 @@ class TestProxies(unittest.TestCase):
                          sentence(brief.replace("\n *", " ")))
 
     @of_each_proxy
-    def test_labels_are_the_class_s_words(self, proxy):
+    def test_labels_are_the_words_of_the_class(self, proxy):
         """Scripts call proxies and properties by their labels without the blanks."""
         self.assertEqual(proxy.shown.get("label").replace(" ", ""), proxy.name)
         for element in proxy.documented():
