@@ -20,7 +20,7 @@ import scenes
 
 EVENTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guide.xml")
 DISPLAY, WINDOW = ":87", (1152, 762)  # the size that ParaView's window has at first
-PATIENCE = 120  # seconds until a ParaView must have got there
+PATIENCE = 300  # seconds until a ParaView must have got there
 
 
 def events_before_each_picture():
@@ -60,20 +60,21 @@ def draw(events, path, data, framebuffer):
         file.write(events)
     environment = dict(os.environ, DISPLAY=DISPLAY, HOME=data, XDG_RUNTIME_DIR=data,
                        PARAVIEW_DATA_ROOT=data, PARAVIEW_TEST_DIR=data)
-    with open(os.path.join(data, "log"), "w+", encoding="utf-8") as log:
+    log_path = os.path.join(data, "log")
+    with open(log_path, "w", encoding="utf-8") as log:
         paraview = subprocess.Popen(["paraview", "--disable-registry", "--test-script=" + script],
                                     env=environment, stdout=log, stderr=subprocess.STDOUT)
-        before, still, last = time.monotonic(), 0, None
-        while still < 6:  # seconds without a change
+        start, still, last, said = time.monotonic(), 0, None, ""
+        # Seconds without a change; a dialog keeps the events from ending.
+        while still < (3 if "is finished" in said else 20):
             time.sleep(1)
             now = screen(framebuffer)
-            started = time.monotonic() - before > 6
-            still = still + 1 if started and last is not None and (now == last).all() else 0
+            still = still + 1 if last is not None and (now == last).all() else 0
             last = now
-            log.seek(0)
-            said = log.read()
+            with open(log_path, encoding="utf-8") as written:
+                said = written.read()
             if (paraview.poll() is not None or "critical" in said
-                    or time.monotonic() - before > PATIENCE):
+                    or time.monotonic() - start > PATIENCE):
                 raise RuntimeError("ParaView does not get there:\n" + said)
         write_jpeg(last, path)
         paraview.terminate()

@@ -35,7 +35,7 @@ class TestGui(unittest.TestCase):
         cls.completed = subprocess.run(
             ["paraview", "--disable-registry", "--script=" + os.path.join(folder, "record.py"),
              "--test-script=" + os.path.join(FOLDER, "guide.xml"), "--exit"],
-            env=environment, timeout=200, text=True, check=False,
+            env=environment, timeout=500, text=True, check=False,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     @classmethod

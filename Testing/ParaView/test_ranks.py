@@ -36,7 +36,7 @@ for filter_ in mesh, hull, painted:
 def said(command, **environment):
     """What a program prints, as a dictionary from the first word of a line to the others."""
     run = subprocess.run(command, env=dict(os.environ, **environment), text=True, check=True,
-                         timeout=120, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                         timeout=300, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     if "WARN|" in run.stderr or "ERR|" in run.stderr:
         raise AssertionError(run.stderr)  # an empty process is no reason to complain
     return {line.split()[0]: line.split()[1:] for line in run.stdout.splitlines() if line.strip()}
