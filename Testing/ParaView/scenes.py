@@ -61,8 +61,8 @@ def picture_of(path):
 
 
 def replay(file, path):
-    """Draw what a saved state or a recorded script shows, in a process that knows nothing else."""
-    subprocess.run([sys.executable, os.path.abspath(__file__), file, path], check=True)
+    """Draw what a saved state or a recorded script shows, in a pvbatch that knows nothing else."""
+    subprocess.run(["pvbatch", os.path.abspath(__file__), file, path], check=True)
 
 
 if __name__ == "__main__":
