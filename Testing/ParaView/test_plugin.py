@@ -12,7 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import scenes
 
-FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "ParaView")
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+FOLDER = os.path.join(SOURCE, "Wrapping", "ParaView")
 
 
 def proxies():
@@ -85,7 +86,8 @@ class TestPlugin(unittest.TestCase):
         self.assertEqual(self.number(distortion, "NumberOfFlippedTriangles"), 0)
 
     def test_other_ways_to_a_map(self):
-        mapped = simple.GlobalConformalMap(Input=simple.GenusZeroHull(Input=self.points, Spacing=0.05))
+        hull = simple.GenusZeroHull(Input=self.points, Spacing=0.05)
+        mapped = simple.GlobalConformalMap(Input=hull)
         self.assertEqual(self.number(mapped, "Converged"), 1)
         aligned = simple.SphericalAlignment(Input=self.surface, Reference=self.mesh,
                                             Landmarks=[0, 0, 5, 5, 9, 9], Transform="Moebius")
