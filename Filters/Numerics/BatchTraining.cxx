@@ -245,7 +245,9 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
   const Triangles& faces = result.Network.Faces;
   const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
+  report(progress, 1.0);
   const std::vector<bool> bare = bareVertices(result.Weights, faces, neighbors, masses);
+  report(progress, 1.0);
   if (std::find(bare.begin(), bare.end(), true) != bare.end())
   {
     result.UnsupportedFraction = areaFraction(result.Weights, faces,

@@ -72,9 +72,11 @@ public:
   {
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
     this->draw(number + 1 == firstIdle, partOf(progress, 0.0, 0.7));
+    report(progress, 0.7);
     if (this->Options.AutomaticPriority && number >= firstIdle)
     {
       this->drawIdle();
+      report(progress, 0.7);
     }
     const double way = static_cast<double>(number) / std::max(1, this->Options.NumberOfRounds - 1);
     const double smoothness = std::pow(this->Options.FirstSmoothness, 1.0 - way) *
