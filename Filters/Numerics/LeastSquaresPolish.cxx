@@ -186,7 +186,8 @@ private:
 
   void drawIdle()
   {
-    const Points normals = vertexNormals(this->Weights, this->Faces);
+    const Points normals =
+      vertexNormals(this->Weights, this->Faces, this->Equations.around(), this->Threads);
     const std::vector<bool> idle = idleVertices(this->Faces, this->Masses, this->Weights.rows());
     for (Index i = 0; i < this->Weights.rows() && this->Targets.rows() > 0; ++i)
     {
@@ -214,7 +215,8 @@ private:
                     c = this->Weights.row(this->Faces(r, 2));
       return Vector3((b - a).cross(c - a));
     };
-    const Triangles across = triangleNeighbors(this->Faces, this->Weights.rows());
+    const Triangles across =
+      triangleNeighbors(this->Faces, this->Equations.around(), this->Threads);
     std::vector<bool> folded(this->Weights.rows(), false);
     for (Index r = 0; r < this->Faces.rows(); ++r)
     {

@@ -75,9 +75,10 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
   return neighbors;
 }
 
-Triangles triangleNeighbors(const Triangles& faces, Index numberOfVertices)
+Triangles triangleNeighbors(
+  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor)
 {
-  return triangleNeighbors(faces, vertexTriangles(faces, numberOfVertices));
+  return triangleNeighbors(faces, vertexTriangles(faces, numberOfVertices), parallelFor);
 }
 
 Triangles triangleNeighbors(

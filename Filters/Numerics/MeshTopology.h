@@ -32,7 +32,8 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices);
 /// Across each edge: entry (r, k) is the triangle that shares edge (k, k + 1 mod 3) of triangle r
 /// with the opposite sense, or -1 where none does.
 /// @pre no directed edge belongs to two triangles (checkGenusZero tells)
-Triangles triangleNeighbors(const Triangles& faces, Index numberOfVertices);
+Triangles triangleNeighbors(
+  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor = {});
 
 /// @param[in] around  vertexTriangles of the faces, where they are at hand
 Triangles triangleNeighbors(

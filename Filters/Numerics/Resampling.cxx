@@ -1,6 +1,5 @@
 #include "Resampling.h"
 
-#include "MeshTopology.h"
 #include "SphereCoverage.h"
 #include "SphereLocator.h"
 
@@ -26,10 +25,7 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " folded triangles, but must cover it once without folds");
   }
-  const Adjacency around = vertexTriangles(faces, sphere.rows());
-  const Triangles neighbors = triangleNeighbors(faces, around, parallelFor);
-  report(progress, 0.2);
-  const SphereLocator locator(sphere, faces, neighbors, parallelFor);
+  const SphereLocator locator(sphere, faces, parallelFor);
   report(progress, 0.5);
   Points resampled(directions.rows(), 3);
   forBlocks(parallelFor, directions.rows(), BlockSize, partOf(progress, 0.5, 1.0),

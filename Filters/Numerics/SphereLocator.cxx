@@ -10,8 +10,10 @@
 
 namespace conformal
 {
-SphereLocator::SphereLocator(const Points& positions, const Triangles& faces)
-  : SphereLocator(positions, faces, triangleNeighbors(faces, positions.rows()))
+SphereLocator::SphereLocator(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+  : SphereLocator(
+      positions, faces, triangleNeighbors(faces, positions.rows(), parallelFor), parallelFor)
 {
 }
 

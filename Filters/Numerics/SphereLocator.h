@@ -34,7 +34,8 @@ public:
 
   /// @param[in] positions  #N by 3 unit vectors
   /// @param[in] faces      #R by 3 ids, counter-clockwise seen from outside
-  SphereLocator(const Points& positions, const Triangles& faces);
+  SphereLocator(
+    const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
   /// @param[in] neighbors  triangleNeighbors of the faces, where they are at hand
   SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors,
     const ParallelFor& parallelFor = {});

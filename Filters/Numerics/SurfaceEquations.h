@@ -41,6 +41,9 @@ public:
   /// Draw one vertex along a direction: weight (direction . d - distance)^2.
   void pull(int vertex, const Vector3& direction, double distance, double weight);
 
+  /// vertexTriangles of its faces
+  const Adjacency& around() const { return this->Around; }
+
   /// Add what the other processes have added; not what they pulled.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 

@@ -17,11 +17,6 @@ namespace
 {
 constexpr std::size_t MostScans = 10000; // no honest list is near
 
-bool isRemark(std::string_view word)
-{
-  return word.empty() || word[0] == '#';
-}
-
 bool isMesh(std::string_view word)
 {
   return word == "mesh" || word == "bmesh";
@@ -102,10 +97,7 @@ public:
 
   void read()
   {
-    if (this->Input.left() == 0)
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
+    this->Input.requireBytes();
     this->Data.Points = makeArray("Points", ScalarType::Float64, 3);
     while (this->Lines.next())
     {
@@ -116,7 +108,7 @@ public:
       {
         this->readMesh(words);
       }
-      else if (!isRemark(keyword) && keyword != "camera")
+      else if (!startsRemark(keyword) && keyword != "camera")
       {
         this->Input.fail(this->Names.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
@@ -261,7 +253,7 @@ bool looksLikeAlignedScans(std::string_view start)
   {
     LineWords words(lines.text());
     const std::string_view keyword = words.next();
-    if (!isRemark(keyword))
+    if (!startsRemark(keyword))
     {
       Motion motion;
       const bool hasName = isMesh(keyword) && !words.next().empty();

@@ -131,6 +131,15 @@ void ByteReader::fail(ParseCode code, const std::string& message) const
 }
 
 //------------------------------------------------------------------------------
+void ByteReader::requireBytes()
+{
+  if (this->peek(1).empty())
+  {
+    this->fail(ParseCode::PrematureEnd, "the file is empty");
+  }
+}
+
+//------------------------------------------------------------------------------
 ParseStatus openFile(const std::string& path, ByteReader& input)
 {
   const std::filesystem::path name = std::filesystem::u8path(path);

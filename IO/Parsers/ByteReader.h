@@ -61,6 +61,10 @@ public:
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;
 
+  /// What every parser asks first.
+  /// @throws ParseError if there is no byte
+  void requireBytes();
+
 private:
   void refill(std::size_t count);
 

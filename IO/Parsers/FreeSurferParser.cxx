@@ -42,10 +42,7 @@ public:
     , Values(input, isLittleEndianMachine())
   {
     input.beginBinary();
-    if (input.left() == 0)
-    {
-      input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
+    input.requireBytes();
   }
 
   void readSurface()

@@ -393,10 +393,7 @@ public:
   std::vector<GIFTIArray> read()
   {
     constexpr std::uint64_t longestTag = std::uint64_t(16) << 20;
-    if (this->Input.peek(1).empty())
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
+    this->Input.requireBytes();
     constexpr std::size_t someBytes = 1024;
     if (!looksLikeGIFTI(this->Input.peek(someBytes)))
     {

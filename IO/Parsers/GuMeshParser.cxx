@@ -16,11 +16,6 @@ namespace conformal
 {
 namespace
 {
-bool isRemark(std::string_view word)
-{
-  return word.empty() || word[0] == '#';
-}
-
 // A trait, key=(value), key=value or a key alone. Takes it from the text; false if there is none.
 bool takeTrait(std::string_view& text, std::string_view& key, std::string_view& value)
 {
@@ -58,10 +53,7 @@ public:
 
   void read()
   {
-    if (this->Input.left() == 0)
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
+    this->Input.requireBytes();
     this->Data.Points = makeArray("Points", ScalarType::Float64, 3);
     while (this->Lines.next())
     {
@@ -76,7 +68,7 @@ public:
       {
         this->readFace(words);
       }
-      else if (!isRemark(keyword) && keyword != "Edge" && keyword != "Corner")
+      else if (!startsRemark(keyword) && keyword != "Edge" && keyword != "Corner")
       {
         this->Input.fail(this->Points == 0 ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected Vertex, Face, Edge or Corner");
@@ -344,7 +336,7 @@ bool looksLikeGuMesh(std::string_view start)
   {
     LineWords words(lines.text());
     const std::string_view keyword = words.next();
-    if (!isRemark(keyword))
+    if (!startsRemark(keyword))
     {
       std::int64_t id = 0;
       double x = 0.0;

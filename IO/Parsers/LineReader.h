@@ -133,6 +133,12 @@ public:
 private:
   std::string_view Rest;
 };
+
+/// Whether a line of this first word says nothing: it is blank, or a remark behind #.
+inline bool startsRemark(std::string_view word)
+{
+  return word.empty() || word[0] == '#';
+}
 }
 
 #endif

@@ -63,10 +63,7 @@ public:
 
   void read()
   {
-    if (this->Input.peek(1).empty())
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
+    this->Input.requireBytes();
     this->readKeyword();
     if (this->isBinary())
     {

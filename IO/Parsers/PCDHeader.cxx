@@ -15,11 +15,6 @@ constexpr std::size_t MostNumbers = 100000; // of a point; no honest header is n
 constexpr std::string_view Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
 
-bool isRemark(std::string_view word)
-{
-  return word.empty() || word[0] == '#';
-}
-
 std::optional<ScalarType> typeOf(char kind, std::size_t size)
 {
   static const struct
@@ -56,7 +51,7 @@ public:
     {
       LineWords words(this->Lines.text());
       const std::string_view keyword = words.next();
-      if (isRemark(keyword))
+      if (startsRemark(keyword))
       {
         continue;
       }
@@ -226,7 +221,7 @@ bool looksLikePCD(std::string_view start)
       double version = 0.0;
       return words.next(version) && version >= 0.5 && version <= 0.7;
     }
-    if (!isRemark(keyword))
+    if (!startsRemark(keyword))
     {
       const bool isFields = keyword == "FIELDS" || keyword == "COLUMNS";
       return isFields && !words.next().empty();
@@ -238,10 +233,7 @@ bool looksLikePCD(std::string_view start)
 //------------------------------------------------------------------------------
 PCDHeader readPCDHeader(ByteReader& input)
 {
-  if (input.peek(1).empty())
-  {
-    input.fail(ParseCode::PrematureEnd, "the file is empty");
-  }
+  input.requireBytes();
   return HeaderReader(input).read();
 }
 }

@@ -84,11 +84,8 @@ public:
 
   PLYHeader read()
   {
+    this->Input.requireBytes();
     std::string_view start = this->Input.peek(SomeBytes);
-    if (start.empty())
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
     const std::size_t whole = start.size();
     skipByteOrderMark(start);
     if (!startsWithPLY(start))

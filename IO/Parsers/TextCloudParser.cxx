@@ -79,11 +79,8 @@ public:
 private:
   void findLayout()
   {
+    this->Input.requireBytes();
     const std::string_view start = this->Input.peek(SampleBytes);
-    if (start.empty())
-    {
-      this->Input.fail(ParseCode::PrematureEnd, "the file is empty");
-    }
     const std::uint64_t first = this->Input.offset();
     try
     {
