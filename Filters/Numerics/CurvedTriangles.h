@@ -14,7 +14,7 @@
 
 namespace conformal
 {
-/// A PN triangle \cite Vlachos2001: the cubic, with vertices w, normals n and barycentric
+/// A PN triangle (\cite Vlachos2001): the cubic, with vertices w, normals n and barycentric
 /// coordinates m,
 ///     q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) n_k)
 ///     n_k.

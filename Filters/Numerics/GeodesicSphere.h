@@ -18,7 +18,7 @@ struct GeodesicSphere
 constexpr int MaximumFrequency = 10000;
 
 /// Subdivide every face of the icosahedron into f^2 triangles, \cite Liou2008 Eqs. 1 and 2
-/// (class I of \cite Kenner1976: equal steps along the flat face, then projection).
+/// (class I of \cite Kenner1976, equal steps along the flat face, then projection).
 ///
 /// The first 12 positions are the icosahedron's; position 0 is the north pole (0, 0, 1).
 ///

@@ -12,7 +12,7 @@
 
 namespace conformal
 {
-/// The Cholesky factor of a positive definite matrix, front by front \cite Duff1983: each part of a
+/// The Cholesky factor of a positive definite matrix, front by front (\cite Duff1983): each part of a
 /// nested dissection is a dense matrix of its own unknowns and of those later ones that it touches.
 /// Parts of one level are independent, so they are done at the same time; large ones are done a
 /// panel at a time, with a report after each, so that no step is long.

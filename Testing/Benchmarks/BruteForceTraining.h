@@ -5,8 +5,8 @@
 
 #include "ConformalSOM.h"
 #include "MeshTopology.h"
-#include "Random.h"
 #include "NetworkShapes.h"
+#include "Random.h"
 #include "TriangleTree.h"
 
 #include <cmath>
