@@ -62,6 +62,34 @@ Points select(const TrainingSamples& samples, double spacing)
   return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
 }
 
+// Nodes along the axes that a lattice needs to hold a box, without a margin.
+Vector3 stepsOver(const Box& bounds, double spacing)
+{
+  return ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
+}
+
+// The smallest spacing of a lattice that does not have too many nodes, rounded up to a millionth.
+double smallestSpacing(const Box& bounds, double tooSmall, int margin)
+{
+  const auto fits = [&](double spacing)
+  {
+    return (stepsOver(bounds, spacing).array() + 2.0 * margin).prod() <=
+      static_cast<double>(MaximumNumberOfNodes);
+  };
+  double low = tooSmall, high = 2.0 * tooSmall;
+  for (; !fits(high); high *= 2.0)
+  {
+    low = high;
+  }
+  constexpr double Digit = 1e-6;
+  while (high - low > 0.1 * Digit)
+  {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? high : low) = middle;
+  }
+  return std::ceil(high / Digit) * Digit;
+}
+
 // The nearest sample of every node, found in steps.
 class NearestSamples
 {
@@ -346,12 +374,15 @@ FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing,
     bounds.Lower = bounds.Lower.cwiseMin(Eigen::Map<const Vector3>(corners.data() + i));
     bounds.Upper = bounds.Upper.cwiseMax(Eigen::Map<const Vector3>(corners.data() + i + 3));
   }
-  const Vector3 steps = ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
+  const Vector3 steps = stepsOver(bounds, spacing);
   const double nodes = (steps.array() + 2.0 * margin).prod();
   if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))
   {
     throw std::length_error("a lattice of spacing " + std::to_string(spacing) +
-      " times the largest radius has too many nodes; choose a larger spacing");
+      " times the largest radius would have " + std::to_string(std::llround(nodes)) +
+      " nodes around these points; the limit is " + std::to_string(MaximumNumberOfNodes) +
+      ", and the smallest spacing possible here " +
+      std::to_string(smallestSpacing(bounds, spacing, margin)));
   }
   FreudenthalLattice lattice;
   lattice.Spacing = spacing;

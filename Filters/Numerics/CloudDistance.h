@@ -13,7 +13,8 @@
 namespace conformal
 {
 /// A lattice around the samples, `margin` nodes wider than their bounding box on each side.
-/// @throws std::length_error if it would have more than MaximumNumberOfNodes
+/// @throws std::length_error if it would have more than MaximumNumberOfNodes; says which spacing
+///   would do
 FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
   const ParallelFor& parallelFor = {}, const Progress& progress = {});
 

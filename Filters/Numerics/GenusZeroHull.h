@@ -80,7 +80,8 @@ struct GenusZeroHullResult
 ///
 /// @param[in] samples  at least one; of any rank, though only a cloud of rank 3 has an inside
 /// @throws std::invalid_argument if there are no samples or an option is out of range
-/// @throws std::length_error if the lattice would be too large
+/// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
+///   (CloudDistance.h)
 /// @post the result depends only on the arguments, not on threads
 GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   const GenusZeroHullOptions& options = {}, const ParallelFor& parallelFor = {},

@@ -1,5 +1,6 @@
 #include "GenusZeroHull.h"
 
+#include "CloudDistance.h"
 #include "GenusZeroCheck.h"
 #include "TriangleTree.h"
 
@@ -15,6 +16,7 @@
 #include <string>
 
 using conformal::checkGenusZero;
+using conformal::GenusZeroHullLimits;
 using conformal::GenusZeroHullOptions;
 using conformal::GenusZeroHullResult;
 using conformal::GenusZeroReport;
@@ -398,7 +400,37 @@ TEST(GenusZeroHull, RefusesWhatItCannotWrap)
   GenusZeroHullOptions options;
   options.SmoothingPasses = -1;
   EXPECT_THROW(makeGenusZeroHull(samples, options), std::invalid_argument);
-  EXPECT_THROW(makeGenusZeroHull(samples, spaced(0.002)), std::length_error);
+}
+
+TEST(GenusZeroHull, SaysTheSmallestSpacingWhereTheLatticeIsTooLarge)
+{
+  const Points sphere = pointsOf(1000, onSphere);
+  const TrainingSamples samples{ PointView(sphere) };
+  const int margin = 3; // of an offset of 1
+  const auto nodes = [&](double spacing)
+  { return conformal::latticeAround(samples, spacing, margin).numberOfNodes(); };
+  std::string message;
+  try
+  {
+    makeGenusZeroHull(samples, spaced(GenusZeroHullLimits::LeastSpacing));
+  }
+  catch (const std::length_error& e)
+  {
+    message = e.what();
+  }
+  EXPECT_NE(message.find(std::to_string(conformal::MaximumNumberOfNodes)), std::string::npos)
+    << message;
+  const double smallest = std::stod("0" + message.substr(message.rfind('.')));
+  EXPECT_NEAR(smallest, 0.00315, 0.00005); // as the header says
+  EXPECT_LE(nodes(smallest), conformal::MaximumNumberOfNodes);
+  EXPECT_THROW(nodes(0.999 * smallest), std::length_error);
+
+  // A rod takes all of the documented range.
+  const Points rod = pointsOf(1000, [](double u, double v) { return Vector3(u, 0.001 * v, 0.0); });
+  EXPECT_LE(conformal::latticeAround(
+              TrainingSamples{ PointView(rod) }, GenusZeroHullLimits::LeastSpacing, margin)
+              .numberOfNodes(),
+    conformal::MaximumNumberOfNodes);
 }
 
 TEST(GenusZeroHull, ReportsProgressAndStops)
