@@ -78,9 +78,21 @@ void vtkSphericalTextureBlend::SetFrontConnection(vtkAlgorithmOutput* algOutput)
 }
 
 //------------------------------------------------------------------------------
+void vtkSphericalTextureBlend::SetFrontData(vtkImageData* front)
+{
+  this->SetInputData(1, front);
+}
+
+//------------------------------------------------------------------------------
 void vtkSphericalTextureBlend::SetBackConnection(vtkAlgorithmOutput* algOutput)
 {
   this->SetInputConnection(2, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTextureBlend::SetBackData(vtkImageData* back)
+{
+  this->SetInputData(2, back);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,7 @@
 #include "vtkImageAlgorithm.h"
 
 class vtkAlgorithmOutput;
+class vtkImageData;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkSphericalTextureBlend : public vtkImageAlgorithm
 {
@@ -45,10 +46,12 @@ public:
 
   ///@{
   /**
-   * The pictures.
+   * The pictures, input ports 1 and 2.
    */
   void SetFrontConnection(vtkAlgorithmOutput* algOutput);
+  void SetFrontData(vtkImageData* front);
   void SetBackConnection(vtkAlgorithmOutput* algOutput);
+  void SetBackData(vtkImageData* back);
   ///@}
 
   ///@{

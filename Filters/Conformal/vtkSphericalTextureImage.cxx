@@ -73,6 +73,12 @@ void vtkSphericalTextureImage::SetSourceConnection(vtkAlgorithmOutput* algOutput
 }
 
 //------------------------------------------------------------------------------
+void vtkSphericalTextureImage::SetSourceData(vtkPointSet* source)
+{
+  this->SetInputData(1, source);
+}
+
+//------------------------------------------------------------------------------
 int vtkSphericalTextureImage::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");

@@ -42,6 +42,7 @@
 #include <string> // for ArrayName
 
 class vtkAlgorithmOutput;
+class vtkPointSet;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkSphericalTextureImage : public vtkImageAlgorithm
 {
@@ -50,10 +51,13 @@ public:
   vtkTypeMacro(vtkSphericalTextureImage, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * Where the values are taken from, if not from the surface itself.
+   * Where the values are taken from, if not from the surface itself: input port 1.
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
+  void SetSourceData(vtkPointSet* source);
+  ///@}
 
   ///@{
   /**

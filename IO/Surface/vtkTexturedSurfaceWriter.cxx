@@ -150,6 +150,18 @@ vtkTexturedSurfaceWriter::vtkTexturedSurfaceWriter()
 }
 
 //------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::SetTextureConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::SetTextureData(vtkImageData* picture)
+{
+  this->SetInputData(1, picture);
+}
+
+//------------------------------------------------------------------------------
 int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");

@@ -30,12 +30,23 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkSurfaceFileWriter.h"
 
+class vtkAlgorithmOutput;
+class vtkImageData;
+
 class VTKIOSURFACE_EXPORT vtkTexturedSurfaceWriter : public vtkSurfaceFileWriter
 {
 public:
   static vtkTexturedSurfaceWriter* New();
   vtkTypeMacro(vtkTexturedSurfaceWriter, vtkSurfaceFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The picture, input port 1.
+   */
+  void SetTextureConnection(vtkAlgorithmOutput* algOutput);
+  void SetTextureData(vtkImageData* picture);
+  ///@}
 
   ///@{
   /**

@@ -34,8 +34,8 @@ protected:
     this->Map->SetInputConnection(this->Sphere->GetOutputPort());
     this->Map->SetProjection(vtkSphericalTextureMap::LONGITUDE_LATITUDE);
     this->Filter->SetInputConnection(this->Map->GetOutputPort());
-    this->Filter->SetInputDataObject(1, Plain(3, 200));
-    this->Filter->SetInputDataObject(2, Plain(3, 100));
+    this->Filter->SetFrontData(Plain(3, 200));
+    this->Filter->SetBackData(Plain(3, 100));
     this->Filter->SetImageSize(64, 33);
   }
   double At(int column, int row)

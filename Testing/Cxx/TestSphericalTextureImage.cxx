@@ -198,7 +198,7 @@ TEST_F(SphericalTextureImage, KeepsTheColoursOfAScan)
   vtkNew<vtkCurvedSeamlessSurface> surface;
   surface->SetInputConnection(network->GetOutputPort());
   this->Map->SetInputConnection(surface->GetOutputPort());
-  this->Filter->SetInputDataObject(1, scan);
+  this->Filter->SetSourceData(scan);
   this->Filter->SetImageSize(1024, 1024);
   this->Filter->Update();
   EXPECT_LT(MeanDifference(scan, this->Map->GetOutput(), this->Filter->GetOutput()), 1.0);
@@ -209,7 +209,7 @@ TEST_F(SphericalTextureImage, TakesValuesFromPointsWithoutTriangles)
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(this->Surface->GetPoints());
   Colour(cloud);
-  this->Filter->SetInputDataObject(1, cloud);
+  this->Filter->SetSourceData(cloud);
   this->Map->SetProjection(vtkSphericalTextureMap::LONGITUDE_LATITUDE);
   this->Filter->SetImageSize(1024, 512);
   this->Filter->Update();

@@ -116,7 +116,7 @@ struct Writing
     this->Writer->SetInputData(0, surface);
     if (texture)
     {
-      this->Writer->SetInputData(1, texture);
+      this->Writer->SetTextureData(texture);
     }
     if (!path.empty())
     {
@@ -419,7 +419,7 @@ TEST(TexturedSurfaceWriter, StopsWhenAskedAndLeavesItsInputsAlone)
     { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
   const unsigned long tag = writer->AddObserver(vtkCommand::ProgressEvent, abort);
   writer->SetInputData(0, sphere);
-  writer->SetInputData(1, picture);
+  writer->SetTextureData(picture);
   writer->SetFileName(folder.file("sphere.glb").c_str());
   writer->Write();
   EXPECT_FALSE(observed.Error());

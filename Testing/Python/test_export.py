@@ -61,7 +61,7 @@ class TestExport(unittest.TestCase):
         painted.SplitSeamOn()
         writer = vtkTexturedSurfaceWriter()
         writer.SetInputConnection(painted.GetOutputPort())
-        writer.SetInputDataObject(1, textures.numbered_grid(64))
+        writer.SetTextureData(textures.numbered_grid(64))
         writer.SetRepeatTexture(wrap == "REPEAT")
         writer.SetFileName(os.path.join(self.temporary.name, projection + extension))
         self.assertEqual(writer.Write(), 1)

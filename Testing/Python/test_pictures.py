@@ -163,8 +163,8 @@ class TestPictures(unittest.TestCase):
         front, back = textures.rosette(512), textures.wood(512)
         blend = vtkSphericalTextureBlend()
         blend.SetInputConnection(painted.GetOutputPort())
-        blend.SetInputDataObject(1, front)
-        blend.SetInputDataObject(2, back)
+        blend.SetFrontData(front)
+        blend.SetBackData(back)
         blend.Update()
         scenes = [pictures.image_scene(front, "Front", PANEL[0] / PANEL[1]),
                   pictures.image_scene(back, "Back", PANEL[0] / PANEL[1])]

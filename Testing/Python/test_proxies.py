@@ -9,7 +9,8 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 import conformalsom
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkCommonDataModel import vtkDataObjectTypes, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 FOLDER = os.path.join(SOURCE, "Wrapping", "ParaView")
@@ -181,6 +182,25 @@ class TestProxies(unittest.TestCase):
         outputs = [element.get("name") for element in proxy.core.findall("OutputPort")]
         if proxy.object.GetNumberOfOutputPorts() > 1:
             self.assertEqual(len(outputs), proxy.object.GetNumberOfOutputPorts())
+
+    @of_each_proxy
+    def test_every_other_input_is_set_by_its_name(self, proxy):
+        """As a connection and as data, in Python as in ParaView."""
+        for element in proxy.properties("InputProperty"):
+            port = int(element.get("port_index", 0))
+            if port == 0:
+                continue
+            name = element.get("name")
+            needed = proxy.object.GetInputPortInformation(port)
+            type_name = needed.Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), 0)
+            data = vtkPolyData() if type_name == "vtkPointSet" else (
+                vtkDataObjectTypes.NewDataObject(type_name))
+            with self.subTest(name):
+                producer = vtkTrivialProducer()
+                getattr(proxy.object, f"Set{name}Connection")(producer.GetOutputPort())
+                self.assertIs(proxy.object.GetInputAlgorithm(port, 0), producer)
+                getattr(proxy.object, f"Set{name}Data")(data)
+                self.assertIs(proxy.object.GetInputDataObject(port, 0), data)
 
     @of_each_proxy
     def test_everything_is_documented(self, proxy):
