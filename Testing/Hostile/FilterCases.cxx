@@ -1,0 +1,485 @@
+#include "Judge.h"
+#include "SetUps.h"
+
+#include "vtkConformalDistortion.h"
+#include "vtkConformalSOM.h"
+#include "vtkCurvedSeamlessMap.h"
+#include "vtkCurvedSeamlessSurface.h"
+#include "vtkGenusZeroCheck.h"
+#include "vtkGenusZeroHull.h"
+#include "vtkGeodesicSphereSource.h"
+#include "vtkGlobalConformalMap.h"
+#include "vtkSphericalAlignment.h"
+#include "vtkSphericalTextureBlend.h"
+#include "vtkSphericalTextureImage.h"
+#include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceMismatch.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+namespace hostile
+{
+namespace
+{
+using Change = std::function<void(vtkAlgorithm*)>;
+
+// A filter of one input with some properties set.
+template <typename Filter, typename Set>
+auto On(Set set)
+{
+  return [=](vtkDataObject* input, vtkPolyData* good) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetInputDataObject(0, input);
+    set(filter.Get(), good);
+    return filter;
+  };
+}
+
+// The same with the input on another port, and good data on the first.
+template <typename Filter, typename Set>
+auto OnPort(int port, Set set)
+{
+  return [=](vtkDataObject* input, vtkPolyData* good) -> vtkSmartPointer<vtkAlgorithm>
+  {
+    auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetInputDataObject(0, good);
+    filter->SetInputDataObject(port, input);
+    set(filter.Get());
+    return filter;
+  };
+}
+
+void MakeQuick(vtkConformalSOM* filter)
+{
+  filter->SetFrequency(3);
+  filter->SetNumberOfEpochs(3);
+  filter->SetSamplesPerEpoch(200);
+  filter->SetPassesPerLevel(2);
+  filter->SetSamplesPerNeuron(4);
+  filter->SetNumberOfPolishRounds(2);
+  filter->GenerateErrorScalarsOn();
+}
+
+std::vector<SetUp> Learners()
+{
+  using F = vtkConformalSOM;
+  const auto make = [](auto set)
+  {
+    return On<F>(
+      [=](F* filter, vtkPolyData*)
+      {
+        MakeQuick(filter);
+        set(filter);
+      });
+  };
+  SetUp batch = { "vtkConformalSOM", "Batch", true, make([](F*) {}), BadPoints, true };
+  batch.Properties = { Integer("Frequency", &F::SetFrequency),
+    Integer("TrainingMode", &F::SetTrainingMode),
+    Name("PriorityArrayName", &F::SetPriorityArrayName), Integer("RandomSeed", &F::SetRandomSeed),
+    Integer("PassesPerLevel", &F::SetPassesPerLevel),
+    Integer("SamplesPerNeuron", &F::SetSamplesPerNeuron),
+    Integer("NumberOfPolishRounds", &F::SetNumberOfPolishRounds),
+    Number("Smoothness", &F::SetSmoothness), Switch("AutomaticPriority", &F::SetAutomaticPriority),
+    Integer("StartingShape", &F::SetStartingShape),
+    Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
+    Switch("DistributeOutput", &F::SetDistributeOutput) };
+  SetUp online = { "vtkConformalSOM", "Online", true,
+    make([](F* f) { f->SetTrainingModeToOnline(); }), BadPoints, true };
+  online.Properties = { Integer("ReferencePoint", &F::SetReferencePoint),
+    Integer("NumberOfEpochs", &F::SetNumberOfEpochs),
+    Integer("SamplesPerEpoch", &F::SetSamplesPerEpoch),
+    Number("InitialNeighborhoodRadius", &F::SetInitialNeighborhoodRadius),
+    Number("NeighborhoodTimeConstant", &F::SetNeighborhoodTimeConstant),
+    Number("InitialLearningRate", &F::SetInitialLearningRate),
+    Number("LearningRateTimeConstant", &F::SetLearningRateTimeConstant) };
+  return { batch, online,
+    { "vtkConformalSOM", "Online, Winner", true,
+      make(
+        [](F* f)
+        {
+          f->SetTrainingModeToOnline();
+          f->SetReferencePointToWinner();
+        }),
+      BadPoints, true },
+    { "vtkConformalSOM", "Sphere", true, make([](F* f) { f->SetStartingShapeToSphere(); }),
+      BadPoints, true },
+    { "vtkConformalSOM", "Hull", true, make([](F* f) { f->SetStartingShapeToHull(); }), BadPoints,
+      true },
+    { "vtkConformalSOM", "Priority", true, make([](F* f) { f->SetPriorityArrayName("Priority"); }),
+      BadPoints, true },
+    { "vtkConformalSOM", "distributed", true, make([](F* f) { f->DistributeOutputOn(); }),
+      BadPoints, true },
+    { "vtkConformalSOM", "start mesh", true, OnPort<F>(1, [](F* f) { MakeQuick(f); }),
+      BadPoints | BadIds | BadMap, true, true } };
+}
+
+std::vector<SetUp> Hulls()
+{
+  using F = vtkGenusZeroHull;
+  SetUp hull = { "vtkGenusZeroHull", "", true,
+    On<F>([](F* f, vtkPolyData*) { f->SetSpacing(0.08); }), BadPoints, true };
+  hull.Properties = { Number("Spacing", &F::SetSpacing), Number("Offset", &F::SetOffset),
+    Number("Persistence", &F::SetPersistence), Integer("SmoothingPasses", &F::SetSmoothingPasses),
+    Switch("DistributeOutput", &F::SetDistributeOutput) };
+  return { hull,
+    { "vtkGenusZeroHull", "wide", true,
+      On<F>(
+        [](F* f, vtkPolyData*)
+        {
+          f->SetSpacing(0.05);
+          f->SetOffset(3.0);
+          f->SetPersistence(1.1);
+          f->SetSmoothingPasses(0);
+        }),
+      BadPoints, true } };
+}
+
+std::vector<SetUp> Maps()
+{
+  using F = vtkGlobalConformalMap;
+  constexpr unsigned int reads = BadPoints | BadIds;
+  SetUp robust = { "vtkGlobalConformalMap", "Robust", true, On<F>([](F*, vtkPolyData*) {}), reads,
+    true };
+  robust.Properties = { Integer("Method", &F::SetMethod),
+    Number("AreaBalance", &F::SetAreaBalance) };
+  SetUp guYau = { "vtkGlobalConformalMap", "GuYau", true,
+    On<F>(
+      [](F* f, vtkPolyData*)
+      {
+        f->SetMethodToGuYau();
+        f->SetMaximumNumberOfIterations(200);
+      }),
+    reads, true };
+  guYau.Properties = { Integer("MaximumNumberOfIterations", &F::SetMaximumNumberOfIterations),
+    Number("Tolerance", &F::SetTolerance) };
+  return { robust, guYau,
+    { "vtkGlobalConformalMap", "equal areas", true,
+      On<F>([](F* f, vtkPolyData*) { f->SetAreaBalance(1.0); }), reads, true } };
+}
+
+std::vector<SetUp> CurvedSurfaces()
+{
+  using F = vtkCurvedSeamlessSurface;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto mode = [](const char* name, int height, int seam)
+  {
+    return SetUp{ "vtkCurvedSeamlessSurface", name, true,
+      On<F>(
+        [=](F* f, vtkPolyData*)
+        {
+          f->SetFrequency(6);
+          f->SetDomeHeight(height);
+          f->SetSeamMode(seam);
+        }),
+      reads, true };
+  };
+  SetUp curvature = mode("Curvature", vtkCurvedSeamlessMap::CURVATURE, 1);
+  curvature.Properties = { Integer("Frequency", &F::SetFrequency),
+    Integer("SeamMode", &F::SetSeamMode), Integer("DomeHeight", &F::SetDomeHeight),
+    Number("VertexShift", &F::SetVertexShift) };
+  SetUp fitted = { "vtkCurvedSeamlessSurface", "Fitted", true,
+    On<F>(
+      [](F* f, vtkPolyData* good)
+      {
+        f->SetFrequency(6);
+        f->SetDomeHeightToFitted();
+        f->SetNumberOfFitRounds(2);
+        f->SetCloudData(good);
+      }),
+    reads, true, true };
+  fitted.Properties = { Integer("NumberOfFitRounds", &F::SetNumberOfFitRounds),
+    Number("FitSmoothness", &F::SetFitSmoothness) };
+  return { curvature, mode("flat", vtkCurvedSeamlessMap::NONE, 1),
+    mode("Published", vtkCurvedSeamlessMap::PUBLISHED, 0),
+    mode("Scaled", vtkCurvedSeamlessMap::SCALED, 1),
+    mode("Curvature, per triangle", vtkCurvedSeamlessMap::CURVATURE, 0), fitted,
+    { "vtkCurvedSeamlessSurface", "Fitted to the cloud", true,
+      OnPort<F>(2,
+        [](F* f)
+        {
+          f->SetFrequency(6);
+          f->SetDomeHeightToFitted();
+          f->SetNumberOfFitRounds(2);
+        }),
+      BadPoints, true, true },
+    { "vtkCurvedSeamlessSurface", "on the sphere", true, OnPort<F>(1, [](F*) {}), BadIds, false,
+      true } };
+}
+
+std::vector<SetUp> TextureMaps()
+{
+  using F = vtkSphericalTextureMap;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto mode = [](const char* name, auto set)
+  {
+    return SetUp{ "vtkSphericalTextureMap", name, true, On<F>([=](F* f, vtkPolyData*) { set(f); }),
+      reads };
+  };
+  SetUp plain = mode("Stereographic", [](F*) {});
+  plain.Properties = { Vector3("ViewDirection", &F::SetViewDirection),
+    Vector3("ViewUp", &F::SetViewUp), Switch("UseViewPoint", &F::SetUseViewPoint),
+    Integer("Projection", &F::SetProjection), Number("FieldOfView", &F::SetFieldOfView),
+    Number("Rotation", &F::SetRotation), Vector2<F, double>("Scale", &F::SetScale),
+    Integer("Wrap", &F::SetWrap), Switch("SplitSeam", &F::SetSplitSeam),
+    Number("Margin", &F::SetMargin) };
+  SetUp viewed = mode("view point", [](F* f) { f->UseViewPointOn(); });
+  viewed.Properties = { Vector3("ViewPoint", &F::SetViewPoint) };
+  SetUp split = mode("Octahedral, split",
+    [](F* f)
+    {
+      f->SetProjectionToOctahedral();
+      f->SplitSeamOn();
+      f->SetWrapToMirror();
+    });
+  split.Properties = { Number("Rotation", &F::SetRotation),
+    Vector2<F, double>("Scale", &F::SetScale), Number("Margin", &F::SetMargin) };
+  return { plain, viewed, split,
+    mode("LongitudeLatitude, split",
+      [](F* f)
+      {
+        f->SetProjectionToLongitudeLatitude();
+        f->SplitSeamOn();
+        f->SetWrapToRepeat();
+      }),
+    mode("CubeMap, split",
+      [](F* f)
+      {
+        f->SetProjectionToCubeMap();
+        f->SplitSeamOn();
+        f->SetMargin(0.01);
+      }),
+    mode("Stereographic, split, mirrored",
+      [](F* f)
+      {
+        f->SplitSeamOn();
+        f->SetWrapToMirror();
+        f->SetScale(0.3, 0.2);
+      }) };
+}
+
+std::vector<SetUp> TextureImages()
+{
+  using F = vtkSphericalTextureImage;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  SetUp own = { "vtkSphericalTextureImage", "", true,
+    On<F>([](F* f, vtkPolyData*) { f->SetImageSize(24, 24); }), reads };
+  own.Properties = { Name("ArrayName", &F::SetArrayName),
+    Vector2<F, int>("ImageSize", &F::SetImageSize) };
+  return { own,
+    { "vtkSphericalTextureImage", "array", true,
+      On<F>(
+        [](F* f, vtkPolyData*)
+        {
+          f->SetImageSize(16, 16);
+          f->SetArrayName("Curvature");
+        }),
+      reads },
+    { "vtkSphericalTextureImage", "good source", true,
+      On<F>(
+        [](F* f, vtkPolyData* good)
+        {
+          f->SetImageSize(16, 16);
+          f->SetInputDataObject(1, good);
+        }),
+      reads, false, true },
+    { "vtkSphericalTextureImage", "source", true,
+      OnPort<F>(1, [](F* f) { f->SetImageSize(24, 24); }), BadPoints | BadIds, false, true } };
+}
+
+SetUp Blend()
+{
+  using F = vtkSphericalTextureBlend;
+  SetUp blend = { "vtkSphericalTextureBlend", "", true,
+    On<F>(
+      [](F* f, vtkPolyData*)
+      {
+        f->SetInputDataObject(1, Picture());
+        f->SetInputDataObject(2, Picture());
+        f->SetImageSize(24, 24);
+      }),
+    BadPoints | BadIds | BadMap };
+  blend.Properties = { Vector3("BackViewDirection", &F::SetBackViewDirection),
+    Vector3("BackViewUp", &F::SetBackViewUp), Number("FieldOfView", &F::SetFieldOfView),
+    Number("BlendAngle", &F::SetBlendAngle), Vector2<F, int>("ImageSize", &F::SetImageSize) };
+  return blend;
+}
+
+SetUp BlendOf(int port, const char* name)
+{
+  using F = vtkSphericalTextureBlend;
+  return { "vtkSphericalTextureBlend", name, true,
+    OnPort<F>(port,
+      [=](F* f)
+      {
+        f->SetInputDataObject(3 - port, Picture());
+        f->SetImageSize(24, 24);
+      }) };
+}
+
+std::vector<SetUp> Alignments()
+{
+  using F = vtkSphericalAlignment;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto with = [](int transform, bool hasLandmarks)
+  {
+    return [=](F* f, vtkPolyData* good)
+    {
+      f->SetTransform(transform);
+      f->SetReferenceData(good);
+      for (int i = 0; hasLandmarks && i < 4; ++i)
+      {
+        f->AddLandmark(30 * i, 31 * i);
+      }
+    };
+  };
+  SetUp rotation = { "vtkSphericalAlignment", "Rotation", true, On<F>(with(F::ROTATION, false)),
+    reads, false, true };
+  Property landmarks = { "landmark", {} };
+  for (const vtkIdType id : { vtkIdType(-1), vtkIdType(162), vtkIdType(0),
+         std::numeric_limits<vtkIdType>::max(), std::numeric_limits<vtkIdType>::min() })
+  {
+    landmarks.Values.emplace_back(std::to_string(id),
+      [=](vtkAlgorithm* filter)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          static_cast<F*>(filter)->AddLandmark(id, 3);
+        }
+      });
+  }
+  rotation.Properties = { Integer("Transform", &F::SetTransform), landmarks };
+  SetUp moebius = { "vtkSphericalAlignment", "Moebius", true, On<F>(with(F::MOEBIUS, false)), reads,
+    false, true };
+  moebius.Properties = { landmarks };
+  return { rotation, moebius,
+    { "vtkSphericalAlignment", "Moebius, landmarks", true, On<F>(with(F::MOEBIUS, true)), BadMap,
+      false, true },
+    { "vtkSphericalAlignment", "reference", true, OnPort<F>(1, [](F*) {}), reads, false, true },
+    { "vtkSphericalAlignment", "reference, Moebius", true,
+      OnPort<F>(1, [](F* f) { f->SetTransformToMoebius(); }), reads, false, true } };
+}
+
+std::vector<SetUp> Measures()
+{
+  using F = vtkSurfaceMismatch;
+  constexpr unsigned int reads = BadPoints | BadIds;
+  SetUp model = { "vtkSurfaceMismatch", "model", true,
+    On<F>(
+      [](F* f, vtkPolyData* good)
+      {
+        f->SetReferenceData(good);
+        f->SetNumberOfSamples(500);
+      }),
+    reads, false, true };
+  model.Properties = { Integer("LengthUnit", &F::SetLengthUnit),
+    Integer("NumberOfSamples", &F::SetNumberOfSamples), Integer("RandomSeed", &F::SetRandomSeed) };
+  return { model,
+    { "vtkSurfaceMismatch", "reference", true,
+      OnPort<F>(1, [](F* f) { f->SetNumberOfSamples(500); }), reads, false, true },
+    { "vtkSurfaceMismatch", "reference, no unit", true,
+      OnPort<F>(1,
+        [](F* f)
+        {
+          f->SetNumberOfSamples(500);
+          f->SetLengthUnitToNone();
+        }),
+      reads, false, true },
+    { "vtkConformalDistortion", "", true,
+      On<vtkConformalDistortion>([](vtkAlgorithm*, vtkPolyData*) {}), BadPoints | BadIds | BadMap },
+    { "vtkGenusZeroCheck", "", true, On<vtkGenusZeroCheck>([](vtkAlgorithm*, vtkPolyData*) {}),
+      BadIds } };
+}
+
+SetUp Source()
+{
+  SetUp sphere = { "vtkGeodesicSphereSource", "", true,
+    [](vtkDataObject*, vtkPolyData*) -> vtkSmartPointer<vtkAlgorithm>
+    { return vtkSmartPointer<vtkGeodesicSphereSource>::New(); },
+    0, true };
+  sphere.Properties = { Integer("Frequency", &vtkGeodesicSphereSource::SetFrequency) };
+  return sphere;
+}
+
+// The map is no filter: it is built of the input, and asked both ways.
+Outcome BuildAndAsk(const Input& input, int height)
+{
+  vtkSMPTools::Initialize(1);
+  const auto good = Ellipsoid();
+  const auto data = input.Make();
+  const Messages messages;
+  vtkNew<vtkCurvedSeamlessMap> map;
+  map->SetDomeHeight(height);
+  const bool isBuilt = map->Build(vtkPolyData::SafeDownCast(data), good);
+  if (isBuilt != map->IsBuilt() || isBuilt == (messages.errors() > 0))
+  {
+    return { Verdict::Wrong, "built " + std::to_string(isBuilt) + ", but " + messages.first() };
+  }
+  if (!isBuilt)
+  {
+    return { Verdict::Refused, messages.first() };
+  }
+  vtkDataArray* directions = good->GetPointData()->GetArray("SpherePosition");
+  vtkNew<vtkPolyData> answers;
+  answers->SetPoints(good->GetPoints());
+  vtkNew<vtkDoubleArray> arrays[6];
+  for (int i = 0; i < 6; ++i)
+  {
+    arrays[i]->SetName(std::string(1, static_cast<char>('a' + i)).c_str());
+    answers->GetPointData()->AddArray(arrays[i]);
+  }
+  const bool isTold = map->ToSurface(directions, arrays[0], arrays[1]) &&
+    map->Differentiate(directions, arrays[2], arrays[3], arrays[4]) &&
+    map->ToSphere(arrays[0], arrays[5]);
+  if (!isTold)
+  {
+    return { messages.errors() > 0 ? Verdict::Refused : Verdict::Wrong, messages.first() };
+  }
+  return JudgeData(answers, ArraysOf(good));
+}
+
+void AddMapCases(std::vector<Case>& all, const std::vector<Input>& inputs)
+{
+  for (const auto& [mode, height] : { std::pair("Curvature", vtkCurvedSeamlessMap::CURVATURE),
+         std::pair("flat", vtkCurvedSeamlessMap::NONE),
+         std::pair("Fitted", vtkCurvedSeamlessMap::FITTED) })
+  {
+    for (const Input& input : inputs)
+    {
+      all.push_back({ "vtkCurvedSeamlessMap", std::string("vtkCurvedSeamlessMap (") + mode + ")",
+        input.Name, true, [=, height = height]() { return BuildAndAsk(input, height); } });
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Case> FilterCases()
+{
+  std::vector<Input> inputs = Meshes();
+  for (const std::vector<Input>& more : { Arrays(), Scales() })
+  {
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  std::vector<Case> all;
+  for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
+         TextureMaps(), TextureImages(), Alignments(), Measures(), { Blend() } })
+  {
+    for (const SetUp& setUp : setUps)
+    {
+      AddCases(all, setUp, inputs);
+      AddPropertyCases(all, setUp);
+    }
+  }
+  AddCases(all, BlendOf(1, "front"), Pictures());
+  AddCases(all, BlendOf(2, "back"), Pictures());
+  AddPropertyCases(all, Source());
+  AddMapCases(all, inputs);
+  return all;
+}
+}

@@ -1,0 +1,182 @@
+#include "SetUps.h"
+
+#include "Judge.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <sstream>
+
+namespace hostile
+{
+namespace
+{
+std::vector<vtkDataObject*> InputsOf(vtkAlgorithm* filter)
+{
+  std::vector<vtkDataObject*> inputs;
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      inputs.push_back(filter->GetInputDataObject(port, i));
+    }
+  }
+  return inputs;
+}
+
+double LargestDifference(vtkDataArray* a, vtkDataArray* b, double scale)
+{
+  if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples())
+  {
+    return a || b ? 1.0 : 0.0;
+  }
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < a->GetNumberOfComponents(); ++c)
+    {
+      largest = std::max(largest, std::abs(a->GetComponent(i, c) / scale - b->GetComponent(i, c)));
+    }
+  }
+  return largest;
+}
+
+// What is made of scaled points must be as what is made of the points, scaled.
+Outcome JudgeScaled(vtkDataObject* scaledData, vtkDataObject* data, double scale)
+{
+  constexpr double Tolerance = 1e-3; // of sizes near 1; a wrong turn or a collapse is far larger
+  auto* scaled = vtkPolyData::SafeDownCast(scaledData);
+  auto* plain = vtkPolyData::SafeDownCast(data);
+  if (!scaled || !plain || scaled->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  if (scaled->GetNumberOfPoints() != plain->GetNumberOfPoints())
+  {
+    return { Verdict::Wrong, "another number of points than at scale 1" };
+  }
+  if (LargestDifference(scaled->GetPoints()->GetData(), plain->GetPoints()->GetData(), scale) >
+    Tolerance)
+  {
+    return { Verdict::Wrong, "other points than at scale 1" };
+  }
+  for (const char* name : { "SpherePosition", "Texture Coordinates" })
+  {
+    if (LargestDifference(scaled->GetPointData()->GetArray(name),
+          plain->GetPointData()->GetArray(name), 1.0) > Tolerance)
+    {
+      return { Verdict::Wrong, std::string("another ") + name + " than at scale 1" };
+    }
+  }
+  for (const char* name : { "AngleDistortion", "AreaDistortion", "QuasiConformalError" })
+  {
+    if (LargestDifference(scaled->GetCellData()->GetArray(name),
+          plain->GetCellData()->GetArray(name), 1.0) > Tolerance)
+    {
+      return { Verdict::Wrong, std::string("another ") + name + " than at scale 1" };
+    }
+  }
+  return {};
+}
+
+Outcome RunOn(const SetUp& setUp, const Input& input, double scaleOfOthers)
+{
+  vtkSMPTools::Initialize(1);
+  const auto good = Ellipsoid(scaleOfOthers);
+  const auto data = input.Make();
+  const Messages messages;
+  const auto filter = setUp.Make(data, good);
+  filter->Update();
+  const Outcome outcome = JudgeFilter(filter, InputsOf(filter), messages, setUp.IsClosed);
+  if (outcome.Verdict != Verdict::Fine)
+  {
+    return outcome;
+  }
+  if ((input.Faults & setUp.Reads) != 0 && messages.errors() + messages.warnings() == 0)
+  {
+    return { Verdict::Wrong, "nothing was said of what is wrong with the input" };
+  }
+  // A subnormal keeps nothing of the shape; else the same must come of it as at scale 1.
+  if (input.Scale != 1.0 && input.Scale >= std::numeric_limits<double>::min() &&
+    (!setUp.HasOthers || scaleOfOthers == input.Scale))
+  {
+    const auto plain = setUp.Make(Ellipsoid(), Ellipsoid());
+    plain->Update();
+    const Outcome compared =
+      JudgeScaled(filter->GetOutputDataObject(0), plain->GetOutputDataObject(0), input.Scale);
+    return isBad(compared.Verdict) ? compared : outcome;
+  }
+  return outcome;
+}
+
+// Some values ask for hours of work: the filter is asked to stop after a second, and must.
+void StopAfterASecond(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      if (std::clock() > CLOCKS_PER_SEC)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+}
+
+Outcome RunWith(const SetUp& setUp, const std::function<void(vtkAlgorithm*)>& set)
+{
+  vtkSMPTools::Initialize(1);
+  const auto good = Ellipsoid();
+  const auto data = Ellipsoid();
+  const Messages messages;
+  const auto filter = setUp.Make(data, good);
+  set(filter);
+  std::ostringstream text;
+  filter->Print(text);
+  StopAfterASecond(filter);
+  filter->Update();
+  const Outcome outcome = JudgeFilter(filter, InputsOf(filter), messages, setUp.IsClosed);
+  return outcome.Verdict == Verdict::Refused && filter->GetAbortExecute() != 0
+    ? Outcome{ Verdict::Refused, "stopped when asked to" }
+    : outcome;
+}
+}
+
+//------------------------------------------------------------------------------
+void AddCases(std::vector<Case>& all, const SetUp& setUp, const std::vector<Input>& inputs)
+{
+  for (const Input& input : inputs)
+  {
+    all.push_back({ setUp.Class, setUp.name(), input.Name, setUp.IsOurs,
+      [=]() { return RunOn(setUp, input, 1.0); } });
+    if (input.Scale != 1.0 && setUp.HasOthers)
+    {
+      all.push_back({ setUp.Class, setUp.name(), input.Name + " of all inputs", setUp.IsOurs,
+        [=]() { return RunOn(setUp, input, input.Scale); } });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddPropertyCases(std::vector<Case>& all, const SetUp& setUp)
+{
+  for (const Property& property : setUp.Properties)
+  {
+    for (const auto& [text, set] : property.Values)
+    {
+      all.push_back({ setUp.Class, setUp.name(), property.Name + " " + text, setUp.IsOurs,
+        [setUp, set = set]() { return RunWith(setUp, set); } });
+    }
+  }
+}
+}

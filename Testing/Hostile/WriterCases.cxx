@@ -1,0 +1,370 @@
+#include "Folder.h"
+#include "Inputs.h"
+#include "Judge.h"
+
+#include "vtkConformalOFFReader.h"
+#include "vtkConformalOFFWriter.h"
+#include "vtkConformalPLYReader.h"
+#include "vtkConformalPLYWriter.h"
+#include "vtkFreeSurferReader.h"
+#include "vtkFreeSurferWriter.h"
+#include "vtkGIFTIReader.h"
+#include "vtkGIFTIWriter.h"
+#include "vtkGuMeshReader.h"
+#include "vtkGuMeshWriter.h"
+#include "vtkTextCloudReader.h"
+#include "vtkTextCloudWriter.h"
+#include "vtkTexturedSurfaceWriter.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGLTFReader.h"
+#include "vtkGLTFWriter.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkOBJReader.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYReader.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkWriter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hostile
+{
+namespace
+{
+using Writer = vtkSmartPointer<vtkWriter>;
+using Reader = vtkSmartPointer<vtkAlgorithm>;
+
+struct WriterSetUp
+{
+  std::string Class;
+  std::string Ending;
+  bool IsOurs;
+  std::function<Writer(vtkPolyData*, const char* path)> Make;
+  std::function<Reader(const std::string&)> Read = {}; ///< none where it gives no points
+  bool KeepsPoints = true;                             ///< every point is one of the file
+  unsigned int Reads = BadIds;
+  std::string Mode = {};
+
+  std::string name() const
+  {
+    return this->Class + " (" + (this->Mode.empty() ? this->Ending : this->Mode) + ")";
+  }
+};
+
+template <typename Type>
+std::function<Writer(vtkPolyData*, const char*)> Writing(const std::function<void(Type*)>& set = {})
+{
+  return [=](vtkPolyData* surface, const char* path)
+  {
+    auto writer = vtkSmartPointer<Type>::New();
+    writer->SetInputDataObject(0, surface);
+    writer->SetFileName(path);
+    if (set)
+    {
+      set(writer);
+    }
+    return Writer(writer);
+  };
+}
+
+template <typename Type>
+Reader Reading(const std::string& path)
+{
+  auto reader = vtkSmartPointer<Type>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+struct Extent
+{
+  vtkIdType Points = 0;
+  vtkBoundingBox Box;
+};
+
+Extent ExtentOf(vtkDataObject* data)
+{
+  Extent extent;
+  const auto add = [&](vtkDataSet* set)
+  {
+    for (vtkIdType i = 0; set && i < set->GetNumberOfPoints(); ++i)
+    {
+      extent.Box.AddPoint(set->GetPoint(i));
+    }
+    extent.Points += set ? set->GetNumberOfPoints() : 0;
+  };
+  add(vtkDataSet::SafeDownCast(data));
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      add(vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()));
+    }
+  }
+  return extent;
+}
+
+bool IsNear(const vtkBoundingBox& a, const vtkBoundingBox& b)
+{
+  constexpr double Tolerance = 1e-5; // many formats hold floats
+  const double size =
+    std::max({ std::abs(a.GetBound(0)), std::abs(a.GetBound(1)), std::abs(a.GetBound(2)),
+      std::abs(a.GetBound(3)), std::abs(a.GetBound(4)), std::abs(a.GetBound(5)) });
+  for (int i = 0; i < 6; ++i)
+  {
+    const double difference = std::abs(a.GetBound(i) / 4.0 - b.GetBound(i) / 4.0);
+    if (!(difference <= Tolerance * size))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Whether the file holds the surface, by a reader.
+Outcome JudgeFile(const WriterSetUp& setUp, vtkPolyData* surface, const std::string& path)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) ||
+    std::filesystem::file_size(path, error) == 0)
+  {
+    return { Verdict::Wrong, "no file was written" };
+  }
+  if (!setUp.Read)
+  {
+    return {};
+  }
+  const Messages messages;
+  const Reader reader = setUp.Read(path);
+  reader->Update();
+  const Extent written = ExtentOf(surface);
+  const Extent read = ExtentOf(reader->GetOutputDataObject(0));
+  if (messages.errors() > 0 || (read.Points == 0 && written.Points > 0))
+  {
+    return { Verdict::Wrong, "the file cannot be read: " + messages.first() };
+  }
+  if (setUp.KeepsPoints && read.Points != written.Points)
+  {
+    return { Verdict::Wrong, "the file has another number of points" };
+  }
+  if (setUp.KeepsPoints && read.Points > 0 && !IsNear(written.Box, read.Box))
+  {
+    return { Verdict::Wrong, "the file has other points" };
+  }
+  return {};
+}
+
+using Contents = std::map<std::string, std::string>;
+
+// The first name that changed; of the file written to only the mode counts, and what belongs to
+// it may be new.
+std::string WhatChanged(const Contents& before, const Contents& after, const std::string& written)
+{
+  const std::string stem = std::filesystem::path(written).stem().string();
+  for (const auto& [name, bytes] : before)
+  {
+    const auto now = after.find(name);
+    const auto mode = [](const std::string& text) { return text.substr(0, text.find(' ')); };
+    const bool isOurs = !written.empty() && std::filesystem::path(name).stem() == stem;
+    if (now == after.end() || mode(now->second) != mode(bytes) || (!isOurs && now->second != bytes))
+    {
+      return name;
+    }
+  }
+  for (const auto& [name, bytes] : after)
+  {
+    const bool isOurs = !written.empty() && std::filesystem::path(name).stem() == stem;
+    if (before.count(name) == 0 && !isOurs)
+    {
+      return name;
+    }
+  }
+  return {};
+}
+
+Outcome Write(
+  const WriterSetUp& setUp, vtkPolyData* surface, unsigned int faults, const Target& target)
+{
+  vtkSMPTools::Initialize(1);
+  const Folder folder;
+  const std::optional<std::string> path = target.Make(folder, setUp.Ending);
+  if (!path)
+  {
+    return { Verdict::Skipped, "cannot be made here" };
+  }
+  const Contents before = folder.contents();
+  Outcome outcome;
+  {
+    const Messages messages;
+    const Writer writer = setUp.Make(surface, target.IsNull ? nullptr : path->c_str());
+    const bool isWritten = writer->Write() == 1;
+    outcome.Reason = messages.first();
+    const bool isRefused = !isWritten || writer->GetErrorCode() != 0 || messages.errors() > 0;
+    if (isRefused)
+    {
+      const std::string changed = WhatChanged(before, folder.contents(), {});
+      return isWritten     ? Outcome{ Verdict::Wrong, "failed, but returned 1: " + outcome.Reason }
+        : !changed.empty() ? Outcome{ Verdict::Wrong, "failed, but changed " + changed }
+        : outcome.Reason.empty() ? Outcome{ Verdict::Wrong, "failed without a word" }
+        : target.Expectation == Target::MustWrite && faults == 0
+        ? Outcome{ Verdict::Wrong, "refused: " + outcome.Reason }
+        : Outcome{ Verdict::Refused, outcome.Reason };
+    }
+    if ((faults & setUp.Reads) != 0 && messages.warnings() == 0)
+    {
+      return { Verdict::Wrong, "nothing was said of what is wrong with the input" };
+    }
+  }
+  if (target.Expectation == Target::MustRefuse)
+  {
+    return { Verdict::Wrong, "wrote where it must not" };
+  }
+  std::error_code error;
+  const std::string written = std::filesystem::weakly_canonical(*path, error).string();
+  const std::string changed = WhatChanged(before, folder.contents(), written);
+  if (!changed.empty())
+  {
+    return { Verdict::Wrong, "changed " + changed };
+  }
+  const Outcome file = JudgeFile(setUp, surface, *path);
+  return isBad(file.Verdict) ? file : outcome;
+}
+
+std::vector<WriterSetUp> Writers()
+{
+  const auto textured = [](vtkTexturedSurfaceWriter* writer)
+  { writer->SetInputDataObject(1, Picture()); };
+  const auto content = [](int what)
+  { return [=](vtkFreeSurferWriter* writer) { writer->SetContent(what); }; };
+  const unsigned int all = BadIds | BadPoints;
+  return {
+    { "vtkConformalPLYWriter", ".ply", true, Writing<vtkConformalPLYWriter>(),
+      Reading<vtkConformalPLYReader> },
+    { "vtkConformalOFFWriter", ".off", true, Writing<vtkConformalOFFWriter>(),
+      Reading<vtkConformalOFFReader> },
+    { "vtkGIFTIWriter", ".surf.gii", true, Writing<vtkGIFTIWriter>(), Reading<vtkGIFTIReader> },
+    { "vtkGuMeshWriter", ".m", true, Writing<vtkGuMeshWriter>(), Reading<vtkGuMeshReader> },
+    { "vtkTextCloudWriter", ".xyz", true, Writing<vtkTextCloudWriter>(),
+      Reading<vtkTextCloudReader>, true, 0 },
+    { "vtkFreeSurferWriter", ".white", true, Writing<vtkFreeSurferWriter>(content(0)),
+      Reading<vtkFreeSurferReader> },
+    { "vtkFreeSurferWriter", ".sphere", true, Writing<vtkFreeSurferWriter>(content(1)),
+      Reading<vtkFreeSurferReader>, false, BadIds | BadMap },
+    { "vtkFreeSurferWriter", ".curv", true, Writing<vtkFreeSurferWriter>(content(2)), {}, false,
+      0 },
+    { "vtkTexturedSurfaceWriter", ".glb", true, Writing<vtkTexturedSurfaceWriter>(textured),
+      Reading<vtkGLTFReader>, true, all },
+    { "vtkTexturedSurfaceWriter", ".obj", true, Writing<vtkTexturedSurfaceWriter>(textured),
+      Reading<vtkOBJReader>, false, all },
+    { "vtkTexturedSurfaceWriter", ".ply", true, Writing<vtkTexturedSurfaceWriter>(textured),
+      Reading<vtkConformalPLYReader>, true, all },
+    { "vtkPLYWriter", ".ply", false, Writing<vtkPLYWriter>(), Reading<vtkPLYReader> },
+    { "vtkOBJWriter", ".obj", false, Writing<vtkOBJWriter>(), Reading<vtkOBJReader>, false },
+    { "vtkSTLWriter", ".stl", false, Writing<vtkSTLWriter>(), Reading<vtkSTLReader>, false },
+    { "vtkGLTFWriter", ".gltf", false,
+      [](vtkPolyData* surface, const char* path)
+      {
+        // It takes blocks of blocks of surfaces.
+        auto writer = vtkSmartPointer<vtkGLTFWriter>::New();
+        vtkNew<vtkMultiBlockDataSet> building;
+        building->SetBlock(0, surface);
+        vtkNew<vtkMultiBlockDataSet> all;
+        all->SetBlock(0, building);
+        writer->SetInputDataObject(0, all);
+        writer->SetFileName(path);
+        writer->InlineDataOn();
+        return Writer(writer);
+      },
+      Reading<vtkGLTFReader>, false },
+  };
+}
+
+template <typename Type>
+Outcome WriteName(const std::string& name)
+{
+  vtkSMPTools::Initialize(1);
+  WriterSetUp setUp = { "", ".curv", true,
+    Writing<Type>(
+      [&](Type* writer)
+      {
+        writer->SetContent(Type::CURVATURE);
+        writer->SetArrayName(name);
+      }),
+    {} };
+  return Write(setUp, Ellipsoid(), BadMap, Targets().front());
+}
+
+void AddWriterPropertyCases(std::vector<Case>& all)
+{
+  for (const std::string& name : { std::string(), std::string("no such array"),
+         std::string("SpherePosition"), std::string(100000, 'x'), std::string("a\nb") })
+  {
+    all.push_back(
+      { "vtkFreeSurferWriter", "vtkFreeSurferWriter (.curv)", "ArrayName " + name.substr(0, 20),
+        true, [=]() { return WriteName<vtkFreeSurferWriter>(name); } });
+  }
+  for (const Input& picture : Pictures())
+  {
+    for (const char* ending : { ".glb", ".obj", ".ply" })
+    {
+      all.push_back({ "vtkTexturedSurfaceWriter",
+        std::string("vtkTexturedSurfaceWriter (") + ending + ")", "picture: " + picture.Name, true,
+        [=]()
+        {
+          const auto image = picture.Make();
+          const WriterSetUp setUp = { "", ending, true,
+            Writing<vtkTexturedSurfaceWriter>(
+              [&](vtkTexturedSurfaceWriter* writer) { writer->SetInputDataObject(1, image); }),
+            {} };
+          // Which pictures can be written, the writer says.
+          return Write(setUp, Ellipsoid(), BadMap, Targets().front());
+        } });
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Case> WriterCases()
+{
+  std::vector<Input> inputs = Meshes();
+  for (const std::vector<Input>& more : { Arrays(), Scales() })
+  {
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  std::vector<Case> all;
+  for (const WriterSetUp& setUp : Writers())
+  {
+    for (const Target& target : Targets())
+    {
+      all.push_back({ setUp.Class, setUp.name(), "to " + target.Name, setUp.IsOurs,
+        [=]() { return Write(setUp, Ellipsoid(), 0, target); } });
+    }
+    for (const Input& input : inputs)
+    {
+      all.push_back({ setUp.Class, setUp.name(), input.Name, setUp.IsOurs,
+        [=]()
+        {
+          const auto surface = input.Make();
+          // What a format cannot hold, the writer says.
+          Target target = Targets().front();
+          target.Expectation = Target::MayDoEither;
+          return Write(setUp, vtkPolyData::SafeDownCast(surface), input.Faults, target);
+        } });
+    }
+  }
+  AddWriterPropertyCases(all);
+  return all;
+}
+}
