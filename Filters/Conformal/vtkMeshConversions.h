@@ -2,7 +2,7 @@
 #ifndef vtkMeshConversions_h
 #define vtkMeshConversions_h
 
-#include "ConformalSOM.h" // for MappedMesh
+#include "MappedMesh.h" // for MappedMesh
 #include "Types.h"        // for Points, Triangles
 
 #include "vtkType.h" // for vtkIdType

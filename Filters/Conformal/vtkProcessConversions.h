@@ -2,7 +2,7 @@
 #ifndef vtkProcessConversions_h
 #define vtkProcessConversions_h
 
-#include "ConformalSOM.h" // for MappedMesh
+#include "MappedMesh.h" // for MappedMesh
 #include "Parallel.h"     // for Reduce
 #include "Types.h"        // for Progress
 

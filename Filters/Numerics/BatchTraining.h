@@ -3,7 +3,10 @@
 #ifndef ConformalBatchTraining_h
 #define ConformalBatchTraining_h
 
-#include "ConformalSOM.h"
+#include "Parallel.h"
+#include "Training.h"
+#include "TrainingSamples.h"
+#include "Types.h"
 
 namespace conformal
 {

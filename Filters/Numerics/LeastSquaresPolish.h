@@ -3,7 +3,10 @@
 #ifndef ConformalLeastSquaresPolish_h
 #define ConformalLeastSquaresPolish_h
 
-#include "ConformalSOM.h"
+#include "Parallel.h"
+#include "Training.h"
+#include "TrainingSamples.h"
+#include "Types.h"
 
 #include <functional>
 #include <vector>

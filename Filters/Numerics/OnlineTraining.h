@@ -3,7 +3,9 @@
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h
 
-#include "ConformalSOM.h"
+#include "Training.h"
+#include "TrainingSamples.h"
+#include "Types.h"
 
 namespace conformal
 {

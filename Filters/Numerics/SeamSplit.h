@@ -3,7 +3,9 @@
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h
 
-#include "SphericalTexture.h"
+#include "Parallel.h"
+#include "TextureLayout.h"
+#include "Types.h"
 
 namespace conformal
 {

@@ -3,7 +3,7 @@
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h
 
-#include "ConformalSOM.h"
+#include "MappedMesh.h"
 #include "MoebiusTransform.h"
 #include "Parallel.h"
 #include "Types.h"

@@ -1,4 +1,4 @@
-#include "SphereView.h"
+#include "SphereViewChoice.h"
 
 #include "SphereProjection.h"
 #include "TriangleTree.h"

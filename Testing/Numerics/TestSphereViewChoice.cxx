@@ -1,4 +1,4 @@
-#include "SphereView.h"
+#include "SphereViewChoice.h"
 
 #include "GeodesicSphere.h"
 #include "TextureFixtures.h"
@@ -29,7 +29,7 @@ SphereViewOptions seenFrom(const Vector3& direction, const Vector3& up)
 }
 
 // Seen by anyone, the sphere itself shows the image upright, its middle towards him.
-TEST(SphereView, StandsUprightOnTheSphere)
+TEST(SphereViewChoice, StandsUprightOnTheSphere)
 {
   const auto sphere = conformal::makeGeodesicSphere(9);
   const Vector3 views[][2] = { { { 0, 0, 1 }, { 0, 1, 0 } }, { { 0, 0, -5 }, { 0, 1, 0 } },
@@ -45,7 +45,7 @@ TEST(SphereView, StandsUprightOnTheSphere)
   }
 }
 
-TEST(SphereView, FramesAreOrthonormalAndRightHanded)
+TEST(SphereViewChoice, FramesAreOrthonormalAndRightHanded)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
   for (double degrees : { 1.0, 180.0, 340.0 })
@@ -61,7 +61,7 @@ TEST(SphereView, FramesAreOrthonormalAndRightHanded)
 }
 
 // A "C" in space: the line through its centroid in its plane's normal misses it.
-TEST(SphereView, TakesTheFarthestPointWhereTheLineMisses)
+TEST(SphereViewChoice, TakesTheFarthestPointWhereTheLineMisses)
 {
   const auto sphere = conformal::makeGeodesicSphere(12);
   Points bow(sphere.Positions.rows(), 3);
@@ -78,7 +78,7 @@ TEST(SphereView, TakesTheFarthestPointWhereTheLineMisses)
   EXPECT_LT((view.Pole - Vector3(sphere.Positions.row(top))).norm(), 1e-12);
 }
 
-TEST(SphereView, RefusesViewsThatAreNone)
+TEST(SphereViewChoice, RefusesViewsThatAreNone)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
   const auto choose = [&](const SphereViewOptions& options)
@@ -107,7 +107,7 @@ TEST(SphereView, RefusesViewsThatAreNone)
 
 // The picked point is the pole whatever ViewDirection says, and who looks at it from outside sees
 // the image upright; a surface turned inside out makes no difference.
-TEST(SphereView, TakesAPickedPointAsThePole)
+TEST(SphereViewChoice, TakesAPickedPointAsThePole)
 {
   const auto sphere = conformal::makeGeodesicSphere(12);
   const Points model = egg(sphere.Positions);
@@ -129,7 +129,7 @@ TEST(SphereView, TakesAPickedPointAsThePole)
   }
 }
 
-TEST(SphereView, RotatesAsTheViewerSeesIt)
+TEST(SphereViewChoice, RotatesAsTheViewerSeesIt)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
   SphereViewOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
