@@ -58,23 +58,6 @@ PointTree::PointTree(const PointView& points)
     throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
       " points of the cloud are not finite");
   }
-  this->build();
-}
-
-//------------------------------------------------------------------------------
-PointTree::PointTree(const TrainingSamples& samples)
-  : Places(samples.size())
-{
-  for (Index i = 0; i < samples.size(); ++i)
-  {
-    this->Places[i] = { samples[i], static_cast<int>(i) };
-  }
-  this->build();
-}
-
-//------------------------------------------------------------------------------
-void PointTree::build()
-{
   // The lower part of a range is the longer one, if any.
   Index nodes = 0;
   for (Index longest = this->size(), count = 1; longest > LeafSize; longest /= 2)

@@ -3,7 +3,6 @@
 #ifndef ConformalPointTree_h
 #define ConformalPointTree_h
 
-#include "TrainingSamples.h"
 #include "Types.h"
 
 #include <vector>
@@ -39,9 +38,6 @@ public:
   /// @throws std::invalid_argument if points are not finite
   explicit PointTree(const PointView& points);
 
-  /// Of the normalised patterns.
-  explicit PointTree(const TrainingSamples& samples);
-
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
   /// The k nearest points of x, nearest first; of points equally near, the lowest ids.
@@ -59,7 +55,6 @@ private:
     Vector3 Position;
     int Id;
   };
-  void build();
   void split(Index node, Index first, Index last);
   template <typename Found>
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,

@@ -12,7 +12,6 @@ using conformal::Neighbor;
 using conformal::Points;
 using conformal::PointTree;
 using conformal::PointView;
-using conformal::TrainingSamples;
 using conformal::Vector3;
 
 namespace
@@ -96,20 +95,16 @@ TEST(PointTree, GivesTheLowestIdsOfPointsEquallyNear)
   }
 }
 
-TEST(PointTree, ReadsFloatsAndNormalisedPatterns)
+TEST(PointTree, ReadsFloats)
 {
   const Points points = randomPoints(500, 5);
   const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> floats = points.cast<float>();
   const PointTree fromFloats(PointView(floats.data(), floats.rows()));
-  const TrainingSamples samples{ PointView(points) };
-  const PointTree fromSamples(samples);
-  EXPECT_EQ(fromSamples.size(), samples.size());
   for (Index i = 0; i < points.rows(); ++i)
   {
     const Neighbor same = fromFloats.nearest(floats.row(i).cast<double>());
     EXPECT_EQ(same.Id, i);
     EXPECT_EQ(same.SquareDistance, 0.0);
-    EXPECT_EQ(fromSamples.nearest(samples[i]).Id, i);
   }
 }
 
