@@ -1,5 +1,7 @@
 #include "vtkConformalConversions.h"
 
+#include "vtkInputChecks.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkDataObject.h"
@@ -28,6 +30,17 @@
 
 namespace
 {
+// Its vectors, which are one for each point since the input was checked.
+void ReadSpherePositions(vtkDataArray* array, conformal::Points& positions)
+{
+  if (!vtkConformalConversions::ToVectors(array, positions))
+  {
+    throw std::invalid_argument(std::string("the point array ") +
+      vtkConformalConversions::SpherePositionName() + " has " +
+      std::to_string(array->GetNumberOfComponents()) + " components instead of 3");
+  }
+}
+
 void EmptyOutputs(vtkAlgorithm* self)
 {
   for (int port = 0; port < self->GetNumberOfOutputPorts(); ++port)
@@ -108,13 +121,24 @@ bool ReportErrors(vtkObject* self, const std::function<void()>& core)
 //------------------------------------------------------------------------------
 int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
 {
+  return RunRequest(self,
+    [&]()
+    {
+      vtkInputChecks::RequireConsistentInputs(self);
+      core();
+    });
+}
+
+//------------------------------------------------------------------------------
+int RunRequest(vtkAlgorithm* self, const std::function<void()>& request)
+{
   bool whole = true;
   const bool good = ReportErrors(self,
     [&]()
     {
       try
       {
-        core();
+        request();
       }
       catch (const conformal::Aborted&)
       {
@@ -233,11 +257,7 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
     throw std::invalid_argument("the surface has no point array " + name);
   }
   conformal::Points positions;
-  if (!ToVectors(array, positions))
-  {
-    throw std::invalid_argument("the point array " + name + " has " +
-      std::to_string(array->GetNumberOfComponents()) + " components instead of 3");
-  }
+  ReadSpherePositions(array, positions);
   conformal::Index bad = 0;
   for (conformal::Index i = 0; i < positions.rows(); ++i)
   {
@@ -261,13 +281,7 @@ bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions)
   {
     return false;
   }
-  if (!ToVectors(array, positions) || positions.rows() != surface->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("the array SpherePosition has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-      std::to_string(array->GetNumberOfComponents()) + " components, but must have " +
-      std::to_string(surface->GetNumberOfPoints()) + " of 3");
-  }
+  ReadSpherePositions(array, positions);
   return true;
 }
 

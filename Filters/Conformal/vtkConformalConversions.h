@@ -40,10 +40,14 @@ std::string MessageOf(const std::exception& error);
 /// Run the core. What it throws becomes an error of the object, and false.
 bool ReportErrors(vtkObject* self, const std::function<void()>& core);
 
-/// Run the core. What it throws becomes an error of the filter and 0; an abort asked for by the
-/// user is no error. In both cases the outputs are emptied, so that no partial result looks whole.
-/// The result is what RequestData should return.
+/// In RequestData, all of it: check the inputs (vtkInputChecks.h) and run the core. What either
+/// throws becomes an error of the filter and 0; an abort asked for by the user is no error. In both
+/// cases the outputs are emptied, so that no partial result looks whole. The result is what
+/// RequestData should return.
 int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
+
+/// The same without a look at the inputs, for requests before RequestData.
+int RunRequest(vtkAlgorithm* self, const std::function<void()>& request);
 
 /// Warn of an input that is empty. Of several processes only the first has to say so: on the others
 /// it is normal, since the first gets the whole surface.
@@ -76,7 +80,7 @@ bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 conformal::Points ToSpherePositions(vtkPolyData* surface);
 
 /// The vectors of the point array "SpherePosition" as they are; false if there is none.
-/// @throws std::invalid_argument if it is not one vector of 3 components for each point
+/// @throws std::invalid_argument if it has not 3 components
 bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions);
 
 /// Add a point array of 3 doubles.

@@ -42,15 +42,15 @@ int vtkConformalDistortion::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (input->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, nothing was measured");
-    return 1;
-  }
-
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (input->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty, nothing was measured");
+        return;
+      }
       std::vector<vtkIdType> cellIds;
       conformal::Points copy;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);

@@ -57,11 +57,10 @@ conformal::NumberView ViewPriorities(
     return {};
   }
   vtkDataArray* array = input->GetPointData()->GetArray(name);
-  if (!array || array->GetNumberOfComponents() != 1 ||
-    array->GetNumberOfTuples() != input->GetNumberOfPoints())
+  if (!array || array->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(std::string("the input has no point array \"") + name +
-      "\" with 1 component and a value for each point");
+    throw std::invalid_argument(
+      std::string("the input has no point array \"") + name + "\" with 1 component");
   }
   return vtkConformalConversions::ViewNumbers(array, copy);
 }

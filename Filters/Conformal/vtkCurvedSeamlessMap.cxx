@@ -3,8 +3,10 @@
 #include "CurvedSeamlessSurface.h"
 #include "TrainingSamples.h"
 #include "vtkConformalConversions.h"
+#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -12,6 +14,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <stdexcept>
 #include <vector>
@@ -20,6 +23,18 @@ vtkStandardNewMacro(vtkCurvedSeamlessMap);
 
 namespace
 {
+bool IsPolished(vtkFieldData* data)
+{
+  vtkAbstractArray* array = data->GetAbstractArray("Polished");
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (array && (!numbers || numbers->GetNumberOfTuples() == 0))
+  {
+    throw std::invalid_argument(
+      "the field array Polished of the surface holds no number. Give it one, or remove it.");
+  }
+  return numbers && numbers->GetComponent(0, 0) != 0.0;
+}
+
 conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self, vtkPolyData* surface)
 {
   conformal::CurvedSeamlessSurfaceOptions options;
@@ -28,9 +43,7 @@ conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self, vt
   options.VertexShift = self->GetVertexShift();
   options.Fit.NumberOfFitRounds = self->GetNumberOfFitRounds();
   options.Fit.FitSmoothness = self->GetFitSmoothness();
-  vtkDataArray* polished = surface->GetFieldData()->GetArray("Polished");
-  options.Polished =
-    polished && polished->GetNumberOfTuples() > 0 && polished->GetComponent(0, 0) != 0.0;
+  options.Polished = IsPolished(surface->GetFieldData());
   return options;
 }
 
@@ -75,8 +88,16 @@ double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
   return array->GetPointer(0);
 }
 
-void Empty(std::initializer_list<vtkDoubleArray*> arrays)
+// Before any is filled: results of their own, none of them the array they are made from.
+void EmptyResults(vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays)
 {
+  for (auto array = arrays.begin(); array != arrays.end(); ++array)
+  {
+    if (*array && (*array == from || std::find(arrays.begin(), array, *array) != array))
+    {
+      throw std::invalid_argument("an array is given twice. Pass a new one for each result.");
+    }
+  }
   for (vtkDoubleArray* array : arrays)
   {
     if (array)
@@ -145,6 +166,8 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       {
         throw std::invalid_argument("there is no surface to build a map of");
       }
+      vtkInputChecks::RequireConsistentData(surface, "surface");
+      vtkInputChecks::RequireConsistentData(cloud, "cloud");
       this->BuildCore(this, surface, cloud, {});
     });
 }
@@ -153,10 +176,10 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
 bool vtkCurvedSeamlessMap::ToSurface(
   vtkDataArray* directions, vtkDoubleArray* positions, vtkDoubleArray* normals)
 {
-  Empty({ positions, normals });
   return vtkConformalConversions::ReportErrors(this,
     [&]()
     {
+      EmptyResults(directions, { positions, normals });
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
@@ -170,10 +193,10 @@ bool vtkCurvedSeamlessMap::ToSurface(
 bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArray* derivatives,
   vtkDoubleArray* metrics, vtkDoubleArray* areaElements)
 {
-  Empty({ derivatives, metrics, areaElements });
   return vtkConformalConversions::ReportErrors(this,
     [&]()
     {
+      EmptyResults(directions, { derivatives, metrics, areaElements });
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
@@ -188,10 +211,14 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
 bool vtkCurvedSeamlessMap::ToSphere(
   vtkDataArray* points, vtkDoubleArray* directions, vtkDoubleArray* closestPoints)
 {
-  Empty({ directions, closestPoints });
   return vtkConformalConversions::ReportErrors(this,
     [&]()
     {
+      EmptyResults(points, { directions, closestPoints });
+      if (!directions)
+      {
+        throw std::invalid_argument("there is no array to put the directions in");
+      }
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       conformal::Points copy;
       const conformal::PointView view =

@@ -11,8 +11,11 @@
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. The map must cover the sphere just once.
- * - field array "Polished" (1 component, optional): whether the triangles were fitted to points by
- *   least squares, see VertexShift.
+ * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
+ * fitted to points by least squares, see VertexShift.
+ *
+ * The arrays of a call must be different ones. Arrays that do not fit the points or cells of the
+ * surface or the cloud are an error.
  *
  * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), with

@@ -147,16 +147,16 @@ int vtkCurvedSeamlessSurface::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* sphere = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (surface->GetNumberOfPoints() == 0 || (sphere && sphere->GetNumberOfPoints() == 0))
-  {
-    vtkConformalConversions::WarnOfEmptyInput(this,
-      surface->GetNumberOfPoints() == 0 ? "the surface is empty, and so is the result"
-                                        : "the dense sphere is empty, and so is the result");
-    return 1;
-  }
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (surface->GetNumberOfPoints() == 0 || (sphere && sphere->GetNumberOfPoints() == 0))
+      {
+        vtkConformalConversions::WarnOfEmptyInput(this,
+          surface->GetNumberOfPoints() == 0 ? "the surface is empty, and so is the result"
+                                            : "the dense sphere is empty, and so is the result");
+        return;
+      }
       const bool fits = this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
       const double shareOfMap = fits ? 0.9 : 0.5;
       this->Map->BuildCore(this, surface, vtkPointSet::GetData(inputVector[2]),

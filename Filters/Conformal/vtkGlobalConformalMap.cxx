@@ -81,11 +81,6 @@ int vtkGlobalConformalMap::RequestData(
 {
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
-    return 1;
-  }
   conformal::GlobalConformalMapOptions options;
   options.Method = static_cast<conformal::GlobalConformalMethod>(this->Method);
   options.AreaBalance = this->AreaBalance;
@@ -94,6 +89,11 @@ int vtkGlobalConformalMap::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
+        return;
+      }
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface);
       conformal::Triangles outward = mesh.Triangles;
       if (mesh.InsideOut)

@@ -2,6 +2,7 @@
 
 #include "GenusZeroCheck.h"
 #include "vtkConformalConversions.h"
+#include "vtkInputChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -22,7 +23,6 @@ class TriangleCollector
 public:
   TriangleCollector(vtkPoints* points, std::vector<vtkIdType>& cellIds)
     : Points(points)
-    , NumberOfPoints(points ? points->GetNumberOfPoints() : 0)
     , CellIds(cellIds)
   {
   }
@@ -34,7 +34,6 @@ public:
     for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
     {
       polygons->GetCellAtId(i, size, ids);
-      this->RequireIds(size, ids, firstCellId + i);
       if (size == 3)
       {
         this->Add(ids[0], ids[1], ids[2], firstCellId + i);
@@ -53,7 +52,6 @@ public:
     for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
     {
       strips->GetCellAtId(i, size, ids);
-      this->RequireIds(size, ids, firstCellId + i);
       for (vtkIdType k = 0; k + 2 < size; ++k)
       {
         const vtkIdType a = ids[k], b = ids[k + 1 + k % 2], c = ids[k + 2 - k % 2];
@@ -72,18 +70,6 @@ public:
   }
 
 private:
-  void RequireIds(vtkIdType size, const vtkIdType* ids, vtkIdType cellId) const
-  {
-    for (vtkIdType k = 0; k < size; ++k)
-    {
-      if (ids[k] < 0 || ids[k] >= this->NumberOfPoints)
-      {
-        throw std::out_of_range("cell " + std::to_string(cellId) + " names point " +
-          std::to_string(ids[k]) + " of " + std::to_string(this->NumberOfPoints));
-      }
-    }
-  }
-
   // Ears are cut; where that fails, as it may on crossing or flat polygons, a fan has the same
   // border and keeps a closed surface closed.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
@@ -115,7 +101,6 @@ private:
   }
 
   vtkPoints* Points;
-  vtkIdType NumberOfPoints;
   std::vector<vtkIdType>& CellIds;
   std::vector<int> Corners;
   vtkNew<vtkPolygon> Polygon;
@@ -143,6 +128,7 @@ conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& c
   {
     throw std::length_error("the surface has more than " + std::to_string(most) + " points");
   }
+  vtkInputChecks::RequirePolygonIds(surface);
   cellIds.clear();
   TriangleCollector collector(surface->GetPoints(), cellIds);
   const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();

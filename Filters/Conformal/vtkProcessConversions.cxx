@@ -1,6 +1,7 @@
 #include "vtkProcessConversions.h"
 
 #include "vtkConformalConversions.h"
+#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
 #include "vtkAlgorithm.h"
@@ -185,18 +186,23 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core)
 {
   Processes processes(self, controller);
-  return RunCore(self,
+  const auto checkAndRun = [&]()
+  {
+    vtkInputChecks::RequireConsistentInputs(self);
+    core(processes);
+  };
+  return RunRequest(self,
     [&]()
     {
       if (processes.size() == 1)
       {
-        core(processes);
+        checkAndRun();
         return;
       }
       std::string error;
       try
       {
-        core(processes);
+        checkAndRun();
       }
       catch (const SharedError&)
       {

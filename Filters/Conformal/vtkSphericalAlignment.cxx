@@ -124,16 +124,16 @@ int vtkSphericalAlignment::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(this,
-      surface->GetNumberOfPoints() == 0 ? "the surface is empty, nothing was aligned"
-                                        : "the reference is empty, nothing was aligned");
-    return 1;
-  }
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(this,
+          surface->GetNumberOfPoints() == 0 ? "the surface is empty, nothing was aligned"
+                                            : "the reference is empty, nothing was aligned");
+        return;
+      }
       conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
       const Pairs pairs = this->Landmarks.empty()
         ? PairsOfSurfaces(this, surface, map, reference)

@@ -107,7 +107,7 @@ int vtkSphericalTextureBlend::FillInputPortInformation(int port, vtkInformation*
 int vtkSphericalTextureBlend::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  return vtkConformalConversions::RunCore(this,
+  return vtkConformalConversions::RunRequest(this,
     [&]()
     {
       vtkConformalConversions::SetImageInformation(
@@ -138,15 +138,15 @@ int vtkSphericalTextureBlend::RequestData(
   vtkImageData* front = vtkImageData::GetData(inputVector[1]);
   vtkImageData* back = vtkImageData::GetData(inputVector[2]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(
-      this, "the surface is empty, there is nothing to lay pictures on");
-    return 1;
-  }
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty, there is nothing to lay pictures on");
+        return;
+      }
       using namespace vtkConformalConversions;
       if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
       {

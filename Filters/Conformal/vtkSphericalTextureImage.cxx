@@ -93,7 +93,7 @@ int vtkSphericalTextureImage::FillInputPortInformation(int port, vtkInformation*
 int vtkSphericalTextureImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  return vtkConformalConversions::RunCore(this,
+  return vtkConformalConversions::RunRequest(this,
     [&]()
     {
       vtkConformalConversions::SetImageInformation(
@@ -108,15 +108,15 @@ int vtkSphericalTextureImage::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPointSet* source = vtkPointSet::GetData(inputVector[1]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(
-      this, "the surface is empty, there is nothing to bake");
-    return 1;
-  }
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty, there is nothing to bake");
+        return;
+      }
       using namespace vtkConformalConversions;
       vtkDataArray* values = ArrayOf(source ? source : surface, this->ArrayName);
       vtkDataArray* pixels = AllocatePixels(output, outputVector->GetInformationObject(0), values);

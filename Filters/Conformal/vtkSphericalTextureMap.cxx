@@ -131,12 +131,6 @@ int vtkSphericalTextureMap::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (input->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(
-      this, "the surface is empty, there is nothing to lay an image on");
-    return 1;
-  }
   conformal::SphericalTextureOptions options;
   options.ViewDirection = conformal::Vector3(this->ViewDirection);
   options.ViewUp = conformal::Vector3(this->ViewUp);
@@ -152,6 +146,12 @@ int vtkSphericalTextureMap::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (input->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty, there is nothing to lay an image on");
+        return;
+      }
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);

@@ -54,13 +54,6 @@ int vtkSurfaceMismatch::RequestData(
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
-  if (model->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
-  {
-    vtkConformalConversions::WarnOfEmptyInput(this,
-      model->GetNumberOfPoints() == 0 ? "the model is empty, nothing was measured"
-                                      : "the reference is empty, nothing was measured");
-    return 1;
-  }
 
   conformal::SurfaceMismatchOptions options;
   options.LengthUnit = static_cast<conformal::MismatchUnit>(this->LengthUnit);
@@ -69,6 +62,13 @@ int vtkSurfaceMismatch::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (model->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(this,
+          model->GetNumberOfPoints() == 0 ? "the model is empty, nothing was measured"
+                                          : "the reference is empty, nothing was measured");
+        return;
+      }
       conformal::Points modelCopy, referenceCopy;
       const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(
         vtkConformalConversions::ViewPoints(model->GetPoints(), modelCopy),

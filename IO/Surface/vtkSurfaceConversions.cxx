@@ -54,7 +54,7 @@ conformal::NamedArray ToNamedArray(vtkDataArray* array, const std::string& name)
   const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
   conformal::NamedArray result =
     conformal::makeArray(name, TypeOf(array->GetDataType()), components);
-  const auto count = static_cast<std::size_t>(array->GetNumberOfValues());
+  const auto count = static_cast<std::size_t>(array->GetNumberOfTuples()) * components;
   conformal::withType(result.Type,
     [&](auto zero)
     {
@@ -76,13 +76,13 @@ conformal::NamedArray ToNamedArray(vtkDataArray* array, const std::string& name)
   return result;
 }
 
-std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data, vtkIdType tuples)
+std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data)
 {
   std::vector<conformal::NamedArray> arrays;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = data->GetArray(i);
-    if (!array || array->GetNumberOfTuples() != tuples || array->GetNumberOfComponents() < 1)
+    if (!array)
     {
       continue;
     }
@@ -101,7 +101,6 @@ std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data, vtk
 
 void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
 {
-  const vtkIdType points = input->GetNumberOfPoints();
   vtkNew<vtkIdList> ids;
   data.PolygonOffsets.push(0);
   for (vtkIdType cell = 0; cell < input->GetNumberOfPolys(); ++cell)
@@ -109,10 +108,6 @@ void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
     input->GetPolys()->GetCellAtId(cell, ids);
     for (const vtkIdType id : *ids)
     {
-      if (id < 0 || id >= points)
-      {
-        throw WriteError(vtkErrorCode::UserError, "a polygon has an id that no point has");
-      }
       data.PolygonIds.push(id);
     }
     data.PolygonOffsets.push(static_cast<std::int64_t>(data.PolygonIds.size()));
@@ -156,11 +151,11 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
   {
     throw WriteError(vtkErrorCode::UserError, "a coordinate is not finite");
   }
-  data.PointArrays = ToNamedArrays(surface->GetPointData(), surface->GetNumberOfPoints());
+  data.PointArrays = ToNamedArrays(surface->GetPointData());
   AddPolygons(surface, data);
   if (surface->GetNumberOfCells() == surface->GetNumberOfPolys())
   {
-    data.PolygonArrays = ToNamedArrays(surface->GetCellData(), surface->GetNumberOfCells());
+    data.PolygonArrays = ToNamedArrays(surface->GetCellData());
   }
   return data;
 }

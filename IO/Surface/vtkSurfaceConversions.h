@@ -28,13 +28,15 @@ public:
 };
 
 /// The surface itself if all its cells are triangles, else a triangulated copy without others.
+/// @pre the surface passed vtkInputChecks.h
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
 /// Points, polygons and named arrays of numbers. The active normals, texture coordinates and
 /// colours (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
 /// become triangles; vertices and lines are left out, and so are cell arrays unless all cells are
 /// polygons.
-/// @throws WriteError for an id that no point has, or a coordinate that is not finite
+/// @pre the surface passed vtkInputChecks.h
+/// @throws WriteError for a surface without points, or a coordinate that is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
 /// Write files whole or not at all.

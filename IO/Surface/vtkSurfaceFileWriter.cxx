@@ -2,6 +2,7 @@
 
 #include "ParseStatus.h"
 #include "SurfaceData.h"
+#include "vtkInputChecks.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkErrorCode.h"
@@ -40,6 +41,8 @@ void vtkSurfaceFileWriter::WriteData()
     {
       throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
+    vtkInputChecks::RequireConsistentInputs(this);
+    vtkInputChecks::RequirePolygonIds(vtkPolyData::SafeDownCast(this->GetInput(0)));
     this->WriteFiles(
       [this](double fraction)
       {

@@ -81,13 +81,11 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
     "the surface has too many points for 32-bit ids");
   vtkDataArray* texCoords = surface->GetPointData()->GetTCoords();
   Require(
-    texCoords && texCoords->GetNumberOfComponents() >= 2 && texCoords->GetNumberOfTuples() == count,
-    "the surface has no texture coordinates");
+    texCoords && texCoords->GetNumberOfComponents() >= 2, "the surface has no texture coordinates");
 
   conformal::TexturedSurface result;
   result.TexCoords = ToTexCoords(texCoords);
-  vtkDataArray* normals = surface->GetPointData()->GetNormals();
-  if (normals && normals->GetNumberOfTuples() == count)
+  if (vtkDataArray* normals = surface->GetPointData()->GetNormals())
   {
     result.Normals = ToUnitVectors(normals);
   }
@@ -106,7 +104,6 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
     surface->GetPolys()->GetCellAtId(cell, ids);
     for (const vtkIdType id : *ids)
     {
-      Require(id >= 0 && id < count, "a polygon has an id that no point has");
       result.Corners.push_back(static_cast<std::uint32_t>(id));
     }
   }

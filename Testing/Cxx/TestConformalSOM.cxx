@@ -390,6 +390,7 @@ TEST(ConformalSOM, PriorityArraysThatCannotBeUsedAreErrors)
   wrong->Fill(1.0);
   cloud->GetPointData()->AddArray(wrong);
   refused(cloud, "short");
+  cloud->GetPointData()->RemoveArray("short");
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("vectors");
   vectors->SetNumberOfComponents(3);

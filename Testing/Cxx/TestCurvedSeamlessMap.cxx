@@ -327,6 +327,47 @@ TEST_F(CurvedSeamlessMap, KnowsHowMuchItsNormalsJump)
   EXPECT_GT(jumps[1], jumps[0]);
 }
 
+TEST_F(CurvedSeamlessMap, ArraysThatDoNotFitTheirPointsAreRefused)
+{
+  for (const vtkIdType tuples : { 0, 361, 363 })
+  {
+    const vtkNew<vtkPolyData> surface = Ellipsoid(6);
+    vtkNew<vtkFloatArray> numbers;
+    numbers->SetName("Unrelated");
+    numbers->SetNumberOfTuples(tuples);
+    surface->GetPointData()->AddArray(numbers);
+    const std::string text =
+      "the point array \"Unrelated\" has " + std::to_string(tuples) + " tuples for 362 points";
+    this->ExpectError(this->Map->Build(surface), "surface: " + text);
+    EXPECT_FALSE(this->Map->IsBuilt());
+    this->ExpectError(this->Map->Build(Ellipsoid(6), surface), "cloud: " + text);
+    EXPECT_FALSE(this->Map->IsBuilt());
+  }
+  const vtkNew<vtkPolyData> surface = Ellipsoid(6);
+  vtkNew<vtkIntArray> polished;
+  polished->SetName("Polished");
+  surface->GetFieldData()->AddArray(polished);
+  this->ExpectError(this->Map->Build(surface), "Polished of the surface holds no number");
+  polished->InsertNextValue(1);
+  EXPECT_TRUE(this->Map->Build(surface));
+}
+
+// One array for two purposes would be emptied or written twice.
+TEST_F(CurvedSeamlessMap, EachArrayIsOfItsOwn)
+{
+  ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
+  const vtkNew<vtkDoubleArray> directions = RandomDirections(10);
+  vtkNew<vtkDoubleArray> a, b;
+  this->ExpectError(this->Map->ToSurface(directions, directions), "given twice");
+  EXPECT_EQ(directions->GetNumberOfTuples(), 10);
+  this->ExpectError(this->Map->ToSurface(directions, a, a), "given twice");
+  this->ExpectError(this->Map->Differentiate(directions, a, b, a), "given twice");
+  this->ExpectError(this->Map->ToSphere(directions, a, directions), "given twice");
+  this->ExpectError(this->Map->ToSphere(directions, nullptr, a), "no array to put");
+  EXPECT_TRUE(this->Map->ToSurface(directions, nullptr, nullptr));
+  EXPECT_TRUE(this->Map->ToSurface(directions, a, b));
+}
+
 TEST_F(CurvedSeamlessMap, PropertiesAreClampedAndPrinted)
 {
   EXPECT_EQ(this->Map->GetSeamMode(), vtkCurvedSeamlessMap::EDGE_MATCHED);

@@ -513,15 +513,17 @@ TEST_F(CurvedSeamlessSurface, SurfacesWithoutAMapAreRefused)
   odd->SetNumberOfTuples(162);
   odd->Fill(1.0);
   surface->GetPointData()->AddArray(odd);
-  this->ExpectRefused(surface, "162 tuples of 2 components, but must have 162 of 3");
+  this->ExpectRefused(surface, "the point array SpherePosition has 2 components instead of 3");
   odd->SetNumberOfComponents(3);
   odd->SetNumberOfTuples(100);
   odd->Fill(1.0);
   surface->Modified();
-  this->ExpectRefused(surface, "100 tuples of 3 components, but must have 162 of 3");
+  this->ExpectRefused(
+    surface, "input port 0: the point array \"SpherePosition\" has 100 tuples for 162 points");
 
   this->Filter->SetSphereData(surface);
-  this->ExpectRefused(Ellipsoid(), "100 tuples of 3 components, but must have 162 of 3");
+  this->ExpectRefused(
+    Ellipsoid(), "input port 1: the point array \"SpherePosition\" has 100 tuples for 162 points");
 }
 
 TEST_F(CurvedSeamlessSurface, MapsThatAreNoneAreRefused)

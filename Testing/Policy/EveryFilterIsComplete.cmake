@@ -34,6 +34,15 @@ function (require_proxy class header unit)
   endif ()
 endfunction ()
 
+# A class that makes objects for a pipeline and has inputs gets broken ones in a test.
+function (require_input_case class header)
+  file(READ "${SOURCE_DIR}/${header}" text)
+  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n"
+      AND NOT class MATCHES "(Reader|Source)$")
+    require_line(${class} Testing/Cxx/InputCases.h "\"${class}\"" "a case \"${class}\"")
+  endif ()
+endfunction ()
+
 function (check_module folder core_folder document)
   file(READ "${SOURCE_DIR}/${folder}/CMakeLists.txt" lists)
   if (NOT lists MATCHES "set\\(classes([^)]*)\\)")
@@ -51,6 +60,7 @@ function (check_module folder core_folder document)
     require_line(${class} README.md "${class}" "the class")
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
     require_proxy(${class} "${folder}/${class}.h" ${unit})
+    require_input_case(${class} "${folder}/${class}.h")
   endforeach ()
 endfunction ()
 

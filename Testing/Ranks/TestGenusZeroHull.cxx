@@ -3,6 +3,9 @@
 #include "../Cxx/FilterContract.h"
 #include "Clouds.h"
 
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
 namespace
 {
 vtkSmartPointer<vtkGenusZeroHull> MakeFilter(vtkPolyData* cloud)
@@ -48,6 +51,34 @@ TEST(GenusZeroHull, AbortOnOneRankStopsAll)
   filter->Update();
   EXPECT_FALSE(observed.Error() || observed.Warning());
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+// Arrays that do not fit the points of one rank are an error of all, and none waits for it.
+TEST(GenusZeroHull, AWrongLengthOnOneRankIsAnErrorOfAll)
+{
+  auto part = clouds::OwnPart(clouds::Horseshoe(6000), clouds::EvenCuts(6000));
+  const int last = clouds::NumberOfRanks() - 1;
+  if (clouds::Rank() == last)
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    part->GetPointData()->AddArray(ghosts);
+  }
+  auto filter = MakeFilter(part);
+  contract::Observed observed(filter);
+  filter->Update();
+  observed.ExpectError("input port 0: the point array \"vtkGhostType\" has 0 tuples");
+  if (last > 0)
+  {
+    observed.ExpectError("on process " + std::to_string(last) + ": ");
+  }
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+  // They can go on afterwards.
+  part->GetPointData()->Initialize();
+  filter->Modified(); // on all ranks, or some would not run
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints() > 0, clouds::Rank() == 0);
 }
 
 TEST(GenusZeroHull, NoPointsAnywhereAreNoError)

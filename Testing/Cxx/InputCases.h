@@ -1,0 +1,232 @@
+// Every filter and every writer with valid inputs on all ports, and ways to break an input.
+#ifndef InputCases_h
+#define InputCases_h
+
+#include "vtkConformalDistortion.h"
+#include "vtkConformalOFFWriter.h"
+#include "vtkConformalPLYWriter.h"
+#include "vtkConformalSOM.h"
+#include "vtkCurvedSeamlessSurface.h"
+#include "vtkFreeSurferWriter.h"
+#include "vtkGIFTIWriter.h"
+#include "vtkGenusZeroCheck.h"
+#include "vtkGenusZeroHull.h"
+#include "vtkGeodesicSphereSource.h"
+#include "vtkGlobalConformalMap.h"
+#include "vtkGuMeshWriter.h"
+#include "vtkSphericalAlignment.h"
+#include "vtkSphericalTextureBlend.h"
+#include "vtkSphericalTextureImage.h"
+#include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceMismatch.h"
+#include "vtkTextCloudWriter.h"
+#include "vtkTexturedSurfaceWriter.h"
+
+#include "vtkBitArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace inputs
+{
+/// A sphere with its map, what a texture needs, normals, colours, and a number for each cell.
+inline vtkSmartPointer<vtkDataSet> Surface()
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(4);
+  vtkNew<vtkSphericalTextureMap> map;
+  map->SetInputConnection(source->GetOutputPort());
+  map->Update();
+  const auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->DeepCopy(map->GetOutput());
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Colours");
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(surface->GetNumberOfPoints());
+  colours->Fill(9.0);
+  surface->GetPointData()->SetScalars(colours);
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Numbers");
+  numbers->SetNumberOfTuples(surface->GetNumberOfCells());
+  numbers->Fill(1.0);
+  surface->GetCellData()->AddArray(numbers);
+  return surface;
+}
+
+inline vtkSmartPointer<vtkDataSet> Picture()
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(6, 4, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(7.0);
+  return image;
+}
+
+/// A set-up of an algorithm, and what its ports take.
+struct Case
+{
+  std::string Name;
+  std::function<vtkSmartPointer<vtkAlgorithm>()> Make;
+  std::vector<std::function<vtkSmartPointer<vtkDataSet>()>> Ports;
+
+  /// With valid inputs, but the one of a port replaced.
+  vtkSmartPointer<vtkAlgorithm> With(int port, vtkDataObject* data) const
+  {
+    vtkSmartPointer<vtkAlgorithm> algorithm = this->Make();
+    for (int i = 0; i < static_cast<int>(this->Ports.size()); ++i)
+    {
+      algorithm->SetInputDataObject(i, i == port ? data : this->Ports[i]());
+    }
+    return algorithm;
+  }
+};
+
+template <typename Algorithm>
+std::function<vtkSmartPointer<vtkAlgorithm>()> Maker(
+  const std::function<void(Algorithm*)>& change = [](Algorithm*) {})
+{
+  return [change]() -> vtkSmartPointer<vtkAlgorithm>
+  {
+    const auto algorithm = vtkSmartPointer<Algorithm>::New();
+    change(algorithm);
+    return algorithm;
+  };
+}
+
+/// Every class of Filters/Conformal that has inputs.
+inline std::vector<Case> Filters()
+{
+  const auto& s = Surface;
+  const auto& p = Picture;
+  return {
+    { "vtkConformalDistortion", Maker<vtkConformalDistortion>(), { s } },
+    { "vtkConformalSOM",
+      Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetFrequency(3); }), { s, s } },
+    { "vtkCurvedSeamlessSurface",
+      Maker<vtkCurvedSeamlessSurface>(
+        [](vtkCurvedSeamlessSurface* filter) { filter->SetDomeHeightToFitted(); }),
+      { s, s, s } },
+    { "vtkGenusZeroCheck", Maker<vtkGenusZeroCheck>(), { s } },
+    { "vtkGenusZeroHull",
+      Maker<vtkGenusZeroHull>([](vtkGenusZeroHull* filter) { filter->SetSpacing(0.2); }), { s } },
+    { "vtkGlobalConformalMap", Maker<vtkGlobalConformalMap>(), { s } },
+    { "vtkSphericalAlignment", Maker<vtkSphericalAlignment>(), { s, s } },
+    { "vtkSphericalTextureBlend",
+      Maker<vtkSphericalTextureBlend>(
+        [](vtkSphericalTextureBlend* filter) { filter->SetImageSize(16, 8); }),
+      { s, p, p } },
+    { "vtkSphericalTextureImage",
+      Maker<vtkSphericalTextureImage>(
+        [](vtkSphericalTextureImage* filter) { filter->SetImageSize(16, 8); }),
+      { s, s } },
+    { "vtkSphericalTextureMap", Maker<vtkSphericalTextureMap>(), { s } },
+    { "vtkSphericalTextureMap, SplitSeam",
+      Maker<vtkSphericalTextureMap>([](vtkSphericalTextureMap* filter) { filter->SplitSeamOn(); }),
+      { s } },
+    { "vtkSurfaceMismatch", Maker<vtkSurfaceMismatch>(), { s, s } },
+  };
+}
+
+/// Every writer of IO/Surface.
+inline std::vector<Case> Writers()
+{
+  const auto& s = Surface;
+  return {
+    { "vtkConformalOFFWriter", Maker<vtkConformalOFFWriter>(), { s } },
+    { "vtkConformalPLYWriter", Maker<vtkConformalPLYWriter>(), { s } },
+    { "vtkFreeSurferWriter", Maker<vtkFreeSurferWriter>(), { s } },
+    { "vtkGIFTIWriter", Maker<vtkGIFTIWriter>(), { s } },
+    { "vtkGuMeshWriter", Maker<vtkGuMeshWriter>(), { s } },
+    { "vtkTextCloudWriter", Maker<vtkTextCloudWriter>(), { s } },
+    { "vtkTexturedSurfaceWriter", Maker<vtkTexturedSurfaceWriter>(), { s, Picture } },
+  };
+}
+
+/// A way to break an input, and what the error must say of it.
+struct Fault
+{
+  std::string Name, Message;
+  std::function<void(vtkDataSet*)> Make;
+};
+
+inline vtkSmartPointer<vtkAbstractArray> Resized(
+  vtkAbstractArray* array, const char* name, vtkIdType tuples)
+{
+  const auto resized = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+  resized->SetName(name);
+  resized->SetNumberOfComponents(array->GetNumberOfComponents());
+  resized->SetNumberOfTuples(tuples);
+  for (vtkIdType i = 0; i < tuples && array->GetNumberOfTuples() > 0; ++i)
+  {
+    resized->SetTuple(i, i % array->GetNumberOfTuples(), array);
+  }
+  return resized;
+}
+
+/// Arrays of 0, one too few and one too many tuples: those that filters read, those that they only
+/// pass on, ghosts, arrays of no numbers; and ghost arrays of another type.
+inline std::vector<Fault> ArrayFaults(vtkDataSet* data)
+{
+  std::vector<Fault> faults;
+  const auto add = [&](bool ofCells, vtkAbstractArray* like, const char* name, bool isActive)
+  {
+    const vtkIdType size = ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+    const std::string thing = ofCells ? "cell" : "point";
+    for (const vtkIdType tuples : { vtkIdType(0), size - 1, size + 1 })
+    {
+      const auto array = Resized(like, name, tuples);
+      faults.push_back({ thing + " array " + name + " of " + std::to_string(tuples) + " tuples",
+        "the " + thing + " array \"" + name + "\" has " + std::to_string(tuples) + " tuples for " +
+          std::to_string(size) + " " + thing + "s",
+        [=](vtkDataSet* broken)
+        {
+          vtkDataSetAttributes* attributes = ofCells
+            ? static_cast<vtkDataSetAttributes*>(broken->GetCellData())
+            : static_cast<vtkDataSetAttributes*>(broken->GetPointData());
+          attributes->AddArray(array);
+          if (isActive)
+          {
+            attributes->SetActiveScalars(name);
+          }
+        } });
+    }
+  };
+  if (vtkDataArray* map = data->GetPointData()->GetArray("SpherePosition"))
+  {
+    add(false, map, "SpherePosition", false);
+  }
+  add(false, data->GetPointData()->GetScalars(), "Baked", true);
+  const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
+  for (const bool ofCells : { false, true })
+  {
+    add(ofCells, vtkNew<vtkFloatArray>(), "Unrelated", false);
+    add(ofCells, vtkNew<vtkStringArray>(), "Words", false);
+    add(ofCells, vtkNew<vtkBitArray>(), "Bits", false);
+    add(ofCells, vtkNew<vtkUnsignedCharArray>(), ghosts, false);
+  }
+  faults.push_back(
+    { "ghosts of another type", "the point array \"vtkGhostType\" is a vtkIntArray of 1 component",
+      [=](vtkDataSet* broken)
+      {
+        broken->GetPointData()->AddArray(
+          Resized(vtkNew<vtkIntArray>(), ghosts, broken->GetNumberOfPoints()));
+      } });
+  return faults;
+}
+}
+
+#endif
