@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 """Which smooth surface over one learned mesh comes closest to the scan?
 
-Learns a mesh from a scan (.ply .obj .stl .vtp .vtk .pts .xyz; default: a toy bear made by code)
-and prints, side by side: one step of VTK's subdivision filters, PN triangles, and the curved
+Learns a mesh from a scan (in any format that quickstart.py opens; default: a toy bear made by
+code) and prints, side by side: one step of VTK's subdivision filters, PN triangles, and the curved
 seamless surface with every DomeHeight.
 """
 import argparse
+import sys
 
 from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter, vtkLoopSubdivisionFilter
 
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch
 
-import builtin_figure
-import scan_files
+from helpers import builtin_figure, scan_files
 
 DOME_HEIGHTS = ("None", "Published", "Scaled", "Curvature", "Fitted")
 
@@ -76,7 +76,7 @@ def main():
                         help="of the curved surfaces, default 80")
     args = parser.parse_args()
     if args.scan:
-        reader = scan_files.reader_for(args.scan, scan_files.SCAN_READERS)
+        reader = scan_files.scan_reader(args.scan)
         reader.Update()
         cloud = reader.GetOutput()
     else:
@@ -92,4 +92,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (ValueError, OSError) as error:
+        sys.exit(f"compare_surfaces: {error}")

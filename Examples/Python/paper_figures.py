@@ -17,13 +17,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
-import opera_face
-import paper_models
-import pictures
-import textures
 from conformalsom import vtkSphericalTextureMap
-from paper_tables import DATA
-from steps import StepFailed
+
+from helpers import opera_face, paper_models, pictures, textures
+from helpers.steps import StepFailed
 
 OUTPUT = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "paper")
@@ -228,8 +225,9 @@ def obtuse(mesh):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--data", metavar="DIR", default=DATA,
-                        help="folder with igea.ply and stanford-bunny.obj")
+    parser.add_argument("--data", metavar="DIR", default=paper_models.DATA,
+                        help="folder with igea.ply and stanford-bunny.obj; default: the variable "
+                             "CONFORMALSOM_SCAN_DIR, else the current folder")
     parser.add_argument("--output", metavar="DIR", default=OUTPUT,
                         help="folder for the pictures, default build/paper")
     parser.add_argument("--figures", type=int, nargs="+", choices=range(7, 12),

@@ -8,17 +8,16 @@ and CSM by the paper's online learning, CSM by batch learning, and the global co
 mesh, by Gu and Yau's descent and by the robust method. Table 3 measures a checkerboard.
 """
 import argparse
-import os
 import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import paper_models
 from conformalsom import vtkConformalDistortion, vtkSphericalTextureMap, vtkSurfaceMismatch
-from steps import StepFailed
 
-DATA = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "shared", "data")
+from helpers import paper_models
+from helpers.steps import StepFailed
+
 UNITS = {"largest radius = 1": "MaxRadius", "half the bounding box's diagonal = 1": "HalfDiagonal"}
 ERRORS = ("MeanSquarePointToSurface", "MeanSquarePointToVertex", "MeanSquareSurfaceToPoint",
           "WebFraction")
@@ -172,8 +171,9 @@ def print_table_3(model, made):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--data", metavar="DIR", default=DATA,
-                        help="folder with igea.ply and stanford-bunny.obj")
+    parser.add_argument("--data", metavar="DIR", default=paper_models.DATA,
+                        help="folder with igea.ply and stanford-bunny.obj; default: the variable "
+                             "CONFORMALSOM_SCAN_DIR, else the current folder")
     models = paper_models.models(parser.parse_args().data)
     print_table_1(models)
     for model in models:

@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """From a scan to a painted surface: points -> learned mesh -> smooth surface -> picture on it.
 
-Reads a scan (.ply .obj .stl .vtp .vtk .pts .xyz; only its points are learned from), or makes one,
-and writes surface.vtp, surface.glb, surface.obj and quickstart.png.
+Reads a scan (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, Gu's .m, .conf of the Stanford scans,
+OBJ, STL, .vtp or .vtk; only its points are learned from), or makes one, and writes surface.vtp,
+surface.glb, surface.obj and quickstart.png. A scan with colors is painted with them if no picture is
+given.
 """
 import argparse
 import os
@@ -14,12 +16,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
 
-import builtin_figure
-import pictures
-import report
-import scan_files
-import textures
-from steps import StepFailed, Steps
+from helpers import builtin_figure, pictures, report, scan_colors, scan_files, textures
+from helpers.steps import StepFailed, Steps
 
 BUILD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build")
 
@@ -28,7 +26,8 @@ def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scan", nargs="?", help="default: a toy bear made by code")
-    parser.add_argument("texture", nargs="?", help="PNG or JPEG; default: a painted rosette")
+    parser.add_argument("texture", nargs="?", 
+                        help="PNG or JPEG; default: the scan's own colors, else a painted rosette")
     parser.add_argument("--output", metavar="DIR", default=os.path.join(BUILD, "quickstart"),
                         help="folder for the results, default build/quickstart")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
@@ -42,31 +41,42 @@ def arguments():
     return parser.parse_args()
 
 
-def sources(args, steps):
-    """The scan and the texture, from files or made by code."""
+def scan_source(args, steps):
+    """The scan, from a file or made by code."""
     if args.scan:
-        scan = scan_files.reader_for(args.scan, scan_files.SCAN_READERS)
+        scan = scan_files.scan_reader(args.scan)
         steps.run("Read the scan", scan)
         if scan.GetOutput().GetNumberOfPoints() == 0:
             raise ValueError(f"{args.scan}: no points found")
     else:
         scan = vtkTrivialProducer()
         steps.run("Make a scan", scan, lambda: scan.SetOutput(builtin_figure.figure_cloud()))
+    return scan
+
+
+def picture_source(args, steps):
+    """The picture to paint with, from a file or made by code."""
     if args.texture:
-        texture = scan_files.reader_for(args.texture, scan_files.TEXTURE_READERS)
-        steps.run("Read the texture", texture)
+        picture = scan_files.texture_reader(args.texture)
+        steps.run("Read the texture", picture)
     else:
-        texture = vtkTrivialProducer()
-        steps.run("Paint a texture", texture, lambda: texture.SetOutput(textures.rosette()))
-    return scan, texture
+        picture = vtkTrivialProducer()
+        steps.run("Paint a texture", picture, lambda: picture.SetOutput(textures.rosette()))
+    return picture
 
 
-def texture_map(surface, args):
-    """The filter that lays the texture on a surface, in its middle what the viewer sees first."""
+def texture_map(surface, args, whole):
+    """The filter that lays a texture on a surface, in its middle what the viewer sees first.
+
+    One that shows the whole surface goes all around it, a picture lies on one side.
+    """
     painted = vtkSphericalTextureMap()
     painted.SetInputConnection(surface.GetOutputPort())
     painted.SetViewDirection(args.view)
     painted.SetViewUp(args.up)
+    if whole:
+        painted.SetProjectionToOctahedral()
+        painted.SetMargin(0.01)
     return painted
 
 
@@ -82,7 +92,9 @@ def main():
     args = arguments()
     os.makedirs(args.output, exist_ok=True)
     steps = Steps()
-    scan, texture = sources(args, steps)
+    scan = scan_source(args, steps)
+    colors = None if args.texture else scan_colors.colors_of(scan.GetOutputDataObject(0))
+    texture = picture_source(args, steps) if colors is None else None
 
     network = vtkConformalSOM()
     network.SetInputConnection(scan.GetOutputPort())
@@ -94,21 +106,24 @@ def main():
     surface.SetFrequency(args.surface_frequency)
     steps.run("Build the smooth surface", surface)
 
-    painted = texture_map(surface, args)
+    painted = texture_map(surface, args, whole=colors is not None)
     steps.run("Lay the texture", painted)
 
     mesh = report.measured(steps, "mesh", network, scan)
     result = report.measured(steps, "surface", painted, scan)
 
     write(steps, vtkXMLPolyDataWriter(), args.output, "surface.vtp", result)
-    cut = texture_map(result, args)  # for programs that draw each triangle as it is
-    cut.SplitSeamOn()
+    cut = texture_map(result, args, whole=colors is not None)
+    cut.SplitSeamOn()  # for programs that draw each triangle as it is
     steps.run("Cut along the picture", cut)
+    if colors is not None:
+        texture = scan_colors.baked(cut, scan.GetOutputDataObject(0), colors)
+        steps.run("Bake the scan's colors", texture)
     for name in ("surface.glb", "surface.obj"):
         write(steps, vtkTexturedSurfaceWriter(), args.output, name, cut, texture)
-    stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, texture)]
+    stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, cut, texture)]
     pictures.write_stages(
-        os.path.join(args.output, "quickstart.png"), *stages, args.view, args.up)
+        os.path.join(args.output, "quickstart.png"), *stages, colors, args.view, args.up)
     report.print_table(*stages[:3], steps.seconds)
     print(f"Results: {os.path.relpath(args.output)}{os.sep}")
 

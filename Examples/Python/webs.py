@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Draws a figure with limbs as learned from a sphere, with webs, and as learned by default."""
-import sys
+import argparse
 
 from conformalsom import vtkConformalSOM
 
-import pictures
-from builtin_figure import dancer, figure_cloud
+from helpers import pictures
+from helpers.builtin_figure import dancer, figure_cloud
 
 VIEW, UP = (0, 0, 1), (0, 1, 0)
 
@@ -33,5 +33,11 @@ def write(path):
     pictures.write_side_by_side(path, scenes, 1350, 500)
 
 
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("picture", nargs="?", default="webs.png", help="to write, default webs.png")
+    write(parser.parse_args().picture)
+
+
 if __name__ == "__main__":
-    write(sys.argv[1] if len(sys.argv) > 1 else "webs.png")
+    main()

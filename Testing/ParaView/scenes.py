@@ -7,8 +7,8 @@ from paraview import servermanager
 from paraview import simple
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
-import textures
-from builtin_figure import figure_cloud
+from helpers import textures
+from helpers.builtin_figure import figure_cloud
 
 SIZE = [400, 400]
 

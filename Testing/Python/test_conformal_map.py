@@ -6,7 +6,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkReverseSense
 
-from builtin_figure import bear, figure_cloud, figure_surface
+from helpers.builtin_figure import bear, figure_cloud, figure_surface
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalAlignment)
 from obtuse import obtuse_surface

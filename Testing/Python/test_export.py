@@ -11,8 +11,8 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import textures
-from builtin_figure import figure_cloud
+from helpers import textures
+from helpers.builtin_figure import figure_cloud
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
 from gltf_rules import faults

@@ -10,8 +10,8 @@ from unittest import mock
 
 import conformalsom
 import paper_figures
-import paper_models
 import paper_tables
+from helpers import paper_models
 
 HAS_GCM = hasattr(conformalsom, "vtkGlobalConformalMap")
 METHODS = ("SOM online", "CSM online", "CSM batch, X_few", "CSM batch", "GCM Gu-Yau", "GCM robust")
@@ -59,9 +59,9 @@ class TestPaper(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(folder)),
                              sorted(f"figure_{int(figure):02}.jpg" for figure in figures))
 
-    @unittest.skipUnless(os.path.isfile(os.path.join(paper_tables.DATA, "igea.ply")), "no scans")
+    @unittest.skipUnless(os.path.isfile(os.path.join(paper_models.DATA, "igea.ply")), "no scans")
     def test_batch_learning_is_fifty_times_closer(self):
-        for model in paper_models.models(paper_tables.DATA):
+        for model in paper_models.models(paper_models.DATA):
             with self.subTest(model.name):
                 online = paper_models.learned(model.few, "Online")
                 batch = paper_models.smooth(paper_models.learned(model.more))

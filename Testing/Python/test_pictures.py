@@ -13,11 +13,10 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 
 import numpy as np
 
-import pictures
-import textures
 import webs
 from baselines import expect_picture
-from builtin_figure import figure_cloud, figure_surface
+from helpers import pictures, textures
+from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureBlend,
     vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)

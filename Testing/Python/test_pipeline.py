@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 import numpy as np
 
-from builtin_figure import bear, figure_cloud
+from helpers.builtin_figure import bear, figure_cloud
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,

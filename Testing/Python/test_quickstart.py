@@ -6,21 +6,27 @@ import sys
 import tempfile
 import unittest
 
-from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
-import builtin_figure
-import textures
+import conformalsom
+import quickstart as program
 from baselines import expect_picture
+from helpers import builtin_figure, scan_files, textures
 
-PROGRAM = os.path.join(os.path.dirname(os.path.abspath(builtin_figure.__file__)), "quickstart.py")
 TRIANGLES = 20 * 16**2
+COARSE = ("--frequency", "4", "--surface-frequency", "8")
 
 
 def quickstart(folder, *arguments):
     """Run the program as a user would, from the folder."""
-    return subprocess.run([sys.executable, PROGRAM, *arguments], cwd=folder, text=True,
+    return subprocess.run([sys.executable, program.__file__, *arguments], cwd=folder, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
 
 
@@ -94,8 +100,10 @@ class TestQuickstart(unittest.TestCase):
     def test_failures_end_with_a_message_and_status_1(self):
         with open(os.path.join(self.folder, "broken.ply"), "w", encoding="ascii") as file:
             file.write("ply\nformat ascii 1.0\nelement vertex 5\n")
+        with open(os.path.join(self.folder, "scan.doc"), "w", encoding="ascii") as file:
+            file.write("no scan\n")
         for arguments, message in ((("missing.ply",), "missing.ply: no such file"),
-                                   (("scan.doc",), "expected a file of type"),
+                                   (("scan.doc",), "expected a file of type .off .ply"),
                                    (("broken.ply",), "Read the scan")):
             with self.subTest(arguments):
                 run = quickstart(self.folder, *arguments, "--output", "failed")
@@ -109,6 +117,203 @@ class TestQuickstart(unittest.TestCase):
         picture = vtkPNGReader()
         picture.SetFileName(os.path.join(self.folder, "own scan", "quickstart.png"))
         expect_picture(self, picture, "Quickstart")
+
+
+def write(writer, data, *path):
+    writer.SetInputData(data)
+    writer.SetFileName(os.path.join(*path))
+    writer.Write()
+
+
+def points_of(data):
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def egg(frequency=8):
+    """A closed mesh of an ellipsoid."""
+    sphere = conformalsom.vtkGeodesicSphereSource()
+    sphere.SetFrequency(frequency)
+    sphere.Update()
+    points, mesh = vtkPoints(), vtkPolyData()
+    points.SetData(numpy_to_vtk(points_of(sphere.GetOutput()) * (1.0, 1.4, 0.8), deep=True))
+    mesh.SetPoints(points)
+    mesh.SetPolys(sphere.GetOutput().GetPolys())
+    return mesh
+
+
+def cloud_of(mesh):
+    """The points of a mesh alone."""
+    cloud = vtkPolyData()
+    cloud.SetPoints(mesh.GetPoints())
+    return cloud
+
+
+class TestFormats(unittest.TestCase):
+    """A scan in every format, opened and turned into a surface."""
+    # Who must open it, by the name of the file. The content counts where the name says nothing.
+    OURS = {"scan.ply": "ConformalPLY", "scan.off": "ConformalOFF", "scan.m": "GuMesh",
+            "scan.xyz": "TextCloud", "scan.csv": "TextCloud", "scan.pts": "TextCloud",
+            "scan.pcd": "PCD", "lh.white": "FreeSurfer", "scan.surf.gii": "GIFTI",
+            "scan.conf": "StanfordScans", "ply without extension": "ConformalPLY"}
+    VTKS = {"scan.obj": vtkOBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
+            "scan.vtk": vtkPolyDataReader}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder, cls.mesh = cls.temporary.name, egg()
+        for name, writer in (
+                ("scan.ply", conformalsom.vtkConformalPLYWriter()),
+                ("ply without extension", conformalsom.vtkConformalPLYWriter()),
+                ("scan.off", conformalsom.vtkConformalOFFWriter()),
+                ("scan.m", conformalsom.vtkGuMeshWriter()),
+                ("lh.white", conformalsom.vtkFreeSurferWriter()),
+                ("scan.surf.gii", conformalsom.vtkGIFTIWriter()),
+                ("scan.obj", vtkOBJWriter()), ("scan.stl", vtkSTLWriter()),
+                ("scan.vtp", vtkXMLPolyDataWriter()), ("scan.vtk", vtkPolyDataWriter())):
+            write(writer, cls.mesh, cls.folder, name)
+        points = points_of(cls.mesh)
+        lines = [" ".join(map(repr, point)) for point in points.tolist()]
+        for name, text in (
+                ("scan.xyz", lines),
+                ("scan.csv", ["x,y,z", *(line.replace(" ", ",") for line in lines)]),
+                ("scan.pts", [str(len(lines)), *lines]),
+                ("scan.pcd", ["VERSION 0.7", "FIELDS x y z", "SIZE 4 4 4", "TYPE F F F", "COUNT 1 1 1",
+                              f"WIDTH {len(lines)}", "HEIGHT 1", f"POINTS {len(lines)}", "DATA ascii",
+                              *lines]),
+                ("scan.conf", ["bmesh scan.ply 0 0 0 0 0 0 1"])):
+            with open(os.path.join(cls.folder, name), "w", encoding="ascii") as file:
+                file.write("\n".join(text) + "\n")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def test_every_reader_of_the_package_is_met(self):
+        names = {"vtk" + name + "Reader" for name in self.OURS.values()}
+        self.assertEqual(names, {reader.__name__ for reader in scan_files.OUR_READERS})
+
+    def test_right_reader_reads_every_point(self):
+        ours = {name: getattr(conformalsom, "vtk" + word + "Reader") for name, word in self.OURS.items()}
+        for name, expected in {**ours, **self.VTKS}.items():
+            with self.subTest(name):
+                reader = scan_files.scan_reader(os.path.join(self.folder, name))
+                self.assertIs(type(reader), expected)
+                reader.Update()
+                read_back = points_of(reader.GetOutput())
+                if name == "scan.stl":  # has its points in an order of its own
+                    read_back = read_back[np.lexsort(np.round(read_back, 4).T)]
+                    points = points_of(self.mesh)
+                    points = points[np.lexsort(np.round(points, 4).T)]
+                else:
+                    points = points_of(self.mesh)
+                self.assertEqual(read_back.shape, points.shape)
+                self.assertLess(np.abs(read_back - points).max(), 2e-5)
+
+    def test_surface_is_made_of_every_format_of_ours(self):
+        for name in self.OURS:
+            with self.subTest(name):
+                run = quickstart(self.folder, name, "--output", "of " + name, *COARSE)
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                surface = read(vtkXMLPolyDataReader(), self.folder, "of " + name, "surface.vtp")
+                radii = np.linalg.norm(points_of(surface) / (1.0, 1.4, 0.8), axis=1)
+                self.assertEqual(len(radii), 10 * 8**2 + 2)
+                self.assertLess(np.abs(radii - 1.0).max(), 0.1)
+
+
+def hues(points):
+    """Red, green and blue, which change evenly from place to place."""
+    return np.rint(128.0 + 70.0 * points @ [[1.0, 0.0, 0.4], [0.4, 0.9, 0.0], [0.0, -0.6, 1.2]])
+
+
+def colored(data, colors, attributes):
+    """Colors as active scalars of points or cells."""
+    array = numpy_to_vtk(colors.astype(np.uint8), deep=True)
+    array.SetName("RGB" if colors.shape[1] == 3 else "RGBA")
+    attributes.SetScalars(array)
+    return data
+
+
+def sampled(image, coordinates):
+    """The colors of an image at texture coordinates, mixed from the four pixels around each."""
+    columns, rows, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1).astype(float)
+    places = coordinates * (columns, rows) - 0.5
+    low = np.clip(np.floor(places).astype(int), 0, (columns - 2, rows - 2))
+    s, t = (places - low).T[:, :, None]
+    (i, j) = low.T
+    return ((1 - t) * ((1 - s) * pixels[j, i] + s * pixels[j, i + 1])
+            + t * ((1 - s) * pixels[j + 1, i] + s * pixels[j + 1, i + 1]))
+
+
+class TestColors(unittest.TestCase):
+    """A scan with colors is painted with them, all around, unless a picture is given."""
+
+    def paint(self, name, writer, scan, *options):
+        """The vertices of surface.obj, and what its picture shows at each."""
+        with tempfile.TemporaryDirectory() as folder:
+            write(writer, scan, folder, name)
+            picture = vtkPNGWriter()
+            picture.SetInputData(textures.to_image(np.full((8, 8, 3), 0.2)))
+            picture.SetFileName(os.path.join(folder, "grey.png"))
+            picture.Write()
+            run = quickstart(folder, name, *options, "--output", "out", "--frequency", "8",
+                             "--surface-frequency", "24")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            surface = read(vtkOBJReader(), folder, "out", "surface.obj")
+            image = read(vtkPNGReader(), folder, "out", "surface.png")
+            coordinates = vtk_to_numpy(surface.GetPointData().GetTCoords()).astype(float)
+            return points_of(surface), sampled(image, coordinates)
+
+    def expect_hues(self, points, seen):
+        self.assertEqual(seen.shape[1], 3)
+        difference = np.abs(seen - hues(points))
+        self.assertLess(difference.mean(), 2.0)
+        self.assertLess(difference.max(), 12.0)
+
+    def test_colors_of_points_come_back_at_every_vertex(self):
+        scan = cloud_of(egg(40))
+        colored(scan, hues(points_of(scan)), scan.GetPointData())
+        self.expect_hues(*self.paint("scan.ply", conformalsom.vtkConformalPLYWriter(), scan))
+
+    def test_opacity_is_left_out(self):
+        scan = cloud_of(egg(40))
+        opacity = np.full((scan.GetNumberOfPoints(), 1), 7.0)
+        colored(scan, np.hstack([hues(points_of(scan)), opacity]), scan.GetPointData())
+        self.expect_hues(*self.paint("scan.ply", conformalsom.vtkConformalPLYWriter(), scan))
+
+    def test_colors_of_triangles(self):
+        scan = egg(40)
+        corners = vtk_to_numpy(scan.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        colored(scan, hues(points_of(scan)[corners].mean(axis=1)), scan.GetCellData())
+        self.expect_hues(*self.paint("scan.off", conformalsom.vtkConformalOFFWriter(), scan))
+
+    def test_given_picture_wins(self):
+        scan = cloud_of(egg(20))
+        colored(scan, hues(points_of(scan)), scan.GetPointData())
+        _, seen = self.paint("scan.ply", conformalsom.vtkConformalPLYWriter(), scan, "grey.png")
+        self.assertLess(np.abs(seen - 51.0).max(), 1e-9)
+
+    def test_picture_of_the_gallery_is_what_it_draws(self):
+        scan = builtin_figure.figure_cloud()
+        x, y, z = points_of(scan).T
+        muzzle = np.hypot(x / 0.25, (y - 0.44) / 0.18) < 1.0
+        nose = np.hypot(x / 0.08, (y - 0.53) / 0.06) < 1.0
+        eyes = np.hypot((np.abs(x) - 0.20) / 0.06, (y - 0.69) / 0.07) < 1.0
+        jersey, stripe = (y > -0.62) & (y < 0.1), np.floor(y / 0.09) % 2 == 0
+        colors = np.tile((148, 98, 58), (len(x), 1))
+        colors[muzzle & (z > 0.0)] = (222, 190, 150)
+        colors[(nose & (z > 0.0)) | (eyes & (z > 0.44))] = (40, 34, 34)
+        colors[jersey] = (196, 48, 48)
+        colors[jersey & stripe] = (244, 236, 220)
+        colored(scan, colors, scan.GetPointData())
+        with tempfile.TemporaryDirectory() as folder:
+            write(conformalsom.vtkConformalPLYWriter(), scan, folder, "scan.ply")
+            run = quickstart(folder, "scan.ply", "--output", "out")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            picture = vtkPNGReader()
+            picture.SetFileName(os.path.join(folder, "out", "quickstart.png"))
+            expect_picture(self, picture, "QuickstartColors")
 
 
 if __name__ == "__main__":

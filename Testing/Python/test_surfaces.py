@@ -8,8 +8,8 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 import numpy as np
 
 import compare_surfaces
-import scan_files
-from builtin_figure import figure_cloud
+from helpers import scan_files
+from helpers.builtin_figure import figure_cloud
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessMap, vtkGeodesicSphereSource
 
 SCANS = os.environ["CONFORMALSOM_SCAN_DIR"]
@@ -28,7 +28,7 @@ class TestSurfaces(unittest.TestCase):
             if not os.path.exists(path):
                 self.skipTest(f"{name} is not in CONFORMALSOM_SCAN_DIR")
             with self.subTest(name):
-                reader = scan_files.reader_for(path, scan_files.SCAN_READERS)
+                reader = scan_files.scan_reader(path)
                 reader.Update()
                 rows = compare_surfaces.compared(reader.GetOutput())
                 error = {row: p2s for row, (_, p2s, _) in rows.items()}

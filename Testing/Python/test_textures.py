@@ -4,8 +4,8 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-import textures
-from opera_face import opera_face
+from helpers import textures
+from helpers.opera_face import opera_face
 
 SIZE = 128
 

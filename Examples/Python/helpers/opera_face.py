@@ -1,7 +1,7 @@
 """A painted face in the manner of Chinese opera, drawn by code."""
 import numpy as np
 
-from textures import paint, pixel_centers, to_image
+from .textures import paint, pixel_centers, to_image
 
 # Red for loyalty, black for honesty, white, and gold for what is more than human.
 RED, BLACK, WHITE, GOLD, BLUE, SKIN = (np.array(c) / 255.0 for c in (

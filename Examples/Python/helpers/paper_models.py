@@ -12,10 +12,12 @@ from vtkmodules.vtkFiltersCore import (
 from vtkmodules.vtkFiltersModeling import vtkFillHolesFilter
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 
-import builtin_figure
 import conformalsom
 from conformalsom import vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface
-from steps import StepFailed
+from . import builtin_figure
+from .steps import StepFailed
+
+DATA = os.environ.get("CONFORMALSOM_SCAN_DIR", os.curdir)
 
 FREQUENCY, SURFACE_FREQUENCY = 36, 80  # 12,962 and 64,002 points, as in Table 1
 FEW = 25922                            # triangles of X_few, 12,963 points

@@ -31,8 +31,11 @@ def actor_of(data):
     return actor
 
 
-def cloud_actor(points, view):
-    """The points as dots, shaded as the surface they lie on; far ones fade into the background."""
+def cloud_actor(points, view, colors=SLATE):
+    """The points as dots, shaded as the surface they lie on; far ones fade into the background.
+
+    In one color, or each in its own of an array of #points by 3, all in [0, 1].
+    """
     normals = vtkPCANormalEstimation()
     normals.SetInputData(points)
     normals.SetSampleSize(20)
@@ -43,7 +46,7 @@ def cloud_actor(points, view):
     dots.Update()
     depth = vtk_to_numpy(points.GetPoints().GetData()) @ np.array(view)
     nearness = np.clip(2.0 * (depth - depth.min()) / max(np.ptp(depth), 1e-300), 0.2, 1.0)
-    colors = np.outer(nearness, SLATE) + np.outer(1.0 - nearness, HAZE)
+    colors = nearness[:, None] * colors + np.outer(1.0 - nearness, HAZE)
     dots.GetOutput().GetPointData().SetScalars(
         numpy_to_vtk(np.rint(255 * colors).astype(np.uint8), deep=True))
     actor = actor_of(dots.GetOutput())
@@ -178,13 +181,17 @@ def write_side_by_side(path, scenes, width, height, rows=1):
     writer.Write()
 
 
-def write_stages(path, scan, mesh, surface, image, view, up):
-    """Draw the cloud, the mesh, the surface and the surface with the image side by side."""
+def write_stages(path, scan, mesh, surface, painted, image, colors, view, up):
+    """Draw the cloud, the mesh, the surface and the surface with the image side by side.
+
+    The cloud in its own colors, 0 to 255, if it has some.
+    """
     camera = camera_on(scan, view, up, aspect=0.8)
+    cloud = cloud_actor(scan, view, SLATE if colors is None else colors / 255.0)
     scenes = [
-        scene(cloud_actor(scan, view), f"Scan: {scan.GetNumberOfPoints():,} points", camera),
+        scene(cloud, f"Scan: {scan.GetNumberOfPoints():,} points", camera),
         scene(mesh_actor(mesh), f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles", camera),
         scene(actor_of(surface), f"Smooth surface: {surface.GetNumberOfPolys():,} triangles", camera),
-        scene(textured_actor(surface, image), "Painted surface", camera),
+        scene(textured_actor(painted, image), "Painted surface", camera),
     ]
     write_side_by_side(path, scenes, 1600, 500)

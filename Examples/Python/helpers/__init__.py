@@ -1,0 +1,1 @@
+"""What the example programs share: models and pictures made by code, files, steps, tables, drawing."""

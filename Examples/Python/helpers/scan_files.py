@@ -1,0 +1,61 @@
+"""Scans and pictures from files."""
+import os
+
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import conformalsom
+
+OUR_READERS = [reader for reader in vars(conformalsom).values()
+               if isinstance(reader, type) and reader is not conformalsom.vtkSurfaceFileReader
+               and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
+VTK_READERS = {
+    ".obj": vtkOBJReader,
+    ".stl": vtkSTLReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".vtk": vtkPolyDataReader,
+}
+TEXTURE_READERS = {".png": vtkPNGReader, ".jpg": vtkJPEGReader, ".jpeg": vtkJPEGReader}
+
+
+def reader_class(path):
+    """That of our readers that knows the file by its content, or one of VTK's by its extension.
+
+    Failing that, ours of the extension, which says what is wrong with the file; else none.
+    """
+    extension = os.path.splitext(path)[1].lower()
+    for reader in OUR_READERS:
+        if reader.CanReadFile(path):
+            return reader
+    if extension in VTK_READERS:
+        return VTK_READERS[extension]
+    for reader in OUR_READERS:
+        if extension in reader().GetFileExtensions().split():
+            return reader
+    return None
+
+
+def scan_reader(path):
+    """The reader for a scan, with the file name set."""
+    extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
+    return opened(path, reader_class, [*extensions, *VTK_READERS])
+
+
+def texture_reader(path):
+    """The reader for a picture, with the file name set."""
+    return opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
+                  TEXTURE_READERS)
+
+
+def opened(path, choose, extensions):
+    """A reader of the class that is chosen for a file."""
+    if not os.path.isfile(path):
+        raise ValueError(f"{path}: no such file")
+    reader_type = choose(path)
+    if reader_type is None:
+        raise ValueError(f"{path}: expected a file of type {' '.join(extensions)}")
+    reader = reader_type()
+    reader.SetFileName(path)
+    return reader
