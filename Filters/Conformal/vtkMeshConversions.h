@@ -3,7 +3,7 @@
 #define vtkMeshConversions_h
 
 #include "MappedMesh.h" // for MappedMesh
-#include "Types.h"        // for Points, Triangles
+#include "Types.h"      // for Points, Triangles
 
 #include "vtkType.h" // for vtkIdType
 

@@ -3,8 +3,8 @@
 #define vtkProcessConversions_h
 
 #include "MappedMesh.h" // for MappedMesh
-#include "Parallel.h"     // for Reduce
-#include "Types.h"        // for Progress
+#include "Parallel.h"   // for Reduce
+#include "Types.h"      // for Progress
 
 #include <functional> // for RunCore's argument
 #include <string>     // for what went wrong

@@ -1,7 +1,7 @@
 #include "vtkSphericalTextureBlend.h"
 
-#include "SphericalTextureBlend.h"
 #include "SphereViewChoice.h"
+#include "SphericalTextureBlend.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkSphereImageConversions.h"

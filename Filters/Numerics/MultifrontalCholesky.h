@@ -12,10 +12,10 @@
 
 namespace conformal
 {
-/// The Cholesky factor of a positive definite matrix, front by front (\cite Duff1983): each part of a
-/// nested dissection is a dense matrix of its own unknowns and of those later ones that it touches.
-/// Parts of one level are independent, so they are done at the same time; large ones are done a
-/// panel at a time, with a report after each, so that no step is long.
+/// The Cholesky factor of a positive definite matrix, front by front (\cite Duff1983): each part of
+/// a nested dissection is a dense matrix of its own unknowns and of those later ones that it
+/// touches. Parts of one level are independent, so they are done at the same time; large ones are
+/// done a panel at a time, with a report after each, so that no step is long.
 ///
 /// Eigen's own sparse factorisations go column by column, on one thread and without a report; for
 /// Igea's 134,342 unknowns they take 0.7 s, this one 0.2 s.
