@@ -1,0 +1,61 @@
+# steps.sh: what run.sh and check.sh do with the packages of Debian 12 and the presets of CMake.
+# Quiet but for summaries; what failed is shown.
+
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+
+# install PACKAGE...: besides what every build with tests wants
+install()
+{
+  bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy \
+    libeigen3-dev libexpat1-dev zlib1g-dev libgtest-dev libbenchmark-dev libboost-dev assimp-utils \
+    xvfb xauth libgl1-mesa-dri openmpi-bin "$@"
+}
+
+# logged LOG TITLE COMMAND...: run with all output in the log, and show its end if it fails
+logged()
+{
+  local log=$1 title=$2
+  shift 2
+  mkdir -p "$(dirname "$log")"
+  echo "$title"
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 60 "$log"
+    echo "Failed: $title; all of the output is in $log" >&2
+    return 1
+  fi
+}
+
+# configure PRESET
+configure()
+{
+  logged "build/$1/configure.log" "Configuring build/$1" cmake --preset "$1" "${launcher[@]}"
+}
+
+# build PRESET [TARGET...]
+build()
+{
+  local preset=$1
+  shift
+  logged "build/$preset/build.log" "Building ${*:-everything} in build/$preset" \
+    cmake --build --preset "$preset" ${1:+--target "$@"}
+}
+
+# run_tests PRESET [ARGUMENT...]: of ctest
+run_tests()
+{
+  local preset=$1 log=build/$1/test.log status=0
+  shift
+  echo "Testing in build/$preset"
+  # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
+  xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
+    ctest --preset "$preset" -j2 "$@" >"$log" 2>&1 || status=$?
+  if [ "$status" -ne 0 ]; then
+    cat "$log"
+  else
+    sed -n '/% tests passed/,$p' "$log"
+  fi
+  return "$status"
+}
