@@ -198,8 +198,10 @@ std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress
 }
 
 //------------------------------------------------------------------------------
-std::string makeFreeSurferCurv(const NamedArray& values, std::size_t numberOfPolygons)
+std::string makeFreeSurferCurv(
+  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress)
 {
+  report(progress, 0.0);
   std::string bytes = "\xFF\xFF\xFF";
   appendBytes(bytes, static_cast<std::int32_t>(values.numberOfTuples()), true);
   appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons), true);

@@ -1,53 +1,102 @@
 #include "FileOutput.h"
 
-#include <filesystem>
-#include <fstream>
+#include "ParseStatus.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <iterator>
+#include <list>
+#include <random>
+#include <stdexcept>
 #include <system_error>
 
 namespace conformal
 {
 namespace
 {
-std::filesystem::path partOf(const std::string& path)
+bool isControlCharacter(char c)
 {
-  return std::filesystem::u8path(path + ".part");
+  constexpr unsigned char blank = ' ';
+  constexpr unsigned char erase = 0x7F;
+  const auto code = static_cast<unsigned char>(c);
+  return code < blank || code == erase;
 }
 
-WriteCode write(const std::filesystem::path& path, std::string_view bytes)
+WriteStatus failureOf(const std::string& path, const std::exception& e)
 {
-  std::filebuf file;
-  if (!file.open(path, std::ios::out | std::ios::binary | std::ios::trunc))
-  {
-    return WriteCode::CannotOpen;
-  }
-  const auto size = static_cast<std::streamsize>(bytes.size());
-  const bool isWhole = file.sputn(bytes.data(), size) == size;
-  return file.close() && isWhole ? WriteCode::Ok : WriteCode::OutOfDiskSpace;
+  const auto* error = dynamic_cast<const std::system_error*>(&e);
+  constexpr int full[] = { ENOSPC, EDQUOT, EFBIG };
+  const bool isFull =
+    error && std::find(std::begin(full), std::end(full), error->code().value()) != std::end(full);
+  return { isFull ? WriteCode::OutOfDiskSpace : WriteCode::CannotOpen,
+    path + " cannot be written: " + (error ? error->code().message() : e.what()) };
 }
 }
 
 //------------------------------------------------------------------------------
-WriteStatus writeFiles(const std::vector<std::pair<std::string, std::string_view>>& files)
+std::string makeTemporaryName()
 {
-  WriteStatus status;
+  constexpr char digits[] = "0123456789abcdef";
+  std::random_device random;
+  std::string name = ".conformalsom-";
+  for (int i = 0; i < 16; ++i)
+  {
+    name += digits[random() % 16];
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
+WriteStatus writeFiles(
+  const std::vector<std::pair<std::string, std::string_view>>& files, const MakeName& makeName)
+{
   for (const auto& [path, bytes] : files)
   {
-    status = { write(partOf(path), bytes), path };
-    if (!status.ok())
+    if (std::any_of(path.begin(), path.end(), isControlCharacter))
     {
-      break;
+      return { WriteCode::InvalidName,
+        "the file name " + conformal::quoted(path) + " contains a control character" };
     }
   }
-  for (const auto& [path, bytes] : files)
+  std::list<OutputFile> outputs;
+  std::string current;
+  WriteStatus failure;
+  try
   {
-    std::error_code error;
-    if (status.ok())
+    for (const auto& [path, bytes] : files)
     {
-      std::filesystem::rename(partOf(path), std::filesystem::u8path(path), error);
-      status = { error ? WriteCode::CannotOpen : WriteCode::Ok, path };
+      current = path;
+      outputs.emplace_back(path, makeName);
+      for (auto other = outputs.begin(); other != std::prev(outputs.end()); ++other)
+      {
+        if (other->isSameAs(outputs.back()))
+        {
+          throw std::invalid_argument("it is the same file as " + other->path());
+        }
+      }
     }
-    std::filesystem::remove(partOf(path), error); // what is left of a failure
+    auto output = outputs.begin();
+    for (const auto& [path, bytes] : files)
+    {
+      current = path;
+      (output++)->write(bytes);
+    }
+    for (output = outputs.begin(); output != outputs.end(); ++output)
+    {
+      current = output->path();
+      output->takePlace(std::next(output) != outputs.end());
+    }
+    return {};
   }
-  return status;
+  catch (const std::exception& e)
+  {
+    failure = failureOf(current, e);
+  }
+  for (auto output = outputs.rbegin(); output != outputs.rend(); ++output)
+  {
+    failure.Message += output->putBack();
+  }
+  return failure;
 }
 }

@@ -15,6 +15,15 @@ std::string ParseStatus::text() const
 }
 
 //------------------------------------------------------------------------------
+void report(const ParseProgress& progress, double fraction)
+{
+  if (progress && !progress(fraction))
+  {
+    throw ParseError({ ParseCode::Aborted, 0, 0, "aborted" });
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string quoted(std::string_view text)
 {
   constexpr std::size_t longest = 40;

@@ -57,6 +57,10 @@ private:
 /// whether to go on.
 using ParseProgress = std::function<bool(double)>;
 
+/// Call the callback if there is one.
+/// @throws ParseError with Aborted if it says stop
+void report(const ParseProgress& progress, double fraction);
+
 /// A file's text as a message may show it: in quotes, short, printable.
 std::string quoted(std::string_view text);
 

@@ -35,7 +35,8 @@ std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgres
 std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress = {});
 
 /// FreeSurfer's curv, the new layout, of an array of 1 component. Values are written as floats.
-std::string makeFreeSurferCurv(const NamedArray& values, std::size_t numberOfPolygons);
+std::string makeFreeSurferCurv(
+  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress = {});
 
 /// GIFTI, compressed, all arrays of points.
 /// @throws std::invalid_argument if a polygon has more than 3 corners

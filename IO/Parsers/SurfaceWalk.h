@@ -84,9 +84,9 @@ void walk(const SurfaceData& surface, const ParseProgress& progress, UsePoint us
   constexpr std::size_t step = 1 << 14;
   for (std::size_t i = 0; i < points + polygons; ++i)
   {
-    if (i % step == 0 && progress && !progress(static_cast<double>(i) / (points + polygons)))
+    if (i % step == 0)
     {
-      throw ParseError({ ParseCode::Aborted, 0, 0, "aborted" });
+      report(progress, static_cast<double>(i) / (points + polygons));
     }
     if (i < points)
     {

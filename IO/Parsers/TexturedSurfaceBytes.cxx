@@ -22,14 +22,6 @@ constexpr std::uint32_t Magic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t JSONChunk = 0x4E4F534A; // "JSON"
 constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
 
-void report(const ParseProgress& progress, double fraction)
-{
-  if (progress && !progress(fraction))
-  {
-    throw ParseError({ ParseCode::Aborted, 0, 0, "aborted" });
-  }
-}
-
 // Calls body for all i below count; reports now and then, from begin to end of the whole.
 template <typename Body>
 void forEach(std::size_t count, const ParseProgress& progress, double begin, double end, Body body)

@@ -32,7 +32,7 @@ void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress
       if (this->Content == CURVATURE)
       {
         return conformal::makeFreeSurferCurv(
-          Find(surface, this->ArrayName), conformal::numberOfPolygons(surface));
+          Find(surface, this->ArrayName), conformal::numberOfPolygons(surface), progress);
       }
       if (this->Content == SPHERE)
       {

@@ -99,6 +99,22 @@ std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data)
   return arrays;
 }
 
+unsigned long ErrorCodeOf(conformal::WriteCode code)
+{
+  switch (code)
+  {
+    case conformal::WriteCode::Ok:
+      return vtkErrorCode::NoError;
+    case conformal::WriteCode::InvalidName:
+      return vtkErrorCode::UserError;
+    case conformal::WriteCode::OutOfDiskSpace:
+      return vtkErrorCode::OutOfDiskSpaceError;
+    case conformal::WriteCode::CannotOpen:
+      break;
+  }
+  return vtkErrorCode::CannotOpenFileError;
+}
+
 void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
 {
   vtkNew<vtkIdList> ids;
@@ -164,13 +180,9 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
 void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files)
 {
   const conformal::WriteStatus status = conformal::writeFiles(files);
-  if (status.Code == conformal::WriteCode::CannotOpen)
+  if (!status.ok())
   {
-    throw WriteError(vtkErrorCode::CannotOpenFileError, status.Path + " cannot be opened");
-  }
-  if (status.Code == conformal::WriteCode::OutOfDiskSpace)
-  {
-    throw WriteError(vtkErrorCode::OutOfDiskSpaceError, status.Path + " cannot be written whole");
+    throw WriteError(ErrorCodeOf(status.Code), status.Message);
   }
 }
 }

@@ -39,7 +39,7 @@ vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 /// @throws WriteError for a surface without points, or a coordinate that is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
-/// Write files whole or not at all.
+/// Write files all and whole, or none.
 /// @throws WriteError
 void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 }

@@ -53,7 +53,7 @@ void vtkSurfaceFileWriter::WriteData()
   }
   catch (const conformal::ParseError&) // asked to abort: nothing was written
   {
-    this->SetErrorCode(vtkErrorCode::NoError);
+    this->SetErrorCode(AbortedError);
   }
   catch (const vtkSurfaceConversions::WriteError& e)
   {

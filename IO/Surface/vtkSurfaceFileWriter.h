@@ -8,14 +8,24 @@
  * writers say. Arrays that have not a tuple for each point or cell, and polygons that name points
  * that are not there, are an error.
  *
- * Files are written whole or not at all: after an error, which sets an error code of vtkErrorCode
- * and makes Write() return 0, an older file of the name is as it was. Text is alike in every
- * locale. A writer that is asked to abort writes nothing and makes no error.
+ * Files are written whole or not at all, and those of one surface all or none: after an error,
+ * which sets an error code of vtkErrorCode and makes Write() return 0, older files of the names are
+ * as they were. A writer that is asked to abort writes nothing and reports no error; Write()
+ * returns 0 then too, and the error code is AbortedError. Text is alike in every locale.
+ *
+ * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
+ * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or
+ * another control character (UserError). A symbolic link stays a link, and the file that it points
+ * at is replaced or made. A replaced file keeps its permissions, and its owner and group as far as
+ * the system allows; its other hard links keep the old content. While a file is written, it has a
+ * name of its own in the same folder, ".conformalsom-" and 16 digits, and the permissions of the
+ * file that it replaces.
  */
 
 #ifndef vtkSurfaceFileWriter_h
 #define vtkSurfaceFileWriter_h
 
+#include "vtkErrorCode.h"       // for AbortedError
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkWriter.h"
 
@@ -33,6 +43,14 @@ public:
   vtkTypeMacro(vtkSurfaceFileWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum
+  {
+    /**
+     * Error code of a writer that was asked to abort: vtkErrorCode::UserError + 1.
+     */
+    AbortedError = vtkErrorCode::UserError + 1
+  };
+
   ///@{
   /**
    * Name of the file to write. Default is none.
@@ -42,7 +60,7 @@ public:
   ///@}
 
   /**
-   * Write the file or files. Returns 1 on success and 0 on failure.
+   * Write the file or files. Returns 1 if they are written, and 0 if not; GetErrorCode() says why.
    */
   int Write() override;
 

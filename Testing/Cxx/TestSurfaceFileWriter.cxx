@@ -1,6 +1,8 @@
 // What all writers do alike, tried with every one of them.
 #include "vtkSurfaceFileWriter.h"
 
+#include "../FullDisk.h"
+#include "../OtherUser.h"
 #include "WriterContract.h"
 
 #include "vtkCallbackCommand.h"
@@ -11,75 +13,329 @@
 #include "vtkFreeSurferWriter.h"
 #include "vtkGIFTIWriter.h"
 #include "vtkGuMeshWriter.h"
+#include "vtkImageData.h"
 #include "vtkStripper.h"
 #include "vtkTextCloudWriter.h"
+#include "vtkTexturedSurfaceWriter.h"
 
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <random>
 
 namespace
 {
-std::vector<vtkSmartPointer<vtkSurfaceFileWriter>> Writers()
+namespace fs = std::filesystem;
+
+// A writer, and what the names of its files end in; that of FileName is the last.
+struct WriterSetUp
 {
-  return { vtkSmartPointer<vtkConformalOFFWriter>::New(),
-    vtkSmartPointer<vtkConformalPLYWriter>::New(), vtkSmartPointer<vtkFreeSurferWriter>::New(),
-    vtkSmartPointer<vtkGIFTIWriter>::New(), vtkSmartPointer<vtkGuMeshWriter>::New(),
-    vtkSmartPointer<vtkTextCloudWriter>::New() };
+  vtkSmartPointer<vtkSurfaceFileWriter> Writer;
+  std::vector<std::string> Endings = { "" };
+
+  std::string label() const { return this->Writer->GetClassName() + this->Endings.back(); }
+
+  // Write a surface to a file; an error is kept in Message.
+  int write(vtkPolyData* surface, const std::string& path)
+  {
+    contract::Observed observed(this->Writer);
+    this->Writer->SetInputData(surface);
+    this->Writer->SetFileName(path.c_str());
+    const int result = this->Writer->Write();
+    this->Message = observed.ErrorMessage();
+    EXPECT_EQ(observed.Error(), result == 0);
+    return result;
+  }
+
+  void expectRefused(
+    vtkPolyData* surface, const std::string& path, unsigned long code, const std::string& part = "")
+  {
+    EXPECT_EQ(this->write(surface, path), 0);
+    EXPECT_EQ(this->Writer->GetErrorCode(), code);
+    EXPECT_NE(this->Message.find(part), std::string::npos) << this->Message;
+  }
+
+  std::string Message = {};
+};
+
+std::vector<WriterSetUp> WriterSetUps()
+{
+  std::vector<WriterSetUp> setUps = { { vtkSmartPointer<vtkConformalOFFWriter>::New() },
+    { vtkSmartPointer<vtkConformalPLYWriter>::New() },
+    { vtkSmartPointer<vtkFreeSurferWriter>::New() }, { vtkSmartPointer<vtkGIFTIWriter>::New() },
+    { vtkSmartPointer<vtkGuMeshWriter>::New() }, { vtkSmartPointer<vtkTextCloudWriter>::New() } };
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(20, 20, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::mt19937 random; // noise, so that the file is not small
+  for (vtkIdType i = 0; i < picture->GetPointData()->GetScalars()->GetNumberOfValues(); ++i)
+  {
+    picture->GetPointData()->GetScalars()->SetVariantValue(i, static_cast<unsigned char>(random()));
+  }
+  for (const std::vector<std::string>& endings :
+    { std::vector<std::string>{ ".glb" }, { ".png", ".mtl", ".obj" }, { ".png", ".ply" } })
+  {
+    auto writer = vtkSmartPointer<vtkTexturedSurfaceWriter>::New();
+    writer->SetInputData(1, picture);
+    setUps.push_back({ writer, endings });
+  }
+  return setUps;
+}
+
+// A writer that is asked to stop at its first sign of life.
+void AbortAtOnce(vtkAlgorithm* writer)
+{
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
+  writer->AddObserver(vtkCommand::ProgressEvent, abort);
 }
 }
 
 TEST(SurfaceFileWriter, EveryWriterRefusesWhatItCannotWriteAndLeavesNoFile)
 {
-  const TemporaryFolder folder;
-  for (const vtkSmartPointer<vtkSurfaceFileWriter>& writer : Writers())
+  for (WriterSetUp& setUp : WriterSetUps())
   {
-    SCOPED_TRACE(writer->GetClassName());
-    const auto refuse = [&](vtkPolyData* surface, const std::string& path, unsigned long code)
-    {
-      contract::Observed observed(writer);
-      writer->SetInputData(surface);
-      writer->SetFileName(path.c_str());
-      EXPECT_EQ(writer->Write(), 0);
-      EXPECT_TRUE(observed.Error());
-      EXPECT_EQ(writer->GetErrorCode(), code) << observed.ErrorMessage();
-    };
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a" + setUp.Endings.back());
     const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
-    refuse(sphere, "", vtkErrorCode::NoFileNameError);
-    refuse(sphere, folder.file("missing/a"), vtkErrorCode::CannotOpenFileError);
+    setUp.expectRefused(sphere, "", vtkErrorCode::NoFileNameError);
+    setUp.expectRefused(sphere, folder.file("missing/a" + setUp.Endings.back()),
+      vtkErrorCode::CannotOpenFileError, "missing/a");
     vtkNew<vtkPolyData> empty;
-    refuse(empty, folder.file("a"), vtkErrorCode::UserError);
+    setUp.expectRefused(empty, path, vtkErrorCode::UserError);
     sphere->GetPoints()->SetPoint(3, 0, std::numeric_limits<double>::quiet_NaN(), 0);
-    refuse(sphere, folder.file("a"), vtkErrorCode::UserError);
+    setUp.expectRefused(sphere, path, vtkErrorCode::UserError);
     const vtkSmartPointer<vtkPolyData> broken = contract::RichSphere();
     const vtkIdType ids[] = { 0, 1, 1000000 };
     vtkNew<vtkCellArray> polygons;
     polygons->InsertNextCell(3, ids);
     broken->SetPolys(polygons);
-    refuse(broken, folder.file("a"), vtkErrorCode::UserError);
+    setUp.expectRefused(broken, path, vtkErrorCode::UserError);
     EXPECT_EQ(folder.numberOfFiles(), 0u);
-    contract::ExpectPrints(writer, "FileName");
+    contract::ExpectPrints(setUp.Writer, "FileName");
   }
 }
 
 TEST(SurfaceFileWriter, EveryWriterStopsWhenAskedWithoutAWordAndLeavesTheInputAlone)
 {
-  const TemporaryFolder folder;
-  for (const vtkSmartPointer<vtkSurfaceFileWriter>& writer : Writers())
+  std::vector<WriterSetUp> setUps = WriterSetUps();
+  for (const int content : { vtkFreeSurferWriter::SPHERE, vtkFreeSurferWriter::CURVATURE })
   {
-    SCOPED_TRACE(writer->GetClassName());
-    const std::string path = folder.write("a", "before");
-    const contract::Observed observed(writer);
-    vtkNew<vtkCallbackCommand> abort;
-    abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-      { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
-    writer->AddObserver(vtkCommand::ProgressEvent, abort);
+    auto writer = vtkSmartPointer<vtkFreeSurferWriter>::New();
+    writer->SetContent(content);
+    setUps.push_back({ writer });
+  }
+  for (WriterSetUp& setUp : setUps)
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    const std::string name = "a" + setUp.Endings.back();
+    const std::string path = folder.write(name, "before");
     const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
     const vtkMTimeType before = sphere->GetMTime();
-    writer->SetInputData(sphere);
-    writer->SetFileName(path.c_str());
-    writer->Write();
-    EXPECT_FALSE(observed.Error());
-    EXPECT_EQ(folder.read("a"), "before");
+    const contract::Observed observed(setUp.Writer);
+    AbortAtOnce(setUp.Writer);
+    setUp.Writer->SetInputData(sphere);
+    setUp.Writer->SetFileName(path.c_str());
+    EXPECT_EQ(setUp.Writer->Write(), 0);
+    EXPECT_EQ(
+      setUp.Writer->GetErrorCode(), static_cast<unsigned long>(vtkSurfaceFileWriter::AbortedError));
+    EXPECT_FALSE(observed.Error() || observed.Warning());
+    EXPECT_EQ(folder.read(name), "before");
+    EXPECT_EQ(folder.numberOfFiles(), 1u);
     EXPECT_EQ(sphere->GetMTime(), before);
+    setUp.Writer->RemoveObservers(vtkCommand::ProgressEvent);
+    EXPECT_EQ(setUp.Writer->Write(), 1);
+    EXPECT_EQ(setUp.Writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+    EXPECT_NE(folder.read(name), "before");
+  }
+}
+
+// At every place that a writer writes to, also that of a picture beside the surface.
+TEST(SurfaceFileWriter, EveryWriterReplacesNothingButRegularFiles)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  bool hasDevices = true;
+  const auto makeFolder = [](const std::string& path) { fs::create_directory(path); };
+  const auto makePipe = [](const std::string& path) { ASSERT_EQ(mkfifo(path.c_str(), 0666), 0); };
+  const auto makeDevice = [&](const std::string& path) // that of no driver
+  { hasDevices = mknod(path.c_str(), S_IFCHR | 0666, makedev(240, 0)) == 0; };
+  const std::pair<std::string, std::function<void(const std::string&)>> kinds[] = {
+    { "directory", makeFolder }, { "pipe", makePipe }, { "device", makeDevice }
+  };
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    for (const std::string& ending : setUp.Endings)
+    {
+      for (const auto& [kind, make] : kinds)
+      {
+        SCOPED_TRACE(setUp.label() + " " + ending + " " + kind);
+        const TemporaryFolder folder;
+        const std::string path = folder.file("a" + setUp.Endings.back());
+        make(folder.file("a" + ending));
+        if (kind == "device" && !hasDevices)
+        {
+          continue;
+        }
+        const fs::file_status before = fs::status(folder.file("a" + ending));
+        setUp.expectRefused(sphere, path, vtkErrorCode::CannotOpenFileError,
+          folder.file("a" + ending) + " cannot be written: it is a " + kind);
+        fs::rename(folder.file("a" + ending), folder.file("thing"));
+        fs::create_symlink("thing", folder.file("a" + ending));
+        setUp.expectRefused(sphere, path, vtkErrorCode::CannotOpenFileError, "it is a " + kind);
+        EXPECT_TRUE(fs::is_symlink(folder.file("a" + ending)));
+        EXPECT_EQ(fs::status(folder.file("thing")).type(), before.type());
+        EXPECT_EQ(folder.numberOfFiles(), 2u);
+      }
+    }
+  }
+  if (!hasDevices)
+  {
+    GTEST_SKIP() << "All but devices was tried: only root can make one";
+  }
+}
+
+TEST(SurfaceFileWriter, EveryWriterFollowsLinks)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    fs::create_directory(folder.file("there"));
+    for (const bool isDangling : { true, false })
+    {
+      const std::string name = isDangling ? "dangling" : "link";
+      for (const std::string& ending : setUp.Endings)
+      {
+        folder.write("there/link" + ending, "before");
+        fs::create_symlink("there/" + name + ending, folder.file(name + ending));
+      }
+      EXPECT_EQ(setUp.write(sphere, folder.file(name + setUp.Endings.back())), 1) << setUp.Message;
+      for (const std::string& ending : setUp.Endings)
+      {
+        EXPECT_TRUE(fs::is_symlink(folder.file(name + ending))) << ending;
+        EXPECT_GT(folder.read("there/" + name + ending).size(), 50u) << ending;
+      }
+    }
+    EXPECT_EQ(folder.numberOfFiles(), 2 * setUp.Endings.size() + 1);
+  }
+}
+
+TEST(SurfaceFileWriter, EveryWriterKeepsModesAndTheFilesOfOthers)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    for (const std::string& ending : setUp.Endings)
+    {
+      chmod(folder.write("a" + ending, "before").c_str(), 0600);
+      folder.write("a" + ending + ".part", "mine");
+    }
+    EXPECT_EQ(setUp.write(sphere, folder.file("a" + setUp.Endings.back())), 1) << setUp.Message;
+    for (const std::string& ending : setUp.Endings)
+    {
+      EXPECT_GT(folder.read("a" + ending).size(), 50u) << ending;
+      EXPECT_EQ(fs::status(folder.file("a" + ending)).permissions(),
+        fs::perms::owner_read | fs::perms::owner_write)
+        << ending;
+      EXPECT_EQ(folder.read("a" + ending + ".part"), "mine") << ending;
+    }
+    EXPECT_EQ(folder.numberOfFiles(), 2 * setUp.Endings.size());
+  }
+}
+
+TEST(SurfaceFileWriter, EveryWriterTakesTheLongestNamesAndNoNewlines)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    const std::string& ending = setUp.Endings.back();
+    const std::string longest(255 - ending.size(), 'x');
+    EXPECT_EQ(setUp.write(sphere, folder.file(longest + ending)), 1) << setUp.Message;
+    EXPECT_EQ(folder.numberOfFiles(), setUp.Endings.size());
+    for (const char* name : { "a\nb", "a\r", "\x1B[2J", "sub\n/a" })
+    {
+      setUp.expectRefused(
+        sphere, folder.file(name + ending), vtkErrorCode::UserError, "control character");
+    }
+    EXPECT_EQ(folder.numberOfFiles(), setUp.Endings.size());
+  }
+}
+
+TEST(SurfaceFileWriter, EveryWriterReplacesAllFilesOfASurfaceOrNone)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    for (const std::string& ending : setUp.Endings)
+    {
+      SCOPED_TRACE(setUp.label() + " " + ending);
+      const TemporaryFolder folder;
+      for (const std::string& other : setUp.Endings)
+      {
+        folder.write("a" + other, "before");
+      }
+      fs::remove(folder.file("a" + ending));
+      fs::create_symlink("missing/file", folder.file("a" + ending));
+      setUp.expectRefused(sphere, folder.file("a" + setUp.Endings.back()),
+        vtkErrorCode::CannotOpenFileError, "a" + ending + " cannot");
+      fs::remove(folder.file("a" + ending));
+      folder.write("a" + ending, "before");
+      for (const std::string& other : setUp.Endings)
+      {
+        EXPECT_EQ(folder.read("a" + other), "before") << other;
+      }
+      EXPECT_EQ(folder.numberOfFiles(), setUp.Endings.size());
+    }
+  }
+}
+
+TEST(SurfaceFileWriter, EveryWriterLeavesTheOlderFileOnAFullDiskAndInAFolderOfOthers)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  bool isAnother = true;
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a" + setUp.Endings.back());
+    for (const std::string& ending : setUp.Endings)
+    {
+      chmod(folder.write("a" + ending, "before").c_str(), 0666);
+    }
+    {
+      const FullDisk disk(500);
+      setUp.expectRefused(sphere, path, vtkErrorCode::OutOfDiskSpaceError, "File too large");
+    }
+    chmod(folder.file("").c_str(), 0555);
+    {
+      const OtherUser user;
+      isAnother = user.isHere(folder.file(""));
+      if (isAnother)
+      {
+        setUp.expectRefused(sphere, path, vtkErrorCode::CannotOpenFileError, "Permission denied");
+      }
+    }
+    chmod(folder.file("").c_str(), 0755);
+    for (const std::string& ending : setUp.Endings)
+    {
+      EXPECT_EQ(folder.read("a" + ending), "before") << ending;
+    }
+    EXPECT_EQ(folder.numberOfFiles(), setUp.Endings.size());
+  }
+  if (!isAnother)
+  {
+    GTEST_SKIP() << "Read-only folders were not tried: nothing is forbidden to root";
   }
 }
 

@@ -267,4 +267,5 @@ TEST(SurfaceBytes, StopWhenAsked)
   {
     EXPECT_THROW(make(data, stop), conformal::ParseError);
   }
+  EXPECT_THROW(conformal::makeFreeSurferCurv(data.Points, 4, stop), conformal::ParseError);
 }

@@ -1,13 +1,10 @@
 #include "TexturedSurfaceBytes.h"
 
 #include "../CommaLocale.h"
-#include "FileOutput.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace
 {
@@ -124,25 +121,4 @@ TEST(TexturedSurfaceBytes, StopsWhenAsked)
   EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);
   EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::ParseError);
   EXPECT_THROW(conformal::makePLY(triangle(), "", stop), conformal::ParseError);
-}
-
-TEST(TexturedSurfaceBytes, FilesAreWrittenTogetherOrNotAtAll)
-{
-  const auto folder = std::filesystem::path(testing::TempDir()) / "TexturedSurfaceBytes";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  const std::string good = (folder / "good").string();
-  const std::string bad = (folder / "missing" / "bad").string();
-  std::ofstream(good) << "before";
-  const conformal::WriteStatus failed = conformal::writeFiles({ { good, "new" }, { bad, "new" } });
-  EXPECT_EQ(failed.Code, conformal::WriteCode::CannotOpen);
-  EXPECT_EQ(failed.Path, bad);
-  std::string content;
-  std::ifstream(good) >> content;
-  EXPECT_EQ(content, "before");
-  EXPECT_TRUE(conformal::writeFiles({ { good, "new" } }).ok());
-  std::ifstream(good) >> content;
-  EXPECT_EQ(content, "new");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
-  std::filesystem::remove_all(folder);
 }
