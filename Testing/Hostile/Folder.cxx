@@ -103,7 +103,7 @@ std::map<std::string, std::string> Folder::contents() const
       std::ifstream file(entry.path(), std::ios::binary);
       text.append(std::istreambuf_iterator<char>(file), {});
     }
-    all[fs::relative(entry.path(), this->Path).string()] = text;
+    all[entry.path().lexically_relative(this->Path).string()] = text;
   }
   return all;
 }

@@ -167,25 +167,30 @@ Outcome JudgeFile(const WriterSetUp& setUp, vtkPolyData* surface, const std::str
 
 using Contents = std::map<std::string, std::string>;
 
-// The first name that changed; of the file written to only the mode counts, and what belongs to
-// it may be new.
-std::string WhatChanged(const Contents& before, const Contents& after, const std::string& written)
+// The first name that changed; of the files written to only the mode counts, and what belongs to
+// them may be new.
+std::string WhatChanged(
+  const Contents& before, const Contents& after, const std::vector<std::string>& written)
 {
-  const std::string stem = std::filesystem::path(written).stem().string();
+  const auto isWritten = [&](const std::string& name)
+  {
+    return std::any_of(written.begin(), written.end(),
+      [&](const std::string& other)
+      { return std::filesystem::path(name).stem() == std::filesystem::path(other).stem(); });
+  };
   for (const auto& [name, bytes] : before)
   {
     const auto now = after.find(name);
     const auto mode = [](const std::string& text) { return text.substr(0, text.find(' ')); };
-    const bool isOurs = !written.empty() && std::filesystem::path(name).stem() == stem;
-    if (now == after.end() || mode(now->second) != mode(bytes) || (!isOurs && now->second != bytes))
+    if (now == after.end() || mode(now->second) != mode(bytes) ||
+      (!isWritten(name) && now->second != bytes))
     {
       return name;
     }
   }
   for (const auto& [name, bytes] : after)
   {
-    const bool isOurs = !written.empty() && std::filesystem::path(name).stem() == stem;
-    if (before.count(name) == 0 && !isOurs)
+    if (before.count(name) == 0 && !isWritten(name))
     {
       return name;
     }
@@ -232,7 +237,7 @@ Outcome Write(
   }
   std::error_code error;
   const std::string written = std::filesystem::weakly_canonical(*path, error).string();
-  const std::string changed = WhatChanged(before, folder.contents(), written);
+  const std::string changed = WhatChanged(before, folder.contents(), { *path, written });
   if (!changed.empty())
   {
     return { Verdict::Wrong, "changed " + changed };
