@@ -1,6 +1,7 @@
 #include "vtkConformalSOM.h"
 
 #include "ConformalSOM.h"
+#include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
 
@@ -96,8 +97,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
   if (samples.numberOfNonFinite() > 0)
   {
-    vtkWarningWithObjectMacro(
-      self, << samples.numberOfNonFinite() << " points are not finite and left out");
+    vtkConformalConversions::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
   }
   if (samples.empty())
   {
@@ -125,15 +125,11 @@ void WarnAbout(
   }
   if (result.NumberOfCutNodes > 0)
   {
-    vtkWarningWithObjectMacro(
-      self, << "the hull of the points has handles, cut open at " << result.NumberOfCutNodes
-            << " places: the object is not of genus zero, or parts of it touch");
+    vtkConformalConversions::WarnOfCutHandles(self, result.NumberOfCutNodes);
   }
   if (result.NumberOfSamplesOutside > samples / 1000)
   {
-    vtkWarningWithObjectMacro(
-      self, << result.NumberOfSamplesOutside << " of " << samples
-            << " points lie apart from the object: outliers, or inner parts");
+    vtkConformalConversions::WarnOfPointsApart(self, result.NumberOfSamplesOutside, samples);
   }
   if (result.UnsupportedFraction > 0.002)
   {

@@ -1,6 +1,7 @@
 #include "vtkGenusZeroHull.h"
 
 #include "GenusZeroHull.h"
+#include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
 
@@ -33,8 +34,7 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
 {
   if (samples.numberOfNonFinite() > 0)
   {
-    vtkWarningWithObjectMacro(
-      self, << samples.numberOfNonFinite() << " points are not finite and left out");
+    vtkConformalConversions::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
   }
   if (samples.empty())
   {
@@ -56,6 +56,22 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
     vtkWarningWithObjectMacro(
       self, << "the points enclose nothing, the hull is a shell around them");
   }
+  if (conformal::hasHandles(hull))
+  {
+    vtkConformalConversions::WarnOfCutHandles(self, hull.NumberOfCutNodes);
+  }
+  // Closed scans lose up to one point of a thousand where their points are far apart.
+  const conformal::Index noticeable = samples.totalSize() / 200;
+  if (hull.NumberOfSamplesOutside > noticeable)
+  {
+    vtkConformalConversions::WarnOfPointsApart(
+      self, hull.NumberOfSamplesOutside, samples.totalSize());
+  }
+  if (hull.NumberOfSamplesInside > noticeable)
+  {
+    vtkConformalConversions::WarnOfPointsInside(
+      self, hull.NumberOfSamplesInside, samples.totalSize());
+  }
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
@@ -71,6 +87,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "HoleDepth", hull.LargestHole.Peak * samples.scale());
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
   AddNumber(data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside));
+  AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
 }
 }
 

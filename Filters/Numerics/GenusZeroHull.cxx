@@ -5,6 +5,7 @@
 #include "LevelSetSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,8 +23,8 @@ void requireRange(double value, double lowest, double highest, const char* name)
   }
 }
 
-// Samples that are not data of the hull, on all processes.
-Index countOutside(const TrainingSamples& samples, const HullData& data,
+// Samples that are data, on all processes.
+Index countSamples(const TrainingSamples& samples, const HullData& data,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr Index blockSize = 1 << 12;
@@ -33,7 +34,7 @@ Index countOutside(const TrainingSamples& samples, const HullData& data,
     {
       for (Index i = begin; i < end; ++i)
       {
-        counts[begin / blockSize] += !data.contains(samples[i]);
+        counts[begin / blockSize] += data.contains(samples[i]);
       }
     });
   std::int64_t sum = 0;
@@ -43,6 +44,42 @@ Index countOutside(const TrainingSamples& samples, const HullData& data,
   }
   samples.reduce().sum(&sum, 1);
   return sum;
+}
+
+// Of the nodes next to data, 1, leave those that hang together with one next to the outside.
+// Returns how many are left out.
+Index keepSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  std::vector<std::uint8_t>& nodes, const Progress& progress)
+{
+  constexpr std::uint8_t inner = 1, surface = 2;
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  std::vector<int> piece;
+  for (int node = 0; node < static_cast<int>(nodes.size()); ++node)
+  {
+    if (nodes[node] == inner &&
+      std::any_of(steps.begin(), steps.end(), [&](int step) { return !inside[node + step]; }))
+    {
+      markPiece(lattice, nodes, node, surface, piece, progress);
+    }
+  }
+  Index leftOut = 0;
+  for (std::uint8_t& mark : nodes)
+  {
+    leftOut += mark == inner;
+    mark = mark == surface;
+  }
+  return leftOut;
+}
+
+Index countInside(
+  const std::vector<std::uint8_t>& inside, const std::vector<float>& distances, double offset)
+{
+  Index count = 0;
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    count += inside[node] && distances[node] > offset;
+  }
+  return count;
 }
 
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
@@ -77,15 +114,14 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     mark = !mark;
   }
   keepLargestPiece(lattice, inside, part(0.65, 0.7));
-  for (std::size_t node = 0; node < inside.size(); ++node)
-  {
-    result.NumberOfInsideNodes += inside[node] && distances[node] > options.Offset;
-  }
+  result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
   result.EulerNumber = eulerNumber(lattice, inside, part(0.7, 0.72));
   if (result.EulerNumber != 1)
   {
     result.NumberOfCutNodes =
       cutHandles(lattice, inside, distances, options.Offset, part(0.72, 0.8));
+    result.NumberOfCutInsideNodes =
+      result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
   }
   {
     std::vector<std::uint8_t> nodes(inside.size());
@@ -94,8 +130,14 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
       nodes[node] = inside[node] && distances[node] <= options.Offset;
     }
     result.Data = HullData(lattice, nodes);
+    const Index all = countSamples(samples, result.Data, parallelFor, part(0.8, 0.81));
+    result.NumberOfSamplesOutside = samples.totalSize() - all;
+    if (keepSurface(lattice, inside, nodes, part(0.81, 0.82)) > 0)
+    {
+      result.NumberOfSamplesInside =
+        all - countSamples(samples, HullData(lattice, nodes), parallelFor, part(0.82, 0.82));
+    }
   }
-  result.NumberOfSamplesOutside = countOutside(samples, result.Data, parallelFor, part(0.8, 0.82));
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
     2 * result.NumberOfSamplesOutside > samples.totalSize())
   {
@@ -143,6 +185,13 @@ bool HullData::contains(const Vector3& sample) const
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool hasHandles(const GenusZeroHullResult& hull)
+{
+  constexpr Index most = 4; // that sparse data have by chance
+  return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most);
 }
 
 //------------------------------------------------------------------------------

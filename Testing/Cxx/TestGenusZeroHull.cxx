@@ -1,6 +1,7 @@
 #include "vtkGenusZeroHull.h"
 
 #include "FilterContract.h"
+#include "vtkConformalPLYReader.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGeodesicSphereSource.h"
 
@@ -15,14 +16,68 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace
 {
 const char* const Counts[] = { "Rank", "NumberOfInsideNodes", "SolidEulerNumber",
-  "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside" };
+  "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside", "NumberOfPointsInside" };
 const char* const Lengths[] = { "LatticeSpacing", "HoleWidth", "HoleDepth" };
 constexpr double Pi = 3.14159265358979323846;
+
+// A sphere's points, evenly spread.
+void AddSphere(vtkPoints* points, vtkIdType size, double radius, double x, double least = -1.0)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / size;
+    const double turn = 2.399963229728653 * i, r = std::sqrt(1.0 - z * z);
+    if (z > least)
+    {
+      points->InsertNextPoint(
+        x + radius * r * std::cos(turn), radius * r * std::sin(turn), radius * z);
+    }
+  }
+}
+
+void AddTorus(vtkPoints* points, double radius, double tube)
+{
+  for (int i = 0; i < 300; ++i)
+  {
+    for (int k = 0; k < 100; ++k)
+    {
+      const double u = 2.0 * Pi * i / 300, v = 2.0 * Pi * k / 100;
+      const double r = radius + tube * std::cos(v);
+      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), tube * std::sin(v));
+    }
+  }
+}
+
+// The filter's warnings, each without where it comes from.
+std::vector<std::string> WarningsOf(vtkGenusZeroHull* filter, vtkPointSet* cloud)
+{
+  std::vector<std::string> warnings;
+  vtkNew<vtkCallbackCommand> collect;
+  collect->SetClientData(&warnings);
+  collect->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* text)
+    {
+      const std::string message = static_cast<const char*>(text);
+      const std::size_t start = message.find("): ") + 3;
+      static_cast<std::vector<std::string>*>(client)->push_back(
+        message.substr(start, message.find_last_not_of('\n') + 1 - start));
+    });
+  const unsigned long warning = filter->AddObserver(vtkCommand::WarningEvent, collect);
+  const unsigned long error = filter->AddObserver(vtkCommand::ErrorEvent, collect);
+  filter->SetInputData(cloud);
+  filter->Update();
+  filter->RemoveObserver(warning);
+  filter->RemoveObserver(error);
+  return warnings;
+}
 
 class GenusZeroHull : public testing::Test
 {
@@ -151,6 +206,66 @@ TEST_F(GenusZeroHull, WarnsOfALeak)
   this->Filter->Update();
   EXPECT_FALSE(observed.Warning());
   EXPECT_EQ(this->Figure("Leaks"), 0);
+}
+
+// What the hull leaves out or opens, its user hears of, in figures, once each.
+TEST_F(GenusZeroHull, WarnsOfWhatIsLeftOutOrCut)
+{
+  const auto expect = [&](vtkPoints* points, const std::string& warning)
+  {
+    this->Cloud->SetPoints(points);
+    for (const double spacing : { 0.016, 0.03, 0.05 })
+    {
+      SCOPED_TRACE(spacing);
+      this->Filter->SetSpacing(spacing);
+      const std::vector<std::string> warnings = WarningsOf(this->Filter, this->Cloud);
+      ASSERT_EQ(warnings.size(), warning.empty() ? 0u : 1u) << testing::PrintToString(warnings);
+      EXPECT_TRUE(warning.empty() || warnings[0].find(warning) != std::string::npos) << warnings[0];
+      EXPECT_TRUE(this->IsGenusZero());
+    }
+  };
+  vtkNew<vtkPoints> sphere, two, within, half, torus, thin, few;
+  AddSphere(sphere, 20000, 1.0, 0.0);
+  expect(sphere, "");
+  AddSphere(two, 10000, 1.0, 0.0);
+  AddSphere(two, 10000, 1.0, 4.0);
+  expect(two, "10000 of 20000 points lie apart from the object and are left out");
+  AddSphere(within, 20000, 1.0, 0.0);
+  AddSphere(within, 5000, 0.5, 0.1);
+  expect(within, "5000 of 25000 points lie inside the hull, apart from its surface");
+  EXPECT_EQ(this->Figure("NumberOfPointsInside"), 5000);
+  AddSphere(half, 20000, 1.0, 0.0, 0.0);
+  expect(half, "the points enclose nothing");
+  AddTorus(torus, 1.0, 0.4);
+  expect(torus, "has handles, cut open at ");
+  AddTorus(thin, 1.0, 0.15);
+  expect(thin, "has handles, cut open at ");
+  // A few outliers are not worth a word; their number is among the figures.
+  AddSphere(few, 20000, 1.0, 0.0);
+  AddSphere(few, 50, 0.2, 1.3);
+  expect(few, "");
+}
+
+// Real scans, closed and of genus zero, with limbs that touch and folds that nearly do.
+TEST_F(GenusZeroHull, SaysNothingOfCleanScans)
+{
+  for (const char* name : { "igea-closed", "stanford-bunny-closed", "armadillo", "spot", "cortex" })
+  {
+    SCOPED_TRACE(name);
+    const std::string path = std::string(CONFORMALSOM_SCAN_DIR) + "/" + name + ".ply";
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << path << " is missing";
+    }
+    vtkNew<vtkConformalPLYReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    for (const double spacing : { 0.016, 0.03, 0.05 })
+    {
+      this->Filter->SetSpacing(spacing);
+      EXPECT_EQ(WarningsOf(this->Filter, reader->GetOutput()), std::vector<std::string>());
+    }
+  }
 }
 
 TEST_F(GenusZeroHull, PropertiesChangeTheResult)

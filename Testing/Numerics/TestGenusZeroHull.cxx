@@ -20,6 +20,7 @@ using conformal::GenusZeroHullLimits;
 using conformal::GenusZeroHullOptions;
 using conformal::GenusZeroHullResult;
 using conformal::GenusZeroReport;
+using conformal::hasHandles;
 using conformal::Index;
 using conformal::makeGenusZeroHull;
 using conformal::Points;
@@ -161,6 +162,8 @@ TEST(GenusZeroHull, CutsATorusOpen)
   EXPECT_EQ(hull.EulerNumber, 0);
   // A slice of the tube or so, no more.
   EXPECT_NEAR(hull.NumberOfCutNodes * 0.03 * 0.03, Pi * 0.33 * 0.33, 0.25);
+  EXPECT_NEAR(hull.NumberOfCutInsideNodes * 0.03 * 0.03, Pi * 0.27 * 0.27, 0.25);
+  EXPECT_TRUE(hasHandles(hull));
   EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
 }
 
@@ -278,6 +281,7 @@ TEST(GenusZeroHull, KeepsAGapBetweenLimbs)
     {
       EXPECT_GT(distance, 5.0 * h); // bridged: all around is solid
     }
+    EXPECT_FALSE(hasHandles(hull));
   }
 }
 
@@ -290,6 +294,7 @@ TEST(GenusZeroHull, WithstandsNoiseAndSparseData)
   {
     const GenusZeroHullResult sparse = hullOf(pointsOf(size, onSphere), spaced(0.04));
     EXPECT_LE(2 * sparse.NumberOfSamplesOutside, size) << size;
+    EXPECT_FALSE(hasHandles(sparse)) << size;
   }
 }
 
@@ -343,6 +348,27 @@ TEST(GenusZeroHull, KeepsTheLargestPiece)
   small.col(0).array() += 2.0;
   const GenusZeroHullResult hull = hullOf(stack(large, small), spaced(0.03));
   EXPECT_EQ(hull.NumberOfSamplesOutside, 3000);
+}
+
+// Inner parts are inside however large and crumpled they are: here with more nodes than the sphere.
+TEST(GenusZeroHull, CountsInnerParts)
+{
+  Points all = pointsOf(20000, onSphere);
+  for (const double radius : { 0.2, 0.4, 0.6, 0.8 })
+  {
+    all = stack(all, radius * pointsOf(10000, onSphere));
+    const GenusZeroHullResult hull = hullOf(all, spaced(0.03));
+    EXPECT_EQ(hull.NumberOfSamplesInside, all.rows() - 20000);
+    EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
+    EXPECT_FALSE(hasHandles(hull));
+  }
+  // What hangs on the surface is of it.
+  Points wall(10000, 3);
+  for (Index i = 0; i < 10000; ++i)
+  {
+    wall.row(i) << 0.0, -0.71 + 0.0142 * (i % 100), -0.71 + 0.0142 * (i / 100);
+  }
+  EXPECT_EQ(hullOf(stack(pointsOf(20000, onSphere), wall), spaced(0.03)).NumberOfSamplesInside, 0);
 }
 
 TEST(GenusZeroHull, MovesWithTheCloud)

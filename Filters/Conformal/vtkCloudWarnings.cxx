@@ -1,0 +1,37 @@
+#include "vtkCloudWarnings.h"
+
+#include "vtkObject.h"
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count)
+{
+  vtkWarningWithObjectMacro(self, << count << " points are not finite and left out");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfCutHandles(vtkObject* self, conformal::Index numberOfCutNodes)
+{
+  vtkWarningWithObjectMacro(
+    self, << "the hull of the points has handles, cut open at " << numberOfCutNodes
+          << " lattice nodes: the object is not of genus zero, or parts of it touch");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total)
+{
+  vtkWarningWithObjectMacro(
+    self, << count << " of " << total
+          << " points lie apart from the object and are left out: outliers, or separate parts");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total)
+{
+  vtkWarningWithObjectMacro(self,
+    << count << " of " << total
+    << " points lie inside the hull, apart from its surface, and are left out: inner parts, or "
+       "outliers");
+}
+}

@@ -1,0 +1,18 @@
+// What filters of points warn of alike.
+#ifndef vtkCloudWarnings_h
+#define vtkCloudWarnings_h
+
+#include "Types.h" // for Index
+
+class vtkObject;
+
+namespace vtkConformalConversions
+{
+/// One warning each. The filter decides what is worth one.
+void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
+void WarnOfCutHandles(vtkObject* self, conformal::Index numberOfCutNodes);
+void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
+void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
+}
+
+#endif
