@@ -19,17 +19,21 @@ from conformalsom import (
 from helpers import builtin_figure, pictures, report, scan_colors, scan_files, textures
 from helpers.steps import StepFailed, Steps
 
-BUILD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "build")
+RESULTS = ("surface.vtp", "surface.glb", "surface.obj", "surface.mtl", "surface.png", "quickstart.png")
+OUTPUT = os.path.join(
+    os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "quickstart")
 
 
 def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scan", nargs="?", help="default: a toy bear made by code")
-    parser.add_argument("texture", nargs="?", 
+    parser.add_argument("texture", nargs="?",
                         help="PNG or JPEG; default: the scan's own colors, else a painted rosette")
-    parser.add_argument("--output", metavar="DIR", default=os.path.join(BUILD, "quickstart"),
+    parser.add_argument("--output", metavar="DIR", default=OUTPUT,
                         help="folder for the results, default build/quickstart")
+    parser.add_argument("--overwrite", action="store_true",
+                        help="replace existing results in DIR; in the default folder they always are")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
                         help="from the model to the viewer, default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
@@ -39,6 +43,20 @@ def arguments():
     parser.add_argument("--surface-frequency", type=int, default=80,
                         help="of the smooth surface; default 80")
     return parser.parse_args()
+
+
+def prepare(args):
+    """Make the folder for the results. Files that may not be ours are not replaced."""
+    overwrite = args.overwrite or args.output == OUTPUT
+    for path in (os.path.join(args.output, name) for name in RESULTS):
+        if not os.path.lexists(path):
+            continue
+        if not overwrite:
+            raise ValueError(f"{path} already exists; use --overwrite or another --output")
+        for source in (args.scan, args.texture):
+            if source and os.path.realpath(source) == os.path.realpath(path):
+                raise ValueError(f"{path} is an input and would be replaced; use another --output")
+    os.makedirs(args.output, exist_ok=True)
 
 
 def scan_source(args, steps):
@@ -90,7 +108,7 @@ def write(steps, writer, folder, name, *inputs):
 
 def main():
     args = arguments()
-    os.makedirs(args.output, exist_ok=True)
+    prepare(args)
     steps = Steps()
     scan = scan_source(args, steps)
     colors = None if args.texture else scan_colors.colors_of(scan.GetOutputDataObject(0))

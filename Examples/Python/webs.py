@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Draws a figure with limbs as learned from a sphere, with webs, and as learned by default."""
 import argparse
+import os
 
 from conformalsom import vtkConformalSOM
 
@@ -36,7 +37,10 @@ def write(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("picture", nargs="?", default="webs.png", help="to write, default webs.png")
-    write(parser.parse_args().picture)
+    picture = parser.parse_args().picture
+    if os.path.lexists(picture):
+        parser.error(f"{picture} already exists")
+    write(picture)
 
 
 if __name__ == "__main__":

@@ -111,6 +111,19 @@ class TestQuickstart(unittest.TestCase):
                 self.assertIn(message, run.stderr)
                 self.assertNotIn("Traceback", run.stderr)
 
+    def test_replaces_nothing_unasked(self):
+        path = os.path.join(self.folder, "surface.obj")
+        for arguments, message in (((), "surface.obj already exists"),
+                                   (("surface.obj", "--overwrite"), "is an input")):
+            with self.subTest(arguments):
+                with open(path, "w", encoding="ascii") as file:
+                    file.write("v 0 0 0\n")
+                run = quickstart(self.folder, *arguments, "--output", ".")
+                self.assertEqual(run.returncode, 1)
+                self.assertIn(message, run.stderr)
+                with open(path, encoding="ascii") as file:
+                    self.assertEqual(file.read(), "v 0 0 0\n")
+
     def test_picture_of_the_readme_is_what_it_draws(self):
         run = quickstart(self.folder, "--output", "own scan")
         self.assertEqual((run.returncode, run.stderr), (0, ""))

@@ -12,6 +12,7 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 
 int main(int argc, char* argv[])
@@ -19,6 +20,11 @@ int main(int argc, char* argv[])
   if (argc < 2)
   {
     std::cerr << "usage: ConformalTexture OUTPUT.vtp [SCAN.ply]\n";
+    return EXIT_FAILURE;
+  }
+  if (std::ifstream(argv[1]).good())
+  {
+    std::cerr << argv[1] << " already exists\n";
     return EXIT_FAILURE;
   }
   vtkNew<vtkConformalSOM> mesh;
