@@ -955,8 +955,7 @@ std::vector<Input> Meshes()
     { "NaN in an isolated point",
       []() {
         return Changed([](Positions& p, Polygons&) { p.push_back({ NaN, 0, 0 }); });
-      },
-      BadPoints },
+      } },
     { "negative id", []() { return WithId(-1); }, BadIds },
     { "id n", []() { return WithId(Count); }, BadIds },
     { "id 2^40", []() { return WithId(vtkIdType(1) << 40); }, BadIds },
@@ -1062,6 +1061,10 @@ std::vector<Input> Arrays()
   AddMaps(all);
   AddPointArrays(all);
   AddFieldArrays(all);
+  for (Input& input : all)
+  {
+    input.IsArray = true;
+  }
   return all;
 }
 

@@ -27,7 +27,8 @@ struct Input
   std::string Name;
   std::function<vtkSmartPointer<vtkDataObject>()> Make;
   unsigned int Faults = 0;
-  double Scale = 1.0; ///< of Ellipsoid(), if it is nothing else
+  double Scale = 1.0;   ///< of Ellipsoid(), if it is nothing else
+  bool IsArray = false; ///< whether it is Ellipsoid() with other arrays
 };
 
 /// A closed surface of 162 points around (0, 0, 0), 2 long, with a map, texture coordinates,

@@ -8,6 +8,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -68,6 +70,7 @@ namespace hostile
 //------------------------------------------------------------------------------
 Messages::Messages()
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Listener> listener;
   vtkOutputWindow::SetInstance(listener);
 }
@@ -99,35 +102,65 @@ std::string Messages::first() const
                               : std::string();
 }
 
-//------------------------------------------------------------------------------
-std::set<const void*> ArraysOf(vtkDataObject* data)
+namespace
 {
-  std::set<const void*> arrays;
-  const auto add = [&](vtkFieldData* fields)
+// Far from where sums of a few overflow.
+bool IsTame(vtkAbstractArray* array)
+{
+  constexpr double Limit = 1e300;
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
   {
+    for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
+    {
+      if (!(std::abs(numbers->GetComponent(i, c)) <= Limit))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+void Given::add(vtkDataObject* input)
+{
+  for (int type = 0; input && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    vtkFieldData* fields = input->GetAttributesAsFieldData(type);
     for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
     {
-      arrays.insert(fields->GetAbstractArray(i));
+      vtkAbstractArray* array = fields->GetAbstractArray(i);
+      this->Arrays.insert(array);
+      if (array->GetName() && !IsTame(array))
+      {
+        this->Names.insert(array->GetName());
+      }
     }
-  };
-  for (int type = 0; data && type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
-  {
-    add(data->GetAttributesAsFieldData(type));
   }
-  auto* set = vtkPointSet::SafeDownCast(data);
+  auto* set = vtkPointSet::SafeDownCast(input);
   if (set && set->GetPoints())
   {
-    arrays.insert(set->GetPoints()->GetData());
+    this->Arrays.insert(set->GetPoints()->GetData());
   }
-  return arrays;
+  this->Names.erase("SpherePosition"); // the filters' own
+}
+
+//------------------------------------------------------------------------------
+bool Given::has(vtkAbstractArray* array) const
+{
+  return this->Arrays.count(array) > 0 ||
+    (array->GetName() && this->Names.count(array->GetName()) > 0);
 }
 
 namespace
 {
-Outcome JudgeValues(vtkAbstractArray* array, const std::set<const void*>& given)
+Outcome JudgeValues(vtkAbstractArray* array, const Given& given)
 {
   auto* numbers = vtkDataArray::SafeDownCast(array);
-  for (vtkIdType i = 0; numbers && given.count(array) == 0 && i < numbers->GetNumberOfTuples(); ++i)
+  const bool isGiven = array && given.has(array);
+  for (vtkIdType i = 0; numbers && !isGiven && i < numbers->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
     {
@@ -142,7 +175,7 @@ Outcome JudgeValues(vtkAbstractArray* array, const std::set<const void*>& given)
   return {};
 }
 
-Outcome JudgeFields(vtkFieldData* fields, vtkIdType tuples, const std::set<const void*>& given)
+Outcome JudgeFields(vtkFieldData* fields, vtkIdType tuples, const Given& given)
 {
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
@@ -202,7 +235,7 @@ bool IsEmpty(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-Outcome JudgeData(vtkDataObject* data, const std::set<const void*>& given)
+Outcome JudgeData(vtkDataObject* data, const Given& given)
 {
   if (IsEmpty(data))
   {
@@ -276,15 +309,18 @@ bool IsClosedSphere(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-Outcome JudgeFilter(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& inputs,
-  const Messages& messages, bool isClosed)
+Outcome JudgeFilter(vtkAlgorithm* filter, const Messages& messages, bool isClosed)
 {
-  std::set<const void*> given;
+  Given given;
   bool isGiven = false;
-  for (vtkDataObject* input : inputs)
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
   {
-    given.merge(ArraysOf(input));
-    isGiven = isGiven || !IsEmpty(input);
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkDataObject* input = filter->GetInputDataObject(port, i);
+      given.add(input);
+      isGiven = isGiven || !IsEmpty(input);
+    }
   }
   bool isEmpty = true;
   Outcome outcome = { Verdict::Fine, messages.first() };

@@ -6,8 +6,8 @@
 
 #include <set>
 #include <string>
-#include <vector>
 
+class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
@@ -27,12 +27,20 @@ public:
   std::string first() const; ///< of the errors, or else of the warnings
 };
 
-/// Arrays by which a filter passes on what it was given; what is in them is not its doing.
-std::set<const void*> ArraysOf(vtkDataObject* data);
+/// What a filter was given and may pass on as it is: arrays of the inputs, and copies and
+/// interpolations, by name, of those with values that are not finite or nearly so.
+struct Given
+{
+  std::set<const void*> Arrays;
+  std::set<std::string> Names;
 
-/// What is wrong with the outputs of a filter; Fine if nothing is. Empty ones are fine.
-/// @param[in] given  arrays whose values need not be finite
-Outcome JudgeData(vtkDataObject* data, const std::set<const void*>& given);
+  void add(vtkDataObject* input);
+  bool has(vtkAbstractArray* array) const;
+};
+
+/// What is wrong with an output: ids and arrays that do not fit, and values that are not finite
+/// and were not given. Fine if nothing is; empty ones are fine.
+Outcome JudgeData(vtkDataObject* data, const Given& given);
 
 /// Whether the triangles of a surface are a closed, oriented one of Euler number 2.
 bool IsClosedSphere(vtkPolyData* surface);
@@ -40,8 +48,7 @@ bool IsClosedSphere(vtkPolyData* surface);
 /// The whole of it: an error comes with empty outputs, a result is whole and finite, and nothing
 /// is empty without a word.
 /// @param[in] isClosed  whether the first output must be a closed surface of genus zero
-Outcome JudgeFilter(vtkAlgorithm* filter, const std::vector<vtkDataObject*>& inputs,
-  const Messages& messages, bool isClosed);
+Outcome JudgeFilter(vtkAlgorithm* filter, const Messages& messages, bool isClosed);
 }
 
 #endif

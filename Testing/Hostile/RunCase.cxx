@@ -15,16 +15,18 @@
 #include <optional>
 #include <string_view>
 
+// The memory that a sanitizer allows a process.
+extern "C" const char* __asan_default_options()
+{
+  return "hard_rss_limit_mb=4096:max_allocation_size_mb=4096:detect_leaks=0";
+}
+
 namespace hostile
 {
 namespace
 {
 // A sanitizer makes all of it several times slower, and needs terabytes of addresses.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool HasSanitizer = true;
-#else
-constexpr bool HasSanitizer = false;
-#endif
+constexpr bool HasSanitizer = !std::string_view(CONFORMALSOM_SANITIZE).empty();
 constexpr rlim_t CPULimit = HasSanitizer ? 120 : 20;            // seconds
 constexpr unsigned int WaitingLimit = HasSanitizer ? 400 : 100; // seconds
 constexpr rlim_t MemoryLimit = rlim_t(4) << 30;                 // bytes
@@ -87,7 +89,7 @@ std::string LastWords(int errors)
 {
   lseek(errors, 0, SEEK_SET);
   const std::string text = ReadAll(errors);
-  for (const std::string_view word : { "runtime error: ", "SUMMARY: ", "what(): " })
+  for (const std::string_view word : { "rss limit", "runtime error: ", "SUMMARY: ", "what(): " })
   {
     const std::size_t at = text.rfind(word);
     if (at != std::string::npos)
@@ -146,6 +148,7 @@ public:
       // A sanitizer ends the process where new would have thrown.
       const bool isMemory = HasSanitizer &&
         (words.find("out-of-memory") != std::string::npos ||
+          words.find("rss limit") != std::string::npos ||
           words.find("allocation-size-too-big") != std::string::npos);
       outcome = { isMemory ? Verdict::Skipped : Verdict::Crash,
         (WIFSIGNALED(status) ? std::string(strsignal(WTERMSIG(status))) : "exit") + words };

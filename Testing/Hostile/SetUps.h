@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,9 @@ struct SetUp
   bool HasOthers = false;
 
   std::vector<Property> Properties = {};
+
+  /// Whether another set-up of the class reads the same arrays in the same way.
+  bool IsVariant = false;
 
   std::string name() const
   {
