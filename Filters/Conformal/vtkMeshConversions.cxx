@@ -1,6 +1,7 @@
 #include "vtkMeshConversions.h"
 
 #include "GenusZeroCheck.h"
+#include "PolygonTriangulation.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 
@@ -11,6 +12,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -74,21 +76,40 @@ private:
   // border and keeps a closed surface closed.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
   {
-    this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
-    const bool done =
-      this->Polygon->Triangulate(this->Ears) != 0 && this->Ears->GetNumberOfIds() == 3 * (size - 2);
+    const conformal::Triangles ears =
+      size > ManyCorners ? this->EarsOfMany(size, ids) : this->EarsOfFew(size, ids);
     for (vtkIdType k = 0; k < size - 2; ++k)
     {
-      if (done)
+      if (ears.rows() == size - 2)
       {
-        this->Add(ids[this->Ears->GetId(3 * k)], ids[this->Ears->GetId(3 * k + 1)],
-          ids[this->Ears->GetId(3 * k + 2)], cellId);
+        this->Add(ids[ears(k, 0)], ids[ears(k, 1)], ids[ears(k, 2)], cellId);
       }
       else
       {
         this->Add(ids[0], ids[k + 1], ids[k + 2], cellId);
       }
     }
+  }
+
+  // VTK's, which chooses ears of a good shape, takes time that grows with the square.
+  conformal::Triangles EarsOfFew(vtkIdType size, const vtkIdType* ids)
+  {
+    this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
+    const vtkIdType count =
+      this->Polygon->Triangulate(this->Ears) != 0 ? this->Ears->GetNumberOfIds() : 0;
+    conformal::Triangles ears(count / 3, 3);
+    std::copy_n(this->Ears->begin(), ears.size(), ears.data());
+    return ears;
+  }
+
+  conformal::Triangles EarsOfMany(vtkIdType size, const vtkIdType* ids) const
+  {
+    conformal::Points corners(size, 3);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      this->Points->GetPoint(ids[k], corners.row(k).data());
+    }
+    return conformal::triangulatePolygon(corners);
   }
 
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cellId)
@@ -99,6 +120,8 @@ private:
     }
     this->CellIds.push_back(cellId);
   }
+
+  static constexpr vtkIdType ManyCorners = 500;
 
   vtkPoints* Points;
   std::vector<vtkIdType>& CellIds;

@@ -15,6 +15,7 @@
 #include "vtkSuperquadricSource.h"
 #include "vtkTriangleFilter.h"
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -231,6 +232,33 @@ TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)
 }
 
 // A polygon whose ears cannot be found still closes the surface.
+// A pyramid over a star: with VTK's triangulation this would take minutes.
+TEST_F(MeshConversions, CutsUpPolygonsOfManyCorners)
+{
+  constexpr vtkIdType count = 100000;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.0, 0.0, 1.0);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> base;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double angle = 8.0 * std::atan(1.0) * static_cast<double>(i) / count;
+    const double radius = 1.0 - 0.3 * static_cast<double>(i % 2);
+    points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    base->InsertNextId(count - i);
+    cells->InsertNextCell({ 0, 1 + i, 1 + (i + 1) % count });
+  }
+  cells->InsertNextCell(base);
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(cells);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface);
+  EXPECT_EQ(mesh.Triangles.rows(), 2 * count - 2);
+  this->ExpectGenusZero(mesh);
+  EXPECT_FALSE(mesh.InsideOut);
+}
+
 TEST_F(MeshConversions, KeepsTheBorderOfImpossiblePolygons)
 {
   vtkNew<vtkPoints> points;

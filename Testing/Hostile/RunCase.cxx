@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <map>
 #include <optional>
@@ -27,13 +28,28 @@ namespace
 {
 // A sanitizer makes all of it several times slower, and needs terabytes of addresses.
 constexpr bool HasSanitizer = !std::string_view(CONFORMALSOM_SANITIZE).empty();
-constexpr rlim_t CPULimit = HasSanitizer ? 120 : 20;            // seconds
-constexpr unsigned int WaitingLimit = HasSanitizer ? 400 : 100; // seconds
-constexpr rlim_t MemoryLimit = rlim_t(4) << 30;                 // bytes
+constexpr rlim_t CPULimit = HasSanitizer ? 120 : 20; // seconds
+constexpr unsigned int WaitingLimit = 30;            // seconds without work
+constexpr rlim_t MemoryLimit = rlim_t(4) << 30;      // bytes
 
 rlim_t CPULimitOf(const Case& test)
 {
   return test.CPUSeconds > 0 ? static_cast<rlim_t>(test.CPUSeconds) : CPULimit;
+}
+
+// Comes every so many seconds, and ends a process that did nothing since: it waits for something
+// that never comes. One that works has the limit of CPU, however busy the machine is.
+void EndIfIdle(int)
+{
+  static std::clock_t before = 0;
+  const std::clock_t now = std::clock();
+  if (now - before < CLOCKS_PER_SEC / 50)
+  {
+    std::signal(SIGALRM, SIG_DFL);
+    std::raise(SIGALRM);
+  }
+  before = now;
+  alarm(WaitingLimit);
 }
 
 void SetLimits(const Case& test)
@@ -50,6 +66,7 @@ void SetLimits(const Case& test)
     limit(RLIMIT_AS, MemoryLimit);
   }
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGALRM, EndIfIdle);
   alarm(WaitingLimit);
 }
 
