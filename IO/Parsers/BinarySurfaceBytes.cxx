@@ -115,7 +115,12 @@ std::string makeFreeSurfer(
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        appendBytes(bytes, static_cast<float>(scale * valueOf(points, 3 * point + c)), true);
+        const auto value = static_cast<float>(scale * valueOf(points, 3 * point + c));
+        if (!std::isfinite(value))
+        {
+          throw std::invalid_argument("a coordinate is no finite float");
+        }
+        appendBytes(bytes, value, true);
       }
     },
     [&](std::size_t, const std::int64_t* ids, std::size_t count)
@@ -189,7 +194,7 @@ std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgres
 std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
 {
   constexpr double radius = 100.0;
-  const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
+  const NamedArray* sphere = findSpherePositions(surface);
   if (!sphere)
   {
     throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");

@@ -78,6 +78,10 @@ void appendArray(std::string& text, const NamedArray& array, const char* intent)
 std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
 {
   requireTriangles(surface);
+  if (numberOfPolygons(surface) == 0)
+  {
+    throw std::invalid_argument("the surface has no polygons, and GIFTI has no clouds");
+  }
   NamedArray triangles = makeArray("Triangles", ScalarType::Int32, 3);
   triangles.Values.reserve(3 * numberOfPolygons(surface) * sizeof(std::int32_t));
   walk(

@@ -16,6 +16,7 @@ std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = 
 
 /// Gu's .m: "SpherePosition" as trait sph, "Normals", "TCoords", "RGB" of the points, "RGB" of the
 /// polygons. Other arrays are left out.
+/// @throws std::invalid_argument if a "SpherePosition" has no direction
 std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress = {});
 
 /// Points as text with names of the columns in a remark, if there are more than x, y and z. All
@@ -27,11 +28,13 @@ std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progr
 std::string makePLY(const SurfaceData& surface, const ParseProgress& progress = {});
 
 /// FreeSurfer's triangles. Points are written as floats.
-/// @throws std::invalid_argument if a polygon has more than 3 corners
+/// @throws std::invalid_argument if a polygon has more than 3 corners, or a point is too far for
+/// floats
 std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress = {});
 
 /// FreeSurfer's triangles on the sphere of radius 100: "SpherePosition" are the points.
-/// @throws std::invalid_argument if it is missing, or a polygon has more than 3 corners
+/// @throws std::invalid_argument if it is missing or has no direction, or a polygon has more than 3
+/// corners
 std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress = {});
 
 /// FreeSurfer's curv, the new layout, of an array of 1 component. Values are written as floats.
@@ -39,7 +42,7 @@ std::string makeFreeSurferCurv(
   const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress = {});
 
 /// GIFTI, compressed, all arrays of points.
-/// @throws std::invalid_argument if a polygon has more than 3 corners
+/// @throws std::invalid_argument if a polygon has more than 3 corners, or there is none
 std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress = {});
 }
 

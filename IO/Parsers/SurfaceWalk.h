@@ -7,6 +7,7 @@
 #include "SurfaceData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,24 @@ inline double valueOf(const NamedArray& array, std::size_t index)
       std::memcpy(&value, array.Values.data() + index * sizeof(value), sizeof(value));
       return static_cast<double>(value);
     });
+}
+
+/// "SpherePosition"; null if there is none.
+/// @throws std::invalid_argument if one of the positions has no direction
+inline const NamedArray* findSpherePositions(const SurfaceData& surface)
+{
+  const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
+  for (std::size_t i = 0; sphere && i < 3 * sphere->numberOfTuples(); i += 3)
+  {
+    const double length =
+      std::hypot(valueOf(*sphere, i), valueOf(*sphere, i + 1), valueOf(*sphere, i + 2));
+    if (!std::isfinite(length) || length == 0.0)
+    {
+      throw std::invalid_argument(
+        "\"SpherePosition\" of point " + std::to_string(i / 3) + " has no direction");
+    }
+  }
+  return sphere;
 }
 
 /// Append bytes of this machine's order in another.

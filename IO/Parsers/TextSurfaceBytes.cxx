@@ -111,7 +111,7 @@ std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress)
 //------------------------------------------------------------------------------
 std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress)
 {
-  const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
+  const NamedArray* sphere = findSpherePositions(surface);
   const NamedArray* normals = findArray(surface.PointArrays, "Normals", 3, isFloating);
   const NamedArray* tcoords = findArray(surface.PointArrays, "TCoords", 2, isFloating);
   const NamedArray* colors = findArray(surface.PointArrays, "RGB", 3, isByte);

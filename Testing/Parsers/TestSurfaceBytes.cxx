@@ -11,7 +11,10 @@
 #include "ParsedArrays.h"
 #include "TextCloudParser.h"
 
+#include <array>
+#include <limits>
 #include <random>
+#include <stdexcept>
 
 using conformal::makeArray;
 using conformal::NamedArray;
@@ -268,4 +271,36 @@ TEST(SurfaceBytes, StopWhenAsked)
     EXPECT_THROW(make(data, stop), conformal::ParseError);
   }
   EXPECT_THROW(conformal::makeFreeSurferCurv(data.Points, 4, stop), conformal::ParseError);
+}
+
+TEST(SurfaceBytes, RefuseWhatCouldNotBeReadBack)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::array<double, 3>& direction : { std::array<double, 3>{ 0, 0, 0 }, { 1, nan, 0 },
+         { 0, 0, std::numeric_limits<double>::infinity() } })
+  {
+    SurfaceData data = tetrahedron(false);
+    NamedArray map = conformal::makeArray("SpherePosition", ScalarType::Float64, 3);
+    for (std::size_t i = 0; i < data.Points.numberOfTuples(); ++i)
+    {
+      const std::array<double, 3> north = { 0, 0, 1 };
+      append(map, (i == 2 ? direction : north).data());
+    }
+    data.PointArrays.clear();
+    data.PointArrays.push_back(std::move(map));
+    EXPECT_THROW(conformal::makeGuMesh(data), std::invalid_argument);
+    EXPECT_THROW(conformal::makeFreeSurferSphere(data), std::invalid_argument);
+  }
+  SurfaceData far = tetrahedron(false);
+  far.Points = conformal::makeArray("Points", ScalarType::Float64, 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    const std::array<double, 3> point = { 1, 2, i == 2 ? 1e39 : 3 };
+    append(far.Points, point.data());
+  }
+  EXPECT_THROW(conformal::makeFreeSurferSurface(far), std::invalid_argument);
+  SurfaceData cloud = tetrahedron(false);
+  cloud.PolygonIds = conformal::OwnedArray<std::int64_t>();
+  cloud.PolygonOffsets = conformal::OwnedArray<std::int64_t>();
+  EXPECT_THROW(conformal::makeGIFTI(cloud), std::invalid_argument);
 }
