@@ -151,7 +151,7 @@ conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& c
   {
     throw std::length_error("the surface has more than " + std::to_string(most) + " points");
   }
-  vtkInputChecks::RequirePolygonIds(surface);
+  vtkInputChecks::RequireCellIds(surface);
   cellIds.clear();
   TriangleCollector collector(surface->GetPoints(), cellIds);
   const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();

@@ -17,7 +17,7 @@ namespace vtkConformalConversions
 /// The triangles of a surface: polygons and strips cut up, lines, vertices and polygons of fewer
 /// than three points left out, as are the triangles of a repeated point that join strips.
 /// @param[out] cellIds  for each triangle the cell it comes from
-/// @throws std::invalid_argument if a polygon or strip names a point that is not there
+/// @throws std::invalid_argument if a cell names a point that is not there
 /// @throws std::length_error if ids do not fit into an int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);

@@ -3,6 +3,7 @@
 #include "EdgeWeights.h"
 #include "SphericalAlignment.h"
 #include "vtkConformalConversions.h"
+#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
 #include "vtkDoubleArray.h"
@@ -134,6 +135,7 @@ int vtkSphericalAlignment::RequestData(
                                             : "the reference is empty, nothing was aligned");
         return;
       }
+      vtkInputChecks::RequireCellIds(surface); // which landmarks need not, but the output has
       conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
       const Pairs pairs = this->Landmarks.empty()
         ? PairsOfSurfaces(this, surface, map, reference)

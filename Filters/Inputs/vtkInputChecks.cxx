@@ -135,11 +135,14 @@ void RequireConsistentData(vtkDataObject* data, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
-void RequirePolygonIds(vtkPolyData* surface)
+void RequireCellIds(vtkPolyData* surface)
 {
-  const vtkIdType size = surface->GetNumberOfPoints();
-  const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  RequireIds(surface->GetPolys(), firstPolygon, size);
-  RequireIds(surface->GetStrips(), firstPolygon + surface->GetNumberOfPolys(), size);
+  vtkIdType firstCellId = 0;
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    RequireIds(cells, firstCellId, surface->GetNumberOfPoints());
+    firstCellId += cells->GetNumberOfCells();
+  }
 }
 }

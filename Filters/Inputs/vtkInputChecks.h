@@ -20,15 +20,15 @@ void RequireConsistentInputs(vtkAlgorithm* self);
 /// - each array of point data and of cell data, of whatever type, has a tuple for each of them;
 /// - ghost arrays are of unsigned char and have 1 component, active normals and points have 3;
 /// - cells of a vtkPolyData have valid offsets. The ids they name are not looked at, since filters
-///   of points read no cells; see RequirePolygonIds.
+///   of points read no cells; see RequireCellIds.
 /// Data objects that are no vtkDataSet, and null, pass. Costs a look at each array and offset.
 /// @param[in] what  what the data are to the user, for the message
 /// @throws std::invalid_argument that says what does not fit, and what to do
 void RequireConsistentData(vtkDataObject* data, const std::string& what);
 
-/// Polygons and strips name only points that are there.
+/// Cells name only points that are there. For what reads them or passes them on.
 /// @throws std::invalid_argument that names the first cell that does not
-void RequirePolygonIds(vtkPolyData* surface);
+void RequireCellIds(vtkPolyData* surface);
 }
 
 #endif

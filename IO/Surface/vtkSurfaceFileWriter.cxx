@@ -42,7 +42,7 @@ void vtkSurfaceFileWriter::WriteData()
       throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
     vtkInputChecks::RequireConsistentInputs(this);
-    vtkInputChecks::RequirePolygonIds(vtkPolyData::SafeDownCast(this->GetInput(0)));
+    vtkInputChecks::RequireCellIds(vtkPolyData::SafeDownCast(this->GetInput(0)));
     this->WriteFiles(
       [this](double fraction)
       {

@@ -5,8 +5,8 @@
  * Input port 0: vtkPolyData, points, with or without polygons; strips are triangulated, vertices
  * and lines are left out. The active normals, texture coordinates and colours (unsigned char) are
  * written as what a format calls so, other arrays by their names. Which of them a format has, the
- * writers say. Arrays that have not a tuple for each point or cell, and polygons that name points
- * that are not there, are an error.
+ * writers say. Arrays that have not a tuple for each point or cell, and cells that name points that
+ * are not there, are an error.
  *
  * Files are written whole or not at all, and those of one surface all or none: after an error,
  * which sets an error code of vtkErrorCode and makes Write() return 0, older files of the names are

@@ -125,6 +125,16 @@ inline std::vector<Case> Filters()
       Maker<vtkGenusZeroHull>([](vtkGenusZeroHull* filter) { filter->SetSpacing(0.2); }), { s } },
     { "vtkGlobalConformalMap", Maker<vtkGlobalConformalMap>(), { s } },
     { "vtkSphericalAlignment", Maker<vtkSphericalAlignment>(), { s, s } },
+    { "vtkSphericalAlignment, landmarks",
+      Maker<vtkSphericalAlignment>(
+        [](vtkSphericalAlignment* filter)
+        {
+          for (const vtkIdType id : { 0, 40, 80, 120 })
+          {
+            filter->AddLandmark(id, id);
+          }
+        }),
+      { s, s } },
     { "vtkSphericalTextureBlend",
       Maker<vtkSphericalTextureBlend>(
         [](vtkSphericalTextureBlend* filter) { filter->SetImageSize(16, 8); }),

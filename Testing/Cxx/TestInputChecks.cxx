@@ -185,11 +185,11 @@ TEST(InputChecks, ImagesAndGridsHaveThePointsOfTheirExtent)
   EXPECT_NE(Refusal(grid).find("has 2 tuples for 1 cell."), std::string::npos);
 }
 
-TEST(InputChecks, PolygonsAndStripsNamePointsThatAreThere)
+TEST(InputChecks, CellsNamePointsThatAreThere)
 {
   const vtkNew<vtkPolyData> surface = Square();
   const auto refusal = [&]()
-  { return Refusal([&]() { vtkInputChecks::RequirePolygonIds(surface); }); };
+  { return Refusal([&]() { vtkInputChecks::RequireCellIds(surface); }); };
   EXPECT_EQ(refusal(), "");
   vtkNew<vtkCellArray> strips;
   const vtkIdType ids[] = { 0, 1, 2, 4 }, negative[] = { 0, -1 };
@@ -201,8 +201,8 @@ TEST(InputChecks, PolygonsAndStripsNamePointsThatAreThere)
   surface->GetPolys()->InsertNextCell(2, negative);
   EXPECT_EQ(refusal(), "cell 4 names point -1 of 4");
   surface->GetPolys()->Initialize();
-  surface->GetLines()->InsertNextCell(2, negative); // of neither kind
-  EXPECT_EQ(refusal(), "");
+  surface->GetLines()->InsertNextCell(2, negative);
+  EXPECT_EQ(refusal(), "cell 2 names point -1 of 4");
 }
 
 // All connections of all ports, the optional ones that have none left out.

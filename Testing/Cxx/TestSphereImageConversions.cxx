@@ -6,6 +6,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,19 @@ TEST(SphereImageConversions, RefuseWhatSaysNothing)
     {
       EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
     }
+    // Too few tuples, components or numbers.
+    broken->DeepCopy(complete->GetArray(name));
+    broken->SetNumberOfTuples(0);
+    EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
+    broken->SetNumberOfComponents(complete->GetArray(name)->GetNumberOfComponents() + 1);
+    broken->SetNumberOfTuples(1);
+    broken->Fill(1.0);
+    EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
+    vtkNew<vtkStringArray> words;
+    words->SetName(name);
+    words->InsertNextValue("1");
+    data->AddArray(words);
+    EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
   }
 }
 
