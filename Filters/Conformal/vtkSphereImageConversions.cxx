@@ -39,6 +39,21 @@ const double* NumbersOf(vtkFieldData* data, const char* name, int components)
   return numbers;
 }
 
+// Of unit length and at right angles, as far as that survives single precision or six digits. Maps
+// that mirror the sphere have left-handed axes.
+void CheckAxes(const conformal::SphereView& view)
+{
+  constexpr double tolerance = 1e-5;
+  Eigen::Matrix3d axes;
+  axes << view.Right, view.Up, view.Pole;
+  const Eigen::Matrix3d off = axes.transpose() * axes - Eigen::Matrix3d::Identity();
+  if (!(off.cwiseAbs().maxCoeff() <= tolerance))
+  {
+    throw std::invalid_argument("the field data SpherePole, SphereUp and SphereRight are no unit "
+                                "vectors at right angles; run vtkSphericalTextureMap again");
+  }
+}
+
 double NumberIn(vtkFieldData* data, const char* name, double least, double largest)
 {
   const double number = *NumbersOf(data, name, 1);
@@ -75,12 +90,19 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
   image.View.Pole = conformal::Vector3(NumbersOf(data, "SpherePole", 3));
   image.View.Up = conformal::Vector3(NumbersOf(data, "SphereUp", 3));
   image.View.Right = conformal::Vector3(NumbersOf(data, "SphereRight", 3));
-  image.Projection = static_cast<conformal::SphereProjection>(static_cast<int>(NumberIn(
-    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap))));
+  CheckAxes(image.View);
+  const double projection = NumberIn(
+    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap));
+  if (projection != std::floor(projection))
+  {
+    throw std::invalid_argument("the field data TextureProjection are no whole number");
+  }
+  image.Projection = static_cast<conformal::SphereProjection>(static_cast<int>(projection));
   image.FieldOfView = NumberIn(
     data, "TextureFieldOfView", conformal::MinimumFieldOfView, conformal::MaximumFieldOfView);
   image.Scale = conformal::Vector2(NumbersOf(data, "TextureScale", 2));
-  if (image.Scale.minCoeff() < conformal::MinimumScale)
+  if (image.Scale.minCoeff() < conformal::MinimumScale ||
+    image.Scale.maxCoeff() > conformal::MaximumScale)
   {
     throw std::invalid_argument("the field data TextureScale are out of range");
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -65,11 +66,6 @@ std::array<double, 9> rotationOf(const Motion& motion, bool isInverse)
     1 - 2 * (x * x + y * y) };
 }
 
-bool areAlike(const NamedArray& a, const NamedArray& b)
-{
-  return a.Name == b.Name && a.Type == b.Type && a.Components == b.Components;
-}
-
 void appendValues(NamedArray& array, const NamedArray& more)
 {
   if (more.Values.size() > 0)
@@ -110,13 +106,17 @@ public:
       }
       else if (!startsRemark(keyword) && keyword != "camera")
       {
-        this->Input.fail(this->Names.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
+        this->Input.fail(this->Files.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
       }
     }
-    if (this->Names.empty())
+    if (this->Files.empty())
     {
       this->Input.fail(ParseCode::PrematureEnd, "the file names no scans");
+    }
+    for (NamedArray& array : this->Data.PointArrays)
+    {
+      array.Name += array.Name == this->ScanIds.Name ? "2" : ""; // one that the scans have
     }
     this->Data.PointArrays.push_back(std::move(this->ScanIds));
   }
@@ -134,16 +134,20 @@ private:
     {
       this->Lines.failExpecting("scans in the file's folder");
     }
-    if (this->Names.size() == MostScans || !this->Names.insert(name).second)
+    if (this->Files.size() == MostScans)
     {
-      this->Lines.failExpecting("each scan once");
+      this->Lines.failExpecting("no more than " + std::to_string(MostScans) + " scans");
     }
-    ByteReader scan;
+    OpenedScan scan = this->Open(name);
     SurfaceResult result;
-    result.Status = this->Open(name, scan);
+    result.Status = scan.Status;
     if (result.Status.ok())
     {
-      result = parsePLY(scan, {}, this->Limits,
+      if (!this->Files.insert(scan.Identity).second)
+      {
+        this->Lines.failExpecting("each scan once; another line names the same file");
+      }
+      result = parsePLY(scan.Input, {}, this->Limits,
         this->Progress ? [this](double) { return this->Progress(this->fraction()); }
                        : ParseProgress());
     }
@@ -158,7 +162,7 @@ private:
   void append(SurfaceData& scan, const std::array<double, 9>& rotation, const Motion& motion)
   {
     const std::size_t count = scan.Points.numberOfTuples();
-    const auto scanId = static_cast<std::int32_t>(this->Names.size() - 1);
+    const auto scanId = static_cast<std::int32_t>(this->Files.size() - 1);
     withType(scan.Points.Type,
       [&](auto zero)
       {
@@ -197,18 +201,23 @@ private:
       arrays = std::move(more);
       return;
     }
-    const auto isMissing = [&](const NamedArray& array)
+    std::map<std::string_view, const NamedArray*> byName;
+    for (const NamedArray& array : more)
     {
-      return std::none_of(
-        more.begin(), more.end(), [&](const NamedArray& other) { return areAlike(array, other); });
+      byName[array.Name] = &array;
+    }
+    const auto isMissing = [&](NamedArray& array)
+    {
+      const auto found = byName.find(array.Name);
+      const NamedArray* other = found == byName.end() ? nullptr : found->second;
+      if (!other || other->Type != array.Type || other->Components != array.Components)
+      {
+        return true;
+      }
+      appendValues(array, *other);
+      return false;
     };
     arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isMissing), arrays.end());
-    for (NamedArray& array : arrays)
-    {
-      appendValues(array,
-        *std::find_if(more.begin(), more.end(),
-          [&](const NamedArray& other) { return areAlike(array, other); }));
-    }
   }
 
   double fraction() const
@@ -231,7 +240,7 @@ private:
   const ParseProgress& Progress;
   SurfaceData& Data;
   LineReader Lines;
-  std::set<std::string> Names;
+  std::set<std::string> Files; ///< identities of the scans read
   NamedArray ScanIds = makeArray("ScanId", ScalarType::Int32, 1);
 };
 }

@@ -5,6 +5,7 @@
 
 #include "ByteReader.h"
 #include "NumberText.h"
+#include "ParseLimits.h"
 #include "ScalarType.h"
 
 #include <algorithm>
@@ -79,10 +80,10 @@ public:
   {
     constexpr std::size_t longestNumber = 4096;
     this->skipBlanks();
-    const std::string_view text = this->Input.peek(longestNumber);
+    const std::string_view text = this->Input.peek(longestNumber + 1);
     T value = T();
     const std::size_t length = readNumber(text, value);
-    if (length == 0)
+    if (length == 0 || length > longestNumber) // a longer one may be cut off
     {
       this->failAtWord(
         text, std::is_floating_point<T>::value ? "a number" : "an integer of the property's type");
@@ -152,11 +153,16 @@ private:
   template <typename Predicate>
   void skipWhile(Predicate isSkipped)
   {
-    for (;;)
+    for (std::size_t skipped = 0;;)
     {
       const std::string_view window = this->Input.peek(1);
       const std::size_t length =
         std::find_if_not(window.begin(), window.end(), isSkipped) - window.begin();
+      skipped += length;
+      if (skipped > LongestLine)
+      {
+        this->Input.fail(ParseCode::Malformed, tooLongMessage("blanks or a remark"));
+      }
       this->Input.advance(length);
       if (length < window.size() || window.empty())
       {

@@ -2,7 +2,8 @@
 
 #include "BinaryText.h"
 #include "ByteOrder.h"
-#include "LineReader.h"
+#include "NumberText.h"
+#include "ParseLimits.h"
 #include "ProgressReport.h"
 
 #include <expat.h>
@@ -147,12 +148,17 @@ public:
   {
     this->Path.emplace_back(name);
     this->Text.clear();
+    this->TextBytes = 0;
     require(this->Path.size() > 1 || name == "GIFTI", "expected the element GIFTI");
     require(this->Path.size() < 100, "found elements nested too deep");
-    if (name == "DataArray")
+    if (this->Path.size() == 1)
+    {
+      this->readCount(attributes);
+    }
+    else if (name == "DataArray")
     {
       require(!this->IsInArray, "found a DataArray in another");
-      require(this->Arrays.size() < MostArrays, "expected fewer arrays");
+      require(this->Arrays.size() < this->NumberOfArrays, this->wrongCountMessage("more"));
       this->IsInArray = true;
       this->startArray(attributes);
     }
@@ -174,16 +180,19 @@ public:
     {
       this->Ascii->add(text);
     }
-    else if (!this->Path.empty() && (this->Path.back() == "Name" || this->Path.back() == "Value"))
+    else
     {
-      constexpr std::size_t longest = 1000;
+      constexpr std::size_t longest = 1000; // of a name; what is longer is no name
       this->Text.append(text.substr(0, longest - std::min(longest, this->Text.size())));
+      this->TextBytes += text.size();
+      require(this->TextBytes <= LongestLine, tooLongMessage("a text that is no data"));
     }
   }
 
   void end(std::string_view name)
   {
     this->Path.pop_back();
+    this->TextBytes = 0;
     const bool isOfArray = this->IsInArray && !this->Path.empty() && this->Path.back() == "MD";
     if (name == "Name" && isOfArray)
     {
@@ -202,12 +211,36 @@ public:
       require(this->HasData, "found a DataArray without Data");
       this->IsInArray = this->HasData = false;
     }
+    else if (this->Path.empty())
+    {
+      require(this->Arrays.size() == this->NumberOfArrays, this->wrongCountMessage("fewer"));
+    }
   }
 
   std::vector<GIFTIArray> take() { return std::move(this->Arrays); }
 
 private:
   using Sizes = std::array<std::optional<std::uint64_t>, 6>;
+
+  // The number of arrays is mandatory in version 1.0: without it a file that lost some is whole.
+  void readCount(const char** attributes)
+  {
+    std::string_view text;
+    for (; *attributes; attributes += 2)
+    {
+      text = std::string_view(attributes[0]) == "NumberOfDataArrays" ? attributes[1] : text;
+    }
+    require(readNumber(text, this->NumberOfArrays) == text.size() && !text.empty() &&
+        this->NumberOfArrays <= MostArrays,
+      "found NumberOfDataArrays " + quoted(text) + " of GIFTI, expected a count of up to " +
+        std::to_string(MostArrays));
+  }
+
+  std::string wrongCountMessage(const std::string& amount) const
+  {
+    return "found " + amount + " DataArrays than the " + std::to_string(this->NumberOfArrays) +
+      " of NumberOfDataArrays";
+  }
 
   void startArray(const char** attributes)
   {
@@ -245,6 +278,9 @@ private:
       }
       else if (name == "ArrayIndexingOrder")
       {
+        require(value == "RowMajorOrder" || value == "ColumnMajorOrder",
+          "found ArrayIndexingOrder " + quoted(value) +
+            ", expected RowMajorOrder or ColumnMajorOrder");
         this->IsColumnMajor = value == "ColumnMajorOrder";
       }
       else if (name == "Dimensionality")
@@ -339,12 +375,14 @@ private:
   const ParseLimits& Limits;
   std::vector<GIFTIArray> Arrays;
   std::vector<std::string> Path;
-  std::string Text;
+  std::string Text; ///< since the last tag, its first bytes
+  std::size_t TextBytes = 0;
   std::string MetaName;
   std::string Encoding;
   std::unique_ptr<BinaryTextDecoder> Binary;
   std::optional<TextDecoder> Ascii;
-  std::uint64_t NumberOfValues = 0;
+  std::uint64_t NumberOfArrays = 0;
+  std::uint64_t NumberOfValues = 0; ///< of the array at hand
   bool IsLittleEndian = true;
   bool IsColumnMajor = false;
   bool IsInArray = false;
@@ -392,7 +430,6 @@ public:
 
   std::vector<GIFTIArray> read()
   {
-    constexpr std::uint64_t longestTag = std::uint64_t(16) << 20;
     this->Input.requireBytes();
     constexpr std::size_t someBytes = 1024;
     if (!looksLikeGIFTI(this->Input.peek(someBytes)))
@@ -422,9 +459,9 @@ public:
           std::string("the XML is wrong: ") + XML_ErrorString(code));
       }
       this->Input.advance(piece.size());
-      if (this->Input.offset() > longestTag + static_cast<std::uint64_t>(this->place()))
+      if (this->Input.offset() > LongestLine + static_cast<std::uint64_t>(this->place()))
       {
-        this->fail(ParseCode::Malformed, "found a tag of more than 16 MiB");
+        this->fail(ParseCode::Malformed, tooLongMessage("a tag"));
       }
     }
     return this->Handler.take();

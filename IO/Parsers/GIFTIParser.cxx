@@ -33,17 +33,7 @@ std::string nameOf(const GIFTIArray& array)
 
 void addArray(GIFTIArray& array, std::vector<NamedArray>& arrays)
 {
-  const std::string name = nameOf(array);
-  const auto isTaken = [&](const std::string& wanted)
-  {
-    return std::any_of(
-      arrays.begin(), arrays.end(), [&](const NamedArray& other) { return other.Name == wanted; });
-  };
-  array.Values.Name = name;
-  for (int number = 2; isTaken(array.Values.Name); ++number)
-  {
-    array.Values.Name = name + std::to_string(number);
-  }
+  array.Values.Name = nameOf(array);
   arrays.push_back(std::move(array.Values));
 }
 

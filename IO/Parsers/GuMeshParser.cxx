@@ -8,9 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 namespace conformal
 {
@@ -155,7 +155,7 @@ private:
       this->FirstId = id;
     }
     const auto index = static_cast<std::int64_t>(this->Points);
-    if (this->Table.empty() && this->isInOrder(id, index))
+    if (this->Table.empty() && id == this->idInOrder(index))
     {
       return;
     }
@@ -163,19 +163,21 @@ private:
     {
       for (std::int64_t i = 0; i < index; ++i)
       {
-        this->Table.emplace(this->FirstId + i, i);
+        this->Table.emplace_hint(this->Table.end(), this->idInOrder(i), i);
       }
     }
-    if (!this->Table.emplace(id, index).second)
+    const std::size_t before = this->Table.size();
+    this->Table.emplace_hint(this->Table.end(), id, index); // ids of most files only have gaps
+    if (this->Table.size() == before)
     {
       this->Lines.failExpecting("each vertex once");
     }
   }
 
-  bool isInOrder(std::int64_t id, std::int64_t index) const
+  std::int64_t idInOrder(std::int64_t index) const
   {
-    return static_cast<std::uint64_t>(id) ==
-      static_cast<std::uint64_t>(this->FirstId) + static_cast<std::uint64_t>(index);
+    return static_cast<std::int64_t>(
+      static_cast<std::uint64_t>(this->FirstId) + static_cast<std::uint64_t>(index));
   }
 
   std::int64_t pointOf(std::int64_t id) const
@@ -312,7 +314,7 @@ private:
   ProgressReport Progress;
   std::size_t Points = 0;
   std::int64_t FirstId = 0;
-  std::unordered_map<std::int64_t, std::int64_t> Table; ///< of ids that do not count up
+  std::map<std::int64_t, std::int64_t> Table; ///< of ids that do not count up; no ids make it slow
   Trait Normals = { "normal", makeArray("Normals", ScalarType::Float64, 3), 0 };
   Trait TCoords = { "uv", makeArray("TCoords", ScalarType::Float64, 2), 0 };
   Trait Sphere = { "sph", makeArray("SpherePosition", ScalarType::Float64, 3), 0 };

@@ -5,6 +5,7 @@
 
 #include "ByteReader.h"
 #include "NumberText.h"
+#include "ParseLimits.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,8 +14,8 @@
 
 namespace conformal
 {
-/// Lines of any length that end with LF, CR or CRLF, the last one also with the input. The line at
-/// hand is not passed yet: a failure is one of this line.
+/// Lines of up to LongestLine that end with LF, CR or CRLF, the last one also with the input. The
+/// line at hand is not passed yet: a failure is one of this line.
 class LineReader
 {
 public:
@@ -28,6 +29,7 @@ public:
   }
 
   /// Go to the next line; false if there is none.
+  /// @throws ParseError if it is too long
   bool next()
   {
     this->Input.advance(this->Passed);
@@ -37,6 +39,10 @@ public:
     {
       const std::size_t length =
         std::min(this->LineFeed.find(window, begin), this->Return.find(window, begin));
+      if (length > LongestLine)
+      {
+        this->Input.fail(ParseCode::Malformed, tooLongMessage("a line"));
+      }
       if (length + 1 < window.size() || window.size() == this->Input.left())
       {
         this->Text = window.substr(0, length);
@@ -44,7 +50,7 @@ public:
         this->Passed = std::min(length + (isPair ? 2 : 1), window.size());
         return true;
       }
-      window = this->Input.peek(2 * window.size());
+      window = this->Input.peek(std::min(2 * window.size(), LongestLine + 2));
     }
     return false;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <map>
 
 namespace conformal
 {
@@ -26,7 +27,6 @@ std::uint64_t replaceNonFiniteOf(NamedArray& array)
   }
   return replaced;
 }
-
 }
 
 //------------------------------------------------------------------------------
@@ -37,6 +37,21 @@ NamedArray makeArray(const std::string& name, ScalarType type, std::size_t compo
   array.Type = type;
   array.Components = components;
   return array;
+}
+
+//------------------------------------------------------------------------------
+void makeNamesUnique(std::vector<NamedArray>& arrays)
+{
+  std::map<std::string, std::size_t> taken; // and the last number that was put behind each
+  for (NamedArray& array : arrays)
+  {
+    auto place = taken.emplace(array.Name, 1);
+    for (std::size_t& number = place.first->second; !place.second;)
+    {
+      place = taken.emplace(array.Name + std::to_string(++number), 1);
+    }
+    array.Name = place.first->first;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <vector>
 
 namespace conformal
 {
@@ -34,6 +35,9 @@ inline void append(NamedArray& array, const void* tuple)
   array.Values.extend(bytes);
   std::memcpy(array.Values.data() + array.Values.size() - bytes, tuple, bytes);
 }
+
+/// Give each array a name of its own: a second "Shape" becomes "Shape2".
+void makeNamesUnique(std::vector<NamedArray>& arrays);
 
 /// Replace values that are not finite by 0. Returns how many there were.
 std::uint64_t replaceNonFinite(NamedArray& array);

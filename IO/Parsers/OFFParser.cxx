@@ -335,7 +335,8 @@ private:
     {
       this->PolygonColors.addMissing();
       const bool hasIndex = this->Extras.size() == 1 && this->Extras[0] >= 0.0 &&
-        this->Extras[0] <= std::numeric_limits<std::int32_t>::max();
+        this->Extras[0] <= std::numeric_limits<std::int32_t>::max() &&
+        this->Extras[0] == std::floor(this->Extras[0]);
       if (!this->Extras.empty() && !hasIndex)
       {
         this->Input.fail(ParseCode::Malformed,

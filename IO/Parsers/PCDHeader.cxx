@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
 
 namespace conformal
 {
@@ -125,9 +126,16 @@ private:
   void readFields(LineWords& words)
   {
     this->check(this->Header.Fields.empty(), "the names of fields once");
+    std::set<std::string_view> names;
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
     {
       this->check(this->Header.Fields.size() < MostNumbers, "fewer fields");
+      if (word != PCDField::Padding && !names.insert(word).second)
+      {
+        this->Input.fail(ParseCode::Malformed,
+          "found two fields " + quoted(word) +
+            ", expected each name once (but for padding, \"_\")");
+      }
       this->Header.Fields.emplace_back();
       this->Header.Fields.back().Name = word;
     }

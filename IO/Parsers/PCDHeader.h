@@ -22,10 +22,12 @@ enum class PCDFormat
 
 struct PCDField
 {
-  std::string Name; ///< "_" for padding
+  static constexpr std::string_view Padding = "_"; ///< the one name that fields may share
+  std::string Name;
   ScalarType Type = ScalarType::Float32;
   std::size_t Count = 1;
 
+  bool isPadding() const { return this->Name == Padding; }
   std::size_t bytes() const { return this->Count * sizeOf(this->Type); }
 };
 

@@ -19,11 +19,6 @@ namespace
 {
 constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
 
-bool isPadding(const PCDField& field)
-{
-  return field.Name == "_";
-}
-
 class PCDReader
 {
 public:
@@ -49,7 +44,7 @@ public:
     const std::size_t recordBytes = this->recordBytes();
     const std::uint64_t leastBytes = isText      ? 2 * this->numbers() - 1
       : this->Header.Format == PCDFormat::Binary ? recordBytes
-                                                 : recordBytes / LZFDecoder::MostGrowth;
+                                                 : 0;
     std::size_t count = this->Limits.checkedCount(
       this->Input, "points", this->Header.NumberOfPoints, leastBytes, 2 * recordBytes);
     if (this->Header.Format == PCDFormat::Binary)
@@ -61,7 +56,6 @@ public:
     {
       count = 0;
     }
-    records.resize(count);
     if (count > 0)
     {
       this->readPoints(records, count);
@@ -72,14 +66,21 @@ public:
 private:
   void readPoints(Records& records, std::size_t count)
   {
-    switch (this->Header.Format)
+    if (this->Header.Format == PCDFormat::BinaryCompressed)
     {
-      case PCDFormat::Ascii:
-        return this->readText(records, count);
-      case PCDFormat::Binary:
-        return this->readBinary(records, count);
-      case PCDFormat::BinaryCompressed:
-        return this->readCompressed(records, count);
+      const std::uint32_t compressed = this->compressedBytes(count);
+      records.resize(count);
+      this->readCompressed(records, count, compressed);
+      return;
+    }
+    records.resize(count);
+    if (this->Header.Format == PCDFormat::Ascii)
+    {
+      this->readText(records, count);
+    }
+    else
+    {
+      this->readBinary(records, count);
     }
   }
 
@@ -88,7 +89,7 @@ private:
     std::vector<RecordField> fields;
     for (const PCDField& field : this->Header.Fields)
     {
-      fields.insert(fields.end(), field.Count, { field.Name, field.Type, !isPadding(field) });
+      fields.insert(fields.end(), field.Count, { field.Name, field.Type, !field.isPadding() });
     }
     try
     {
@@ -130,7 +131,7 @@ private:
       {
         for (std::size_t c = 0; c < field.Count; ++c, ++number)
         {
-          if (isPadding(field))
+          if (field.isPadding())
           {
             text.skip(field.Type, 1);
           }
@@ -168,6 +169,7 @@ private:
   void copyBlock(Records& records, const char* bytes, std::size_t block, std::size_t first)
   {
     const bool swap = !isLittleEndianMachine();
+    const std::size_t recordBytes = this->recordBytes();
     if (records.canCopy())
     {
       records.copy(bytes, block, first, swap);
@@ -179,17 +181,17 @@ private:
     {
       for (std::size_t c = 0; c < field.Count; ++c, ++number)
       {
-        if (!isPadding(field))
+        if (!field.isPadding())
         {
-          records.copyField(number, bytes + offset, this->recordBytes(), block, first, swap);
+          records.copyField(number, bytes + offset, recordBytes, block, first, swap);
         }
         offset += sizeOf(field.Type);
       }
     }
   }
 
-  // One field after another, without padding.
-  void readCompressed(Records& records, std::size_t count)
+  // The size of a compressed block, checked before there is memory for what it gives.
+  std::uint32_t compressedBytes(std::size_t count)
   {
     BinaryValues values(this->Input, !isLittleEndianMachine());
     const auto compressed = values.next<std::uint32_t>();
@@ -197,7 +199,7 @@ private:
     std::uint64_t expected = 0;
     for (const PCDField& field : this->Header.Fields)
     {
-      expected += isPadding(field) ? 0 : count * field.bytes();
+      expected += field.isPadding() ? 0 : count * field.bytes();
     }
     if (uncompressed != expected || expected > LZFDecoder::MostGrowth * compressed)
     {
@@ -206,6 +208,12 @@ private:
           ", expected " + std::to_string(expected));
     }
     this->Limits.checkedCount(this->Input, "bytes", compressed, 1, 0);
+    return compressed;
+  }
+
+  // One field after another, without padding.
+  void readCompressed(Records& records, std::size_t count, std::uint32_t compressed)
+  {
     LZFDecoder decoder(this->Input, compressed);
     std::vector<char> buffer;
     std::size_t number = 0;
@@ -213,7 +221,7 @@ private:
     {
       const std::size_t bytes = field.bytes();
       const std::size_t mostInBlock = std::max<std::size_t>(1, BlockBytes / bytes);
-      for (std::size_t first = 0; first < count && !isPadding(field);)
+      for (std::size_t first = 0; first < count && !field.isPadding();)
       {
         const std::size_t block = std::min(mostInBlock, count - first);
         buffer.resize(block * bytes);

@@ -1,9 +1,11 @@
 #include "PLYHeader.h"
 
+#include "ParseLimits.h"
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <unordered_set>
+#include <set>
 
 namespace conformal
 {
@@ -231,6 +233,10 @@ private:
         this->fail(ParseCode::PrematureEnd, "the header has no end_header");
       }
       const std::size_t length = std::min(window.find_first_of("\r\n"), window.size());
+      if (this->Text.size() + length > LongestLine)
+      {
+        this->fail(ParseCode::Malformed, tooLongMessage("a line"));
+      }
       this->Text.append(window.substr(0, length));
       this->Input.advance(length);
       if (length < window.size() || window.empty())
@@ -280,8 +286,8 @@ private:
   bool LoneCR = false;
   bool HasFormat = false;
   std::size_t NumberOfNames = 0;
-  std::unordered_set<std::string> ElementNames;
-  std::unordered_set<std::string> PropertyNames;
+  std::set<std::string> ElementNames;
+  std::set<std::string> PropertyNames;
 };
 }
 

@@ -1,4 +1,4 @@
-/// The one place where a number that a file promises becomes memory.
+/// The one place where what a file promises becomes memory.
 
 #ifndef ConformalParseLimits_h
 #define ConformalParseLimits_h
@@ -12,6 +12,18 @@
 
 namespace conformal
 {
+/// Longest line of a text, and longest run of blanks, remark or tag, in bytes: room for a polygon
+/// of a million corners. A text is buffered up to here and refused beyond, so that a file without
+/// line ends does not end up in memory.
+constexpr std::size_t LongestLine = std::size_t(16) << 20;
+
+/// What is wrong with a longer one, for messages.
+inline std::string tooLongMessage(const char* what)
+{
+  return std::string("found ") + what + " of more than " + std::to_string(LongestLine >> 20) +
+    " MiB";
+}
+
 struct ParseLimits
 {
   /// Largest piece of memory, in bytes, that one count of a file may ask for.

@@ -91,6 +91,7 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
   : Fields(std::move(fields))
   , Slots(this->Fields.size())
 {
+  this->collectNames();
   if (hasPoints)
   {
     this->groupPoints();
@@ -105,34 +106,40 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
   this->group("TCoords", { "u", "v" }, isFloating);
   this->group("TCoords", { "texture_u", "texture_v" }, isFloating);
   this->groupNeighbours();
+  this->Names.clear();
   this->findRuns();
 }
 
 //------------------------------------------------------------------------------
-// The fields of these names, empty unless all have no array yet.
+// Looking through all fields for each name would be quadratic.
+void Records::collectNames()
+{
+  for (std::size_t i = 0; i < this->Fields.size(); ++i)
+  {
+    const auto [place, isNew] = this->Names.emplace(this->Fields[i].Name, i);
+    if (!isNew)
+    {
+      place->second = None;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The one field of each of these names; empty unless all are there and have no array yet.
 std::vector<std::size_t> Records::find(const std::vector<std::string>& names) const
 {
   std::vector<std::size_t> found;
   for (const std::string& name : names)
   {
-    for (std::size_t i = 0; i < this->Slots.size(); ++i)
+    const auto place = this->Names.find(name);
+    const std::size_t field = place == this->Names.end() ? None : place->second;
+    if (field == None || !this->Fields[field].IsKept || this->Slots[field].Array != None)
     {
-      const RecordField& field = this->Fields[i];
-      if (field.Name == name && field.IsKept && this->Slots[i].Array == None)
-      {
-        found.push_back(i);
-      }
+      return {};
     }
+    found.push_back(field);
   }
-  return found.size() == names.size() ? found : std::vector<std::size_t>();
-}
-
-//------------------------------------------------------------------------------
-bool Records::isTaken(const std::string& name) const
-{
-  const auto hasName = [&](const auto& named) { return named.Name == name; };
-  return std::any_of(this->Arrays.begin(), this->Arrays.end(), hasName) ||
-    std::any_of(this->Fields.begin(), this->Fields.end(), hasName);
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -144,6 +151,7 @@ void Records::addArray(
     this->Slots[members[component]] = { this->Arrays.size(), component };
   }
   this->Arrays.push_back(makeArray(name, type, members.size()));
+  this->Names.emplace(name, None);
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +160,7 @@ void Records::groupPoints()
   const std::vector<std::size_t> members = this->find({ "x", "y", "z" });
   if (members.empty())
   {
-    throw std::invalid_argument("found no scalars x, y and z of the points");
+    throw std::invalid_argument("found no x, y and z of the points, one number each");
   }
   const bool areFloats = std::all_of(members.begin(), members.end(),
     [&](std::size_t i) { return this->Fields[i].Type == ScalarType::Float32; });

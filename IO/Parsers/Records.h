@@ -7,6 +7,7 @@
 #include "ScalarType.h"
 
 #include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ class Records
 {
 public:
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
-  /// @throws std::invalid_argument if they should and are not there
+  /// @throws std::invalid_argument if they should and are not there, one field each
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
@@ -91,8 +92,9 @@ private:
     std::size_t Bytes;
   };
 
+  void collectNames();
   std::vector<std::size_t> find(const std::vector<std::string>& names) const;
-  bool isTaken(const std::string& name) const;
+  bool isTaken(const std::string& name) const { return this->Names.count(name) > 0; }
   void addArray(const std::string& name, ScalarType type, const std::vector<std::size_t>& members);
   void groupPoints();
   void group(
@@ -103,6 +105,7 @@ private:
   std::vector<RecordField> Fields;
   std::vector<Slot> Slots; ///< one for each field
   std::vector<NamedArray> Arrays;
+  std::map<std::string, std::size_t> Names; ///< of fields and arrays: the one field that has it
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
 };

@@ -16,6 +16,7 @@ SurfaceResult parseSurface(const std::function<void(SurfaceData&)>& parse)
       data.PolygonIds.shrink();
       for (auto* arrays : { &data.PointArrays, &data.PolygonArrays })
       {
+        makeNamesUnique(*arrays);
         for (NamedArray& array : *arrays)
         {
           array.Values.shrink();

@@ -16,7 +16,7 @@ namespace conformal
 struct SurfaceData
 {
   NamedArray Points;                   ///< #P by 3, Float32 or Float64
-  std::vector<NamedArray> PointArrays; ///< #P tuples each
+  std::vector<NamedArray> PointArrays; ///< #P tuples each, of names of their own
   std::vector<NamedArray>
     PolygonArrays; ///< one tuple for each polygon; none if strips or a grid gave more polygons
   OwnedArray<std::int64_t> PolygonOffsets; ///< #F + 1: where each polygon's ids begin; may be empty
@@ -34,8 +34,9 @@ struct SurfaceResult
   SurfaceData Data; ///< empty unless Status.ok()
 };
 
-/// Run a parser on empty data; what it throws becomes the status. Spare memory is given back and
-/// values that are not finite are replaced.
+/// Run a parser on empty data; what it throws becomes the status. Spare memory is given back,
+/// values that are not finite are replaced, and of several arrays of one name all but the first get
+/// a number behind it.
 SurfaceResult parseSurface(const std::function<void(SurfaceData&)>& parse);
 }
 

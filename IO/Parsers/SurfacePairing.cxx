@@ -86,7 +86,11 @@ void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfa
       surface, path, { ParseCode::Malformed, 0, 0, "found a point of the sphere at its centre" });
     return;
   }
-  surface.Data.PointArrays.push_back(std::move(positions));
+  auto& arrays = surface.Data.PointArrays;
+  arrays.erase(std::remove_if(arrays.begin(), arrays.end(),
+                 [&](const NamedArray& array) { return array.Name == positions.Name; }),
+    arrays.end());
+  arrays.push_back(std::move(positions));
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +118,7 @@ void addPointArrays(SurfaceResult& surface, const std::string& path, const Parse
     }
     surface.Data.PointArrays.push_back(std::move(array));
   }
+  makeNamesUnique(surface.Data.PointArrays);
   surface.Data.ReplacedValues += arrays.Data.ReplacedValues;
 }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace conformal
 {
@@ -161,8 +162,22 @@ Role roleOf(const std::string& name)
   return {};
 }
 
+std::string columnName(std::size_t number)
+{
+  return "Column" + std::to_string(number);
+}
+
+// The first name that is there again; empty if there is none.
+std::string repeatedName(const std::vector<std::string>& names)
+{
+  std::set<std::string> seen;
+  const auto repeated = std::find_if(
+    names.begin(), names.end(), [&](const std::string& name) { return !seen.insert(name).second; });
+  return repeated == names.end() ? "" : *repeated;
+}
+
 // The names that a line gives to so many columns; empty if it does not, or if x, y, z are not
-// among them.
+// among them. A column without a name is called by its number.
 std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::size_t columns)
 {
   for (const char separator : { delimiter == ' ' ? '\t' : delimiter, delimiter })
@@ -172,6 +187,10 @@ std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::s
     for (const std::string_view word : split(line, separator))
     {
       names.emplace_back(trimmed(word, "\"' \t"));
+      if (names.back().empty())
+      {
+        names.back() = columnName(names.size());
+      }
       const Role role = roleOf(lowerCase(names.back()));
       if (role.Name == "Points")
       {
@@ -242,7 +261,7 @@ std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)
   }
   while (names.size() < columns)
   {
-    names.push_back("Column" + std::to_string(names.size() + 1));
+    names.push_back(columnName(names.size() + 1));
   }
   return names;
 }
@@ -255,7 +274,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
   const auto group = [&](const char* array, ScalarType type, std::size_t components)
   {
     std::array<std::size_t, 3> members = { nowhere, nowhere, nowhere };
-    for (std::size_t i = names.size(); i-- > 0;) // of a name that is there twice the first counts
+    for (std::size_t i = names.size(); i-- > 0;) // of "x" and "X" the first counts
     {
       const Role role = roleOf(lowerCase(names[i]));
       if (role.Name == array)
@@ -384,12 +403,19 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
       refuse(sample.NamesLine, sample.Names,
         "numbers, or names of the " + std::to_string(columns) + " columns with x, y and z");
     }
+    const std::string repeated = repeatedName(names);
+    if (!repeated.empty())
+    {
+      throw NoTextCloud(
+        sample.NamesLine, "found two columns " + quoted(repeated) + ", expected each name once");
+    }
   }
   else
   {
     for (const std::string& remark : sample.Remarks)
     {
       names = names.empty() ? namesFrom(remark, layout.Delimiter, columns) : names;
+      names = repeatedName(names).empty() ? names : std::vector<std::string>();
     }
   }
   placeColumns(names.empty() ? namesByValues(rows, columns) : names, rows, layout);

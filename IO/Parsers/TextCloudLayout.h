@@ -53,10 +53,11 @@ public:
 ///
 /// The delimiter is a semicolon if the first line of numbers has one, else a comma if it has one
 /// and commas are no decimal marks, else blanks. Names of columns come from a line before the
-/// numbers, a remark or not, that names x, y and z. Without names, columns after the first three
-/// are told by their number and by the values of the first hundred lines: 4: intensity; 6: normals
-/// if all are of unit length, else colours if all are whole and in 0..255; 7: intensity and colours
-/// in either order; 9: normals and colours in either order; all others are "Column4" and so on.
+/// numbers, a remark or not, that names x, y and z, and nothing twice. Without names, columns after
+/// the first three are told by their number and by the values of the first hundred lines: 4:
+/// intensity; 6: normals if all are of unit length, else colours if all are whole and in 0..255; 7:
+/// intensity and colours in either order; 9: normals and colours in either order; all others are
+/// "Column4" and so on.
 ///
 /// @param[in] start    bytes from the start of a text
 /// @param[in] isWhole  whether that is all of it, otherwise its last line may be half of one

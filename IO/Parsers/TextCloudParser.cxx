@@ -15,6 +15,8 @@ namespace conformal
 namespace
 {
 constexpr std::size_t SampleBytes = std::size_t(4) << 20; // a hundred lines, even of long ones
+constexpr std::size_t MostReservedBytes = std::size_t(64)
+  << 20; // for lines that are only estimated
 
 class TextCloudReader
 {
@@ -93,11 +95,18 @@ private:
     }
     this->Row.resize(this->Layout.Columns.size());
     this->findPiece(first + this->Layout.FirstOffset);
-    const double rows =
+    const double lines =
       1.02 * static_cast<double>(this->End - this->Begin) / this->Layout.MeanLineBytes;
+    std::size_t rowBytes = 0;
+    for (const NamedArray& array : this->Layout.Arrays)
+    {
+      rowBytes += array.tupleBytes();
+    }
+    const std::size_t rows =
+      std::min(static_cast<std::size_t>(lines + 1.0), MostReservedBytes / rowBytes);
     for (NamedArray& array : this->Layout.Arrays)
     {
-      array.Values.reserve(static_cast<std::size_t>(rows + 1.0) * array.tupleBytes());
+      array.Values.reserve(rows * array.tupleBytes());
     }
   }
 

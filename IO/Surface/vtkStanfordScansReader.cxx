@@ -1,6 +1,7 @@
 #include "vtkStanfordScansReader.h"
 
 #include "AlignedScans.h"
+#include "ScanFolder.h"
 
 #include "vtkObjectFactory.h"
 
@@ -22,9 +23,8 @@ conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& in
   options.InvertRotation = this->InvertRotation;
   options.AllowExternalFiles = this->AllowExternalFiles;
   const auto folder = std::filesystem::u8path(this->FileName).parent_path();
-  const auto open = [&](const std::string& name, conformal::ByteReader& scan)
-  { return conformal::openFile((folder / std::filesystem::u8path(name)).u8string(), scan); };
-  return conformal::parseAlignedScans(input, open, options, {}, progress);
+  return conformal::parseAlignedScans(input,
+    conformal::openScansIn(folder.u8string(), this->AllowExternalFiles), options, {}, progress);
 }
 
 //------------------------------------------------------------------------------

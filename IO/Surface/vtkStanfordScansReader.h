@@ -39,7 +39,8 @@ public:
 
   ///@{
   /**
-   * Whether the file may name scans outside of its folder. Default is off.
+   * Whether the file may name scans outside of its folder, by their paths or by links. Default is
+   * off.
    */
   vtkSetMacro(AllowExternalFiles, bool);
   vtkGetMacro(AllowExternalFiles, bool);

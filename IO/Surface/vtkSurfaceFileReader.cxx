@@ -4,6 +4,7 @@
 #include "FilePiece.h"
 #include "SurfaceData.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
@@ -108,30 +109,52 @@ vtkSmartPointer<vtkTypeInt64Array> ToArray(conformal::OwnedArray<std::int64_t>& 
   return array;
 }
 
+// Arrays in a row. vtkFieldData::AddArray compares the name of each with those of all before it,
+// which takes a minute for 60,000; no two of a parser's arrays have the same.
+class ArrayList : public vtkDataSetAttributes
+{
+public:
+  static ArrayList* New() { VTK_STANDARD_NEW_BODY(ArrayList); }
+  vtkTypeMacro(ArrayList, vtkDataSetAttributes);
+
+  int Append(vtkAbstractArray* array)
+  {
+    const int index = this->NumberOfActiveArrays++;
+    this->SetArray(index, array);
+    return index;
+  }
+};
+
 // A single column may have a name of VTK's; only whole ones become what VTK means.
 void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes* data)
 {
+  vtkNew<ArrayList> list;
+  list->AllocateArrays(static_cast<int>(arrays.size()));
   for (conformal::NamedArray& values : arrays)
   {
-    const vtkSmartPointer<vtkDataArray> array = ToArray(values);
     const bool isBytes = values.Type == conformal::ScalarType::UInt8;
+    const int index = list->Append(ToArray(values));
     if (values.Name == "Normals" && values.Components == 3)
     {
-      data->SetNormals(array);
+      list->SetActiveAttribute(index, vtkDataSetAttributes::NORMALS);
     }
     else if (values.Name == "TCoords" && values.Components == 2)
     {
-      data->SetTCoords(array);
+      list->SetActiveAttribute(index, vtkDataSetAttributes::TCOORDS);
     }
     else if (isBytes && values.Name == (values.Components == 4 ? "RGBA" : "RGB"))
     {
-      data->SetScalars(array);
-    }
-    else
-    {
-      data->AddArray(array);
+      list->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
     }
   }
+  // A data set looks for an array of ghosts whenever one is added: once is enough.
+  vtkNew<vtkCallbackCommand> quiet;
+  quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  quiet->AbortFlagOnExecuteOn();
+  const unsigned long tag = data->AddObserver(vtkCommand::ModifiedEvent, quiet, 1.0F);
+  data->ShallowCopy(list);
+  data->RemoveObserver(tag);
+  data->Modified();
 }
 
 // Ids of 4 bytes where they suffice: for a large cloud they would else be most of its memory.

@@ -36,6 +36,23 @@ TEST(GIFTIReader, PairsASurfaceWithItsSphereAndItsArrays)
   contract::ExpectPrints(reading.Reader, "ShapeFileName");
 }
 
+TEST(GIFTIReader, KeepsArraysOfOneNameAndTakesTheSphereThatWasAskedFor)
+{
+  const TemporaryFolder folder;
+  const std::string ascii = samples::AsciiGIFTI();
+  const Reading twice =
+    Read(folder.write("a.surf.gii", ascii), "", folder.write("a.shape.gii", samples::ShapeGIFTI()));
+  contract::ExpectRead(twice);
+  contract::ExpectArray(twice.Output->GetPointData(), "sulc & depth", VTK_FLOAT, 1, 4);
+  contract::ExpectArray(twice.Output->GetPointData(), "sulc & depth2", VTK_SHORT, 1, 4);
+  const Reading mapped =
+    Read(folder.write("b.surf.gii", samples::replaced(ascii, "sulc &amp; depth", "SpherePosition")),
+      folder.write("sphere.surf.gii", samples::BinaryGIFTI(true, false)), "");
+  contract::ExpectRead(mapped);
+  contract::ExpectSpherePosition(mapped.Output);
+  EXPECT_EQ(mapped.Output->GetPointData()->GetNumberOfArrays(), 1);
+}
+
 TEST(GIFTIReader, RefusesFilesThatDoNotBelongTogether)
 {
   const TemporaryFolder folder;

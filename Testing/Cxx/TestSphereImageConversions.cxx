@@ -67,10 +67,10 @@ TEST(SphereImageConversions, RefuseWhatSaysNothing)
       broken->SetComponent(0, 0, bad);
       EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
     }
-    broken->SetComponent(0, 0, -1.0);
     const bool isDirection = broken->GetNumberOfComponents() == 3;
-    if (!isDirection)
+    for (double bad : { isDirection ? 0.7 : -1.0, 1e300 })
     {
+      broken->SetComponent(0, 0, bad);
       EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
     }
     // Too few tuples, components or numbers.
@@ -87,6 +87,45 @@ TEST(SphereImageConversions, RefuseWhatSaysNothing)
     data->AddArray(words);
     EXPECT_THROW(ToSphereImage(data), std::invalid_argument) << name;
   }
+}
+
+TEST(SphereImageConversions, RefuseAxesThatAreNotOrthonormal)
+{
+  using conformal::Vector3;
+  const auto read = [](const Vector3& pole, const Vector3& up, const Vector3& right)
+  {
+    conformal::SphereImage image = someImage();
+    image.View = { pole, up, right };
+    vtkNew<vtkFieldData> data;
+    AddSphereImage(data, image);
+    return ToSphereImage(data);
+  };
+  const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
+  EXPECT_NO_THROW(read(z, y, x));
+  EXPECT_NO_THROW(read(z, y, -x)); // of a mirrored map
+  const double s = std::sqrt(0.5);
+  const auto single = [](const Vector3& v) { return Vector3(v.cast<float>().cast<double>()); };
+  EXPECT_NO_THROW(read(single({ s, 0.5, 0.5 }), single({ -s, 0.5, 0.5 }), single({ 0, s, -s })));
+  EXPECT_THROW(read(Vector3::Zero(), y, x), std::invalid_argument);
+  EXPECT_THROW(read(z, Vector3::Zero(), x), std::invalid_argument);
+  EXPECT_THROW(read(z, y, Vector3::Zero()), std::invalid_argument);
+  EXPECT_THROW(read(2 * z, y, x), std::invalid_argument);
+  EXPECT_THROW(read(z, 1.001 * y, x), std::invalid_argument);
+  EXPECT_THROW(read(z, z, x), std::invalid_argument);
+  EXPECT_THROW(read(z, y, y), std::invalid_argument);
+  EXPECT_THROW(read(z, y, Vector3(s, 0, s)), std::invalid_argument);
+  EXPECT_THROW(read(1e200 * z, y, x), std::invalid_argument);
+}
+
+TEST(SphereImageConversions, RefuseAProjectionBetweenTwo)
+{
+  vtkNew<vtkFieldData> data;
+  AddSphereImage(data, someImage());
+  vtkNew<vtkDoubleArray> projection;
+  projection->SetName("TextureProjection");
+  projection->InsertNextValue(1.5);
+  data->AddArray(projection);
+  EXPECT_THROW(ToSphereImage(data), std::invalid_argument);
 }
 
 TEST(SphereImageConversions, ImagesHaveCountablePixels)

@@ -6,8 +6,12 @@
 
 #include "vtkPointData.h"
 
+#include <filesystem>
+
 using contract::Read;
 using contract::Reading;
+
+namespace fs = std::filesystem;
 
 TEST(StanfordScansReader, AlignsTheScansBesideTheFile)
 {
@@ -47,6 +51,70 @@ TEST(StanfordScansReader, DoesAsItsPropertiesSay)
   EXPECT_NE(reading.Output->GetPoint(0)[0], x);
   contract::ExpectPrints(reader, "InvertRotation");
   contract::ExpectPrints(reader, "AllowExternalFiles");
+}
+
+TEST(StanfordScansReader, RefusesLinksThatLeadOutOfTheFolder)
+{
+  const TemporaryFolder folder;
+  folder.write(samples::SphereScans());
+  const fs::path inner = fs::u8path(folder.file("inner"));
+  fs::create_directories(inner);
+  std::error_code error;
+  fs::create_symlink("../side.ply", inner / "link.ply", error);
+  if (error)
+  {
+    GTEST_SKIP() << "no links here: " << error.message();
+  }
+  fs::create_directory_symlink("..", inner / "up");
+  fs::create_symlink("nothing", inner / "dangling.ply");
+  fs::create_symlink("loop.ply", inner / "loop.ply");
+  fs::copy_file(fs::u8path(folder.file("front.ply")), inner / "real.ply");
+  fs::create_symlink("real.ply", inner / "inside.ply");
+  fs::create_directory_symlink("inner", fs::u8path(folder.file("linked folder")));
+  const auto read = [&](const std::string& name, bool allows, const char* place = "inner/a.conf")
+  {
+    const auto reader = vtkSmartPointer<vtkStanfordScansReader>::New();
+    reader->SetAllowExternalFiles(allows);
+    return Reading(reader, folder.write(place, "mesh " + name + " 0 0 0 0 0 0 1\n"));
+  };
+  for (const char* name : { "link.ply", "./link.ply", "up/side.ply", "up/inner/link.ply" })
+  {
+    contract::ExpectRefused(read(name, false), vtkErrorCode::FileFormatError, "leads out");
+    contract::ExpectRead(read(name, true));
+  }
+  contract::ExpectRefused(
+    read("dangling.ply", false), vtkErrorCode::FileNotFoundError, "no such file");
+  contract::ExpectRefused(read("loop.ply", false), vtkErrorCode::CannotOpenFileError, "opened");
+  contract::ExpectRefused(read("up", true), vtkErrorCode::CannotOpenFileError, "regular");
+  for (const char* name : { "real.ply", "inside.ply", "up/inner/real.ply" })
+  {
+    contract::ExpectRead(read(name, false));
+    contract::ExpectRead(read(name, false, "linked folder/a.conf"));
+  }
+}
+
+TEST(StanfordScansReader, ReadsEachFileOnceWhateverItsNames)
+{
+  const TemporaryFolder folder;
+  folder.write(samples::SphereScans());
+  const fs::path path = fs::u8path(folder.file(""));
+  fs::create_directories(path / "a");
+  std::vector<std::string> names = { "./side.ply", "a/../side.ply", ".//./side.ply" };
+  std::error_code error;
+  fs::create_symlink("side.ply", path / "link.ply", error);
+  names.insert(names.end(), error ? 0 : 1, "link.ply");
+#ifndef _WIN32
+  fs::create_hard_link(path / "side.ply", path / "hard.ply", error);
+  names.insert(names.end(), error ? 0 : 1, "hard.ply");
+#endif
+  for (const std::string& name : names)
+  {
+    const auto reader = vtkSmartPointer<vtkStanfordScansReader>::New();
+    reader->AllowExternalFilesOn();
+    const std::string conf = "mesh side.ply 0 0 0 0 0 0 1\nmesh " + name + " 0 0 0 0 0 0 1\n";
+    contract::ExpectRefused(
+      Reading(reader, folder.write("a.conf", conf)), vtkErrorCode::FileFormatError, "once");
+  }
 }
 
 TEST(StanfordScansReader, SaysWhichScanIsBroken)

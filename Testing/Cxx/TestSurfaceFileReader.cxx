@@ -9,15 +9,113 @@
 #include "vtkCallbackCommand.h"
 
 #include <algorithm>
+#include <ctime>
+#include <limits>
 #include <random>
 
 #ifndef _WIN32
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
 
 using contract::ExpectRefused;
 using contract::Reading;
+
+namespace
+{
+// While it lives, this process has no more than so many bytes of addresses.
+class MemoryLimit
+{
+public:
+  explicit MemoryLimit([[maybe_unused]] std::uint64_t bytes)
+  {
+#if !defined(_WIN32) && !defined(__SANITIZE_ADDRESS__) // which needs more for itself
+    getrlimit(RLIMIT_AS, &this->Before);
+    rlimit limit = this->Before;
+    limit.rlim_cur = std::min<rlim_t>(bytes, this->Before.rlim_max);
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit()
+  {
+    setrlimit(RLIMIT_AS, &this->Before);
+  }
+
+private:
+  rlimit Before = {};
+#else
+  }
+#endif
+};
+
+std::string PLYOf(int properties)
+{
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                     "property float y\nproperty float z\n";
+  std::string values = "1 2 3";
+  for (int i = 0; i < properties; ++i)
+  {
+    text += "property float p" + std::to_string(i) + "\n";
+    values += " " + std::to_string(i);
+  }
+  return text + "end_header\n" + values + "\n";
+}
+}
+
+TEST(SurfaceFileReader, EveryReaderRefusesAnEndlessFile)
+{
+#ifndef _WIN32 // where the file would not be sparse
+  const TemporaryFolder folder;
+  const std::string path = folder.write("endless", "");
+  std::filesystem::resize_file(std::filesystem::u8path(path), std::uintmax_t(16) << 30);
+  const MemoryLimit limit(std::uint64_t(4) << 30);
+  for (const contract::ReaderCase& test : contract::ReaderCases())
+  {
+    SCOPED_TRACE(test.Name);
+    EXPECT_EQ(test.CanReadFile(path.c_str()), 0);
+    const Reading reading(test.Make(), path);
+    const unsigned long code = reading.Reader->GetErrorCode();
+    EXPECT_TRUE(
+      code == vtkErrorCode::FileFormatError || code == vtkErrorCode::UnrecognizedFileTypeError)
+      << code << reading.Seen.ErrorMessage();
+    EXPECT_EQ(reading.Output->GetNumberOfPoints(), 0);
+  }
+#endif
+}
+
+// 16 times as many arrays take 16 times as long, or 256 times where each is compared with all.
+TEST(SurfaceFileReader, ArraysCostInProportionToTheirNumber)
+{
+  const TemporaryFolder folder;
+  const auto secondsOf = [&](int properties)
+  {
+    const std::string path = folder.write("a.ply", PLYOf(properties));
+    double best = std::numeric_limits<double>::max();
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::clock_t begin = std::clock(); // of this process, whatever else the machine does
+      const Reading reading = contract::Read<vtkConformalPLYReader>(path);
+      best = std::min(best, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+      EXPECT_EQ(reading.Output->GetPointData()->GetNumberOfArrays(), properties);
+    }
+    return best;
+  };
+  const double few = secondsOf(3000);
+  EXPECT_LT(secondsOf(48000), 64.0 * std::max(few, 1e-3));
+}
+
+TEST(SurfaceFileReader, ColorsOfBothKindsAreKept)
+{
+  const TemporaryFolder folder;
+  const Reading reading = contract::Read<vtkPCDReader>(folder.write("a.pcd",
+    "FIELDS x y z rgb rgba\nTYPE F F F U U\nSIZE 4 4 4 4 4\nPOINTS 1\nDATA ascii\n"
+    "1 2 3 66051 66051\n"));
+  contract::ExpectRead(reading);
+  vtkPointData* data = reading.Output->GetPointData();
+  contract::ExpectArray(data, "RGB", VTK_UNSIGNED_CHAR, 3, 1);
+  contract::ExpectArray(data, "RGBA", VTK_UNSIGNED_CHAR, 4, 1);
+  EXPECT_EQ(data->GetScalars(), data->GetArray("RGBA"));
+}
 
 TEST(SurfaceFileReader, EveryReaderReadsItsFilesInEveryLocale)
 {

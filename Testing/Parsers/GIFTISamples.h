@@ -19,10 +19,10 @@ struct GIFTIData
 
 inline std::string GIFTI(const std::vector<GIFTIData>& arrays)
 {
-  std::string file =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/gifti.dtd\">\n"
-    "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"2\">\n<MetaData/>\n<LabelTable/>\n";
+  std::string file = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/gifti.dtd\">\n"
+                     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
+    std::to_string(arrays.size()) + "\">\n<MetaData/>\n<LabelTable/>\n";
   for (const GIFTIData& array : arrays)
   {
     file += "<DataArray Intent=\"NIFTI_INTENT_" + array.Intent + "\" DataType=\"NIFTI_TYPE_" +
@@ -80,7 +80,15 @@ inline std::string ShapeGIFTI(int points = 4)
 
 inline std::vector<std::string> GIFTIFiles()
 {
-  return { AsciiGIFTI(), BinaryGIFTI(false, false), BinaryGIFTI(true, true) };
+  std::string metadata; // that nobody reads
+  for (int i = 0; i < 40; ++i)
+  {
+    metadata += "<MD><Name>Description " + std::to_string(i) +
+      "</Name><Value>who made it, when, by which programs, from which pictures</Value></MD>\n";
+  }
+  const std::string described = replaced(
+    AsciiGIFTI(), "<MetaData/>", "<!-- a remark -->\n<MetaData>" + metadata + "</MetaData>");
+  return { AsciiGIFTI(), BinaryGIFTI(false, false), BinaryGIFTI(true, true), described };
 }
 
 // Each breaks another rule.
@@ -112,7 +120,14 @@ inline std::vector<std::string> BadGIFTIFiles()
     "<GIFTI></GIFTI>", "<wrong><GIFTI/></wrong>", replaced(plain, "LittleEndian", "MiddleEndian"),
     replaced(plain, "AA", "A"), replaced(plain, "AA", "A*"), replaced(plain, "AA", "=A"),
     replaced(zipped, "eJ", "eK"), replaced(zipped, "<Data>", "<Data>" + bomb),
-    replaced(zipped, "GZipBase64Binary", "Base64Binary") };
+    replaced(zipped, "GZipBase64Binary", "Base64Binary"),
+    replaced(ascii, "DataArrays=\"3\"", "DataArrays=\"2\""),
+    replaced(ascii, "DataArrays=\"3\"", "DataArrays=\"4\""),
+    replaced(ascii, "DataArrays=\"3\"", "DataArrays=\"-3\""),
+    replaced(ascii, "DataArrays=\"3\"", "DataArrays=\"\""),
+    replaced(ascii, "DataArrays=\"3\"", "DataArrays=\"99999999999\""),
+    replaced(ascii, " NumberOfDataArrays=\"3\"", ""),
+    replaced(ascii, "RowMajorOrder", "DiagonalOrder") };
   return files;
 }
 }

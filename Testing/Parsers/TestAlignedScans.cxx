@@ -14,17 +14,20 @@ namespace
 SurfaceResult parse(std::string_view bytes, const conformal::AlignedScansOptions& options = {})
 {
   static const auto files = samples::SphereScans();
-  const auto open = [](const std::string& name, conformal::ByteReader& input)
+  const auto open = [](const std::string& name)
   {
+    conformal::OpenedScan scan;
+    scan.Status = { ParseCode::FileNotFound, 0, 0, "there is no such file" };
+    scan.Identity = name;
     for (const auto& [known, content] : files)
     {
       if (known == name)
       {
-        input = conformal::ByteReader(content);
-        return conformal::ParseStatus();
+        scan.Status = {};
+        scan.Input = conformal::ByteReader(content);
       }
     }
-    return conformal::ParseStatus{ ParseCode::FileNotFound, 0, 0, "there is no such file" };
+    return scan;
   };
   conformal::ByteReader input(bytes);
   return conformal::parseAlignedScans(input, open, options);
@@ -89,6 +92,29 @@ TEST(AlignedScans, RefusesBrokenFilesWithTheirLine)
   ExpectRefused(replaced(conf, "side.ply", "../side.ply"), ParseCode::Malformed, 3, "folder");
   ExpectRefused(replaced(conf, "side.ply", "front.ply"), ParseCode::Malformed, 3, "once");
   ExpectRefused(replaced(conf, "0.5 -1", "0.5.5 -1"), ParseCode::Malformed, 3, "mesh NAME");
+}
+
+TEST(AlignedScans, ScanIdIsTheLineWhateverTheScansHave)
+{
+  const std::string scan = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                           "property float y\nproperty float z\nproperty int ScanId\n"
+                           "property int only\nend_header\n1 2 3 77 1\n";
+  const auto open = [&](const std::string& name)
+  {
+    conformal::OpenedScan opened;
+    opened.Identity = name;
+    opened.Input = conformal::ByteReader(std::string_view(scan));
+    return opened;
+  };
+  conformal::ByteReader input{ std::string_view("mesh a 0 0 0 0 0 0 1\nmesh b 0 0 0 0 0 0 1\n") };
+  const SurfaceResult result = conformal::parseAlignedScans(input, open);
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  using conformal::ScalarType;
+  const auto& arrays = result.Data.PointArrays;
+  samples::ExpectArray<std::int32_t>(arrays, "ScanId", ScalarType::Int32, 1, { 0, 1 });
+  samples::ExpectArray<std::int32_t>(arrays, "ScanId2", ScalarType::Int32, 1, { 77, 77 });
+  samples::ExpectArray<std::int32_t>(arrays, "only", ScalarType::Int32, 1, { 1, 1 });
+  EXPECT_EQ(arrays.size(), 3u);
 }
 
 TEST(AlignedScans, AreKnownByTheirFirstLine)

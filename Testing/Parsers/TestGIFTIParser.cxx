@@ -104,9 +104,11 @@ TEST(GIFTIParser, NamesArraysByMetadataOrIntent)
   const auto& arrays = result.Data.PointArrays;
   ExpectArray<std::int16_t>(arrays, "sulc & depth", ScalarType::Int16, 1, { 0, 1, 2, 3 });
   ExpectArray<std::uint8_t>(arrays, "None", ScalarType::UInt8, 1, { 0, 1, 2, 3 });
-  const SurfaceResult twice =
-    parseArrays(replaced(samples::ShapeGIFTI(), "INTENT_SHAPE", "INTENT_NONE"));
+  const SurfaceResult twice = parseArrays(replaced(
+    replaced(samples::ShapeGIFTI(), "INTENT_SHAPE", "INTENT_NONE"), "sulc &amp; depth", ""));
   ASSERT_EQ(twice.Data.PointArrays.size(), 2u);
+  EXPECT_EQ(twice.Data.PointArrays[0].Name, "None");
+  EXPECT_EQ(twice.Data.PointArrays[1].Name, "None2");
   EXPECT_TRUE(parseArrays(samples::AsciiGIFTI()).Status.ok());
 }
 
@@ -157,6 +159,23 @@ TEST(GIFTIParser, RefusesBrokenFilesWithTheirLine)
     deep += "<a>";
   }
   ExpectRefused(replaced(ascii, "<LabelTable/>", deep), ParseCode::Malformed, 5, "deep");
+}
+
+TEST(GIFTIParser, NumberOfArraysIsThatOfTheFile)
+{
+  const std::string ascii = samples::AsciiGIFTI();
+  const auto refuse = [&](const char* attribute, std::uint64_t line, const char* part)
+  {
+    ExpectRefused(
+      replaced(ascii, "NumberOfDataArrays=\"3\"", attribute), ParseCode::Malformed, line, part);
+  };
+  refuse("NumberOfDataArrays=\"2\"", 22, "more DataArrays than the 2");
+  refuse("NumberOfDataArrays=\"4\"", 28, "fewer DataArrays than the 4");
+  refuse("NumberOfDataArrays=\"18446744073709551616\"", 3, "expected a count");
+  refuse("NumberOfDataArrays=\"three\"", 3, "found NumberOfDataArrays \"three\"");
+  refuse("", 3, "found NumberOfDataArrays \"\"");
+  ExpectRefused(
+    replaced(ascii, "RowMajorOrder", "NoOrder"), ParseCode::Malformed, 6, "ArrayIndexingOrder");
 }
 
 TEST(GIFTIParser, IsKnownByItsElement)

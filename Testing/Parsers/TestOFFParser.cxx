@@ -85,6 +85,16 @@ TEST(OFFParser, ReadsWhatEveryPrefixSays)
     values<double>(homogeneous.Data.Points), (std::vector<double>{ 0, 0, 0, 1, 0, 0, 0, 0.5, 0 }));
 }
 
+TEST(OFFParser, IndicesOfColorsAreWholeNumbers)
+{
+  const std::string mesh = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
+  EXPECT_TRUE(parse(mesh + "7\n").Status.ok());
+  for (const char* index : { "0.5", "-1", "7.25", "3e9", "nan" })
+  {
+    EXPECT_EQ(parse(mesh + index + "\n").Status.Code, ParseCode::Malformed) << index;
+  }
+}
+
 TEST(OFFParser, ReadsBinaryFiles)
 {
   const SurfaceResult result = parse(samples::BinaryOFF());

@@ -160,6 +160,46 @@ TEST(PCDParser, RefusesHeadersThatAreWrong)
   refuse("ascii", "text", 11, "binary_compressed");
 }
 
+TEST(PCDParser, NamesOfFieldsAreThereOnceButForPadding)
+{
+  const std::string& ascii = samples::AsciiPCD();
+  for (const char* fields : { "x x z rgb label", "x y z x label", "x y z label label" })
+  {
+    const std::string twice = std::string(fields)[0] == 'x' && fields[6] != 'l' ? "x" : "label";
+    ExpectRefused(replaced(ascii, "x y z rgb label", fields), ParseCode::Malformed, 3,
+      "two fields \"" + twice + "\"");
+  }
+  const SurfaceResult padded = parse("FIELDS _ x y _ z _\nPOINTS 1\nDATA ascii\n9 1 2 9 3 9\n");
+  EXPECT_EQ(values<float>(padded.Data.Points), (std::vector<float>{ 1, 2, 3 }));
+  EXPECT_TRUE(padded.Data.PointArrays.empty());
+  // Colours become RGB, whatever else is called so.
+  const SurfaceResult colors = parse(
+    "FIELDS x y z RGB rgb\nTYPE F F F F U\nSIZE 4 4 4 4 4\nPOINTS 1\nDATA ascii\n1 2 3 4 66051\n");
+  ASSERT_EQ(colors.Data.PointArrays.size(), 2u);
+  ExpectArray<float>(colors.Data.PointArrays, "RGB", ScalarType::Float32, 1, { 4 });
+  ExpectArray<std::uint8_t>(colors.Data.PointArrays, "RGB2", ScalarType::UInt8, 3, { 1, 2, 3 });
+}
+
+TEST(PCDParser, CompressedPointsAreCountedBeforeThereIsMemoryForThem)
+{
+  const std::string compressed = samples::CompressedPCD();
+  for (const char* count : { "5", "300000", "3000000000000", "30000000000000000" })
+  {
+    ExpectRefused(replaced(compressed, "POINTS 4", std::string("POINTS ") + count),
+      ParseCode::Malformed, 0, "expected " + std::to_string(40 * std::stoull(count)));
+  }
+  // Padding is not in the block.
+  const std::string point = samples::Bytes(false).add(std::vector<float>{ 1, 2, 3 }).bytes();
+  const std::string block = samples::CompressedLZF(point);
+  const std::string wide =
+    samples::Bytes(false, "FIELDS x y z _\nCOUNT 1 1 1 1000\nPOINTS 1\nDATA binary_compressed\n")
+      .add(static_cast<std::uint32_t>(block.size()))
+      .add(static_cast<std::uint32_t>(point.size()))
+      .text(block)
+      .bytes();
+  EXPECT_EQ(values<float>(parse(wide).Data.Points), (std::vector<float>{ 1, 2, 3 }));
+}
+
 TEST(PCDParser, RefusesBodiesThatAreWrong)
 {
   const std::string& ascii = samples::AsciiPCD();

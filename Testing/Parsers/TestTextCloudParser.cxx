@@ -105,6 +105,19 @@ TEST(TextCloudParser, ReadsColumnsByTheirNames)
   EXPECT_EQ(namesOf("x y z nx g\n0 0 0 0.5 1\n"), (Names{ "nx", "g" }));
 }
 
+TEST(TextCloudParser, NamesOfColumnsAreThereOnce)
+{
+  ExpectRefused("x y z a a\n1 2 3 4 5\n", ParseCode::UnrecognizedType, 1, "two columns \"a\"");
+  ExpectRefused("x,y,z,x\n1,2,3,4\n", ParseCode::UnrecognizedType, 1, "two columns \"x\"");
+  EXPECT_EQ(namesOf("x,y,z,X\n1,2,3,4\n"), (Names{ "X" }));
+  // A remark that says a name twice names no columns.
+  EXPECT_EQ(namesOf("# x y z a a\n1 2 3 4 5\n"), (Names{ "Column4", "Column5" }));
+  // Columns that a spreadsheet left without a name are called by their number.
+  EXPECT_EQ(namesOf(",x,y,z,\"\"\n0,1,2,3,4\n"), (Names{ "Column1", "Column5" }));
+  // Normals become Normals, whatever else is called so.
+  EXPECT_EQ(namesOf("x,y,z,nx,ny,nz,Normals\n1,2,3,0,0,1,7\n"), (Names{ "Normals", "Normals2" }));
+}
+
 TEST(TextCloudParser, TellsUnnamedColumnsByTheirNumberAndValues)
 {
   EXPECT_EQ(namesOf("0 0 0\n"), (Names{}));

@@ -53,6 +53,7 @@ inline std::vector<std::string> BadTextCloudFiles()
     replaced(plain, "7 8 9", "7 8 9 10"), replaced(plain, "7 8 9", "x y z"),
     replaced(plain, "7 8 9", "7;8;9"), replaced(plain, "7 8 9", "7,8,9"),
     replaced(named, "\"X\"", "\"A\""), replaced(named, "Red,", ""),
+    replaced(named, "green,Blue", "Red,Blue"), replaced(named, ",i\n", ",label\n"),
     replaced(named, "255, 254", "255; 254"), replaced(named, "2047", "2047, 1"),
     replaced(named, "0.5,", "0.5."), replaced(named, "5,0.5", "5,\"0.5\""), "5\n" + plain,
     "2\n" + plain, "2000000000\n" + plain, "99999999999999999999\n" + plain, "-3\n" + plain,
