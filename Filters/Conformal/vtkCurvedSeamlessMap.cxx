@@ -65,9 +65,8 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
 
 conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy)
 {
-  const conformal::TrainingSamples samples(
-    vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy), {},
-    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor());
+  conformal::TrainingSamples samples(vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy),
+    {}, vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor());
   if (samples.numberOfNonFinite() > 0)
   {
     vtkWarningWithObjectMacro(

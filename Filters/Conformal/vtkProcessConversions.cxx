@@ -58,9 +58,9 @@ template <typename Matrix>
 Matrix Broadcast(const conformal::Reduce& reduce, const Matrix& own)
 {
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  const Numbers numbers = own.template cast<double>();
-  const std::vector<double> all =
-    conformal::gather(reduce, { numbers.data(), numbers.data() + numbers.size() });
+  std::vector<double> numbers(static_cast<std::size_t>(own.size()));
+  Eigen::Map<Numbers>(numbers.data(), own.rows(), 3) = own.template cast<double>();
+  const std::vector<double> all = conformal::gather(reduce, numbers);
   return Eigen::Map<const Numbers>(all.data(), static_cast<conformal::Index>(all.size()) / 3, 3)
     .template cast<typename Matrix::Scalar>();
 }
@@ -150,7 +150,7 @@ conformal::Reduce Processes::reduce()
 //------------------------------------------------------------------------------
 conformal::Progress Processes::progress(double begin, double end)
 {
-  const conformal::Progress report = ProgressOf(this->Self, begin, end);
+  conformal::Progress report = ProgressOf(this->Self, begin, end);
   if (this->Size == 1)
   {
     return report;

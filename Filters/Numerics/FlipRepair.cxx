@@ -215,6 +215,7 @@ private:
   std::vector<Vector3> placesOf(const std::vector<int>& patch) const
   {
     std::vector<Vector3> places;
+    places.reserve(patch.size());
     for (int id : patch)
     {
       places.push_back(this->Positions[id]);

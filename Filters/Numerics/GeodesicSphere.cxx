@@ -14,7 +14,6 @@ namespace conformal
 namespace
 {
 constexpr int NumberOfCorners = 12;
-constexpr int NumberOfEdges = 30;
 constexpr int NumberOfSides = 20;
 
 // Poles 0 and 11; upper ring 1..5, lower ring 6..10, half a step further round.

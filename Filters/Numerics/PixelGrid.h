@@ -29,8 +29,9 @@ struct PixelGrid
   Index size() const { return this->Width * this->Height; }
   Vector2 middleOf(Index pixel) const
   {
-    return { (static_cast<double>(pixel % this->Width) + 0.5) / static_cast<double>(this->Width),
-      (static_cast<double>(pixel / this->Width) + 0.5) / static_cast<double>(this->Height) };
+    const Index column = pixel % this->Width, row = pixel / this->Width;
+    return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
+      (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
   }
   /// Bilinear; beyond the border what is there.
   PixelMix mixAt(const Vector2& st) const

@@ -91,7 +91,7 @@ void PointTree::split(Index node, Index first, Index last)
       return a.Position[axis] < b.Position[axis] ||
         (a.Position[axis] == b.Position[axis] && a.Id < b.Id);
     });
-  this->Axes[node] = static_cast<signed char>(axis);
+  this->Axes[node] = static_cast<unsigned char>(axis);
   this->split(2 * node + 1, first, middle);
   this->split(2 * node + 2, middle + 1, last);
 }

@@ -60,8 +60,8 @@ private:
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;
 
-  std::vector<Place> Places;     ///< in the tree's order
-  std::vector<signed char> Axes; ///< of the split of inner node i, whose children are 2 i + 1, + 2
+  std::vector<Place> Places;       ///< in the tree's order
+  std::vector<unsigned char> Axes; ///< split inner node i, whose children are 2 i + 1 and 2 i + 2
 };
 }
 

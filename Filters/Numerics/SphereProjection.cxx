@@ -159,7 +159,8 @@ Vector2 cube(const Vector3& m, const SphereImage& image, int patch)
   const Vector2 q = Vector2(m.dot(face.Right), m.dot(face.Up)) / m.dot(face.Outward);
   const Vector2 inFace =
     Vector2::Constant(0.5) + (0.5 - image.Margin) * q.cwiseMax(-1.0).cwiseMin(1.0);
-  return { (patch % 3 + inFace[0]) / 3.0, (1 - patch / 3 + inFace[1]) / 2.0 };
+  const int column = patch % 3, row = patch / 3;
+  return { (column + inFace[0]) / 3.0, (1 - row + inFace[1]) / 2.0 };
 }
 
 Vector3 fromCube(const Vector2& st, const SphereImage& image)

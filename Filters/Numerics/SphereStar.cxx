@@ -187,7 +187,7 @@ Vector2 newtonStep(const Derivatives& at)
 //------------------------------------------------------------------------------
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring)
 {
-  const Vector3 origin = positions[ring.front()];
+  const Vector3& origin = positions[ring.front()];
   const Frame frame(origin);
   std::vector<Vector3> local;
   double width = 0.0; // of the ring in the chart that is projected from the sphere's centre
