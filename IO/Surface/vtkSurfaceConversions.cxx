@@ -1,6 +1,7 @@
 #include "vtkSurfaceConversions.h"
 
 #include "FileOutput.h"
+#include "PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -129,6 +130,61 @@ void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
     data.PolygonOffsets.push(static_cast<std::int64_t>(data.PolygonIds.size()));
   }
 }
+
+// The surface with its polygons of many corners as triangles, since VTK's way takes time that grows
+// with the square of the corners. Those that cannot be cut so are left to it.
+vtkSmartPointer<vtkPolyData> WithoutPolygonsOfManyCorners(vtkPolyData* input)
+{
+  constexpr vtkIdType manyCorners = 500;
+  vtkCellArray* polygons = input->GetPolys();
+  if (polygons->GetMaxCellSize() <= manyCorners)
+  {
+    return input;
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdList> sources; // for each new cell the old one
+  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  for (vtkIdType i = 0; i < firstPolygon; ++i)
+  {
+    sources->InsertNextId(i);
+  }
+  for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    polygons->GetCellAtId(i, size, ids);
+    conformal::Points corners(size > manyCorners ? size : 0, 3);
+    for (conformal::Index k = 0; k < corners.rows(); ++k)
+    {
+      input->GetPoint(ids[k], corners.row(k).data());
+    }
+    const conformal::Triangles triangles = conformal::triangulatePolygon(corners);
+    for (conformal::Index k = 0; k < triangles.rows(); ++k)
+    {
+      cells->InsertNextCell({ ids[triangles(k, 0)], ids[triangles(k, 1)], ids[triangles(k, 2)] });
+      sources->InsertNextId(firstPolygon + i);
+    }
+    if (triangles.rows() == 0)
+    {
+      cells->InsertNextCell(size, ids);
+      sources->InsertNextId(firstPolygon + i);
+    }
+  }
+  for (vtkIdType i = 0; i < input->GetNumberOfStrips(); ++i)
+  {
+    sources->InsertNextId(firstPolygon + polygons->GetNumberOfCells() + i);
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(input);
+  output->SetPolys(cells);
+  output->GetCellData()->Initialize();
+  output->GetCellData()->CopyAllocate(input->GetCellData(), sources->GetNumberOfIds());
+  for (vtkIdType i = 0; i < sources->GetNumberOfIds(); ++i)
+  {
+    output->GetCellData()->CopyData(input->GetCellData(), sources->GetId(i), i);
+  }
+  return output;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +197,7 @@ vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
     return input;
   }
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(input);
+  triangles->SetInputData(WithoutPolygonsOfManyCorners(input));
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   triangles->Update();

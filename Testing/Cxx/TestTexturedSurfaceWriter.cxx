@@ -22,6 +22,7 @@
 #include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -297,6 +298,37 @@ TEST(TexturedSurfaceWriter, TriangulatesPolygonsAndLeavesNormalsOut)
   triangles->SetInputData(plane->GetOutput());
   triangles->Update();
   ExpectSameTriangles(reader->GetOutput(), triangles->GetOutput());
+}
+
+// With VTK's triangulation this would take minutes.
+TEST(TexturedSurfaceWriter, TriangulatesPolygonsOfManyCorners)
+{
+  constexpr vtkIdType count = 100000;
+  const TemporaryFolder folder;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 2, 1 });
+  polygons->InsertNextCell(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double angle = 8.0 * std::atan(1.0) * static_cast<double>(i) / count;
+    const double radius = 1.0 - 0.3 * static_cast<double>(i % 2);
+    points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    coordinates->InsertNextTuple2(0.5, 0.5);
+    polygons->InsertCellPoint(i);
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(polygons);
+  surface->GetPointData()->SetTCoords(coordinates);
+  ASSERT_EQ(Writing(surface, Picture(3), folder.file("star.ply")).Result, 1);
+  vtkNew<vtkConformalPLYReader> reader;
+  reader->SetFileName(folder.file("star.ply").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), count);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 1 + count - 2);
 }
 
 TEST(TexturedSurfaceWriter, KeepsDoublesInTextAndUnitLengthInNormals)
