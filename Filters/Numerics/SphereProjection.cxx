@@ -98,7 +98,8 @@ Vector2 octahedral(const Vector3& m, const SphereImage& image, int patch)
 {
   const Vector3 signs = octantSigns(patch);
   Vector3 p = signs.cwiseProduct(m).cwiseMax(0.0);
-  p /= p.sum();
+  const double sum = p.sum();
+  p = sum > 0.0 ? Vector3(p / sum) : Vector3::Constant(1.0 / 3.0); // the middle of the octant
   const Vector2 folded = patch & 4 ? Vector2(1.0 - p[1], 1.0 - p[0]) : Vector2(p[0], p[1]);
   return Vector2::Constant(0.5) + (0.5 - image.Margin) * signs.head<2>().cwiseProduct(folded);
 }
@@ -156,7 +157,9 @@ int facePatch(const Vector3& m)
 Vector2 cube(const Vector3& m, const SphereImage& image, int patch)
 {
   const CubeFace& face = cubeFaces()[patch];
-  const Vector2 q = Vector2(m.dot(face.Right), m.dot(face.Up)) / m.dot(face.Outward);
+  const double outward = m.dot(face.Outward);
+  Vector2 q(m.dot(face.Right), m.dot(face.Up));
+  q = outward > 0.0 ? Vector2(q / outward) : Vector2::Zero(); // the middle of the face
   const Vector2 inFace =
     Vector2::Constant(0.5) + (0.5 - image.Margin) * q.cwiseMax(-1.0).cwiseMin(1.0);
   const int column = patch % 3, row = patch / 3;

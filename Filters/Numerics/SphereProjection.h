@@ -59,7 +59,8 @@ std::vector<SpherePatch> spherePatches(const SphereImage& image);
 int patchOf(const Vector3& n, const SphereImage& image);
 
 /// sphereToTexture, continued to the borders of one part: what lies on a seam, or beyond it by
-/// rounding, goes to this part's side of the seam.
+/// rounding, goes to this part's side of the seam. The zero vector, the middle of a triangle that
+/// goes through the sphere's center, goes to some place of the part.
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }
 

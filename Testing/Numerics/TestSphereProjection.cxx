@@ -254,3 +254,18 @@ TEST(SphereProjection, PatchesAreWhatTheirBordersSay)
     }
   }
 }
+
+// A triangle between opposite places of the sphere has points without a direction.
+TEST(SphereProjection, HasAPlaceForTheCenter)
+{
+  for (SphereProjection projection : AllProjections)
+  {
+    const SphereImage image = imageOf(projection);
+    const int count = static_cast<int>(conformal::spherePatches(image).size());
+    for (int patch = 0; patch < count; ++patch)
+    {
+      EXPECT_TRUE(conformal::patchToTexture(Vector3::Zero(), image, patch).allFinite())
+        << static_cast<int>(projection) << " " << patch;
+    }
+  }
+}
