@@ -55,6 +55,7 @@ Folder::Folder()
   }
   this->Path = pattern;
   chmod(pattern.c_str(), 0777);
+  fs::current_path(this->Path);
 }
 
 //------------------------------------------------------------------------------
@@ -65,6 +66,7 @@ Folder::~Folder()
     return;
   }
   std::error_code error;
+  fs::current_path("/", error);
   for (const auto& entry : fs::directory_iterator(this->Path, error))
   {
     if (entry.is_directory(error) && !entry.is_symlink(error))

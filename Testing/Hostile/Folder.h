@@ -11,7 +11,8 @@
 
 namespace hostile
 {
-/// A folder of its own, gone with the object. Nothing outside of it is ever touched.
+/// A folder of its own, gone with the object, and the current one of the process, so that a writer
+/// without a name for its file writes here. Nothing outside of it is ever touched.
 class Folder
 {
 public:
