@@ -20,7 +20,8 @@ void PassSurface(
   vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh, vtkPolyData* output)
 {
   const conformal::Triangles before = vtkConformalConversions::ToTriangles(surface);
-  if (mesh.Points.rows() == surface->GetNumberOfPoints() && before == mesh.Triangles)
+  if (mesh.Points.rows() == surface->GetNumberOfPoints() &&
+    before.rows() == mesh.Triangles.rows() && before == mesh.Triangles)
   {
     output->ShallowCopy(surface);
     return;

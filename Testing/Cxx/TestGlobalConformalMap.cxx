@@ -616,3 +616,17 @@ TEST_F(GlobalConformalMap, MakesALearnedMeshConformal)
   EXPECT_LT(this->Distortion("MeanQuasiConformalError"), 1.04);
   EXPECT_EQ(this->Distortion("NumberOfFlippedTriangles"), 0);
 }
+
+TEST_F(GlobalConformalMap, LeavesTrianglesOfARepeatedPointOut)
+{
+  const auto surface = fixtures::Ellipsoid();
+  const vtkIdType triangles = surface->GetNumberOfPolys();
+  surface->GetPolys()->InsertNextCell({ 3, 3, 4 }); // the last ones
+  surface->GetPolys()->InsertNextCell({ 5, 5, 5 });
+  vtkNew<vtkGlobalConformalMap> filter;
+  filter->SetInputData(surface);
+  const contract::Observed observed(filter);
+  filter->Update();
+  observed.ExpectWarning("2 triangles of a repeated point were dropped");
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), triangles);
+}

@@ -277,7 +277,8 @@ std::vector<SetUp> TextureMaps()
 std::vector<SetUp> TextureImages()
 {
   using F = vtkSphericalTextureImage;
-  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  // Without a source the image is made of the map alone.
+  constexpr unsigned int reads = BadIds | BadMap;
   SetUp own = { "vtkSphericalTextureImage", "", true,
     On<F>([](F* f, vtkPolyData*) { f->SetImageSize(24, 24); }), reads };
   own.Properties = { Name("ArrayName", &F::SetArrayName),

@@ -1,7 +1,9 @@
 // Tries every filter and writer on what it was not made for, each time in a process of its own
 // with limits of time and memory, and prints a table of what they did.
 //
-//   Hostile [--list] [--every <k>] [--ours] [--jobs <n>] [--verbose] [<part of a name>...]
+//   Hostile [--list] [--every <k>] [--ours] [--jobs <n>] [--verbose] [--without <part of a
+//   name>]...
+//     [<part of a name>...]
 //   Hostile --check
 //
 // A name is that of a set-up, a slash, and that of an input; without any, all cases run. With
@@ -31,6 +33,7 @@ struct Options
   int Every = 1;
   int Jobs = 1;
   std::vector<std::string> Names;
+  std::vector<std::string> Without;
 };
 
 Options OptionsOf(int argc, char* argv[])
@@ -60,6 +63,10 @@ Options OptionsOf(int argc, char* argv[])
     {
       options.Jobs = number();
     }
+    else if (word == "--without" && i + 1 < argc)
+    {
+      options.Without.emplace_back(argv[++i]);
+    }
     else if (word.rfind("--", 0) == 0)
     {
       std::fprintf(stderr, "no option %s; the head of Hostile.cxx has those there are\n", argv[i]);
@@ -73,12 +80,12 @@ Options OptionsOf(int argc, char* argv[])
   return options;
 }
 
-bool IsChosen(const Case& test, const std::vector<std::string>& names)
+bool IsChosen(const Case& test, const Options& options)
 {
   const std::string name = test.name();
-  return names.empty() ||
-    std::any_of(names.begin(), names.end(),
-      [&](const std::string& part) { return name.find(part) != std::string::npos; });
+  const auto has = [&](const std::string& part) { return name.find(part) != std::string::npos; };
+  return (options.Names.empty() || std::any_of(options.Names.begin(), options.Names.end(), has)) &&
+    std::none_of(options.Without.begin(), options.Without.end(), has);
 }
 
 std::vector<Case> CasesOf(const Options& options)
@@ -95,8 +102,7 @@ std::vector<Case> CasesOf(const Options& options)
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const bool isOfSide = all[i].IsOurs || !options.IsOursOnly;
-    if (isOfSide && i % static_cast<std::size_t>(options.Every) == 0 &&
-      IsChosen(all[i], options.Names))
+    if (isOfSide && i % static_cast<std::size_t>(options.Every) == 0 && IsChosen(all[i], options))
     {
       chosen.push_back(std::move(all[i]));
     }
