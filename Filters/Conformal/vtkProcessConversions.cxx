@@ -1,5 +1,6 @@
 #include "vtkProcessConversions.h"
 
+#include "AcrossProcesses.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
@@ -21,6 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>
@@ -33,6 +35,11 @@ class SharedError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+};
+
+/// A wish to stop that all processes know of.
+class SharedStop : public conformal::Aborted
+{
 };
 
 void Require(int success)
@@ -51,18 +58,6 @@ std::string Broadcast(vtkMultiProcessController* controller, std::string text, i
   Require(controller->Broadcast(stream, from));
   stream >> text;
   return text;
-}
-
-// Numbers of one process, on all of them. Only that one has any.
-template <typename Matrix>
-Matrix Broadcast(const conformal::Reduce& reduce, const Matrix& own)
-{
-  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  std::vector<double> numbers(static_cast<std::size_t>(own.size()));
-  Eigen::Map<Numbers>(numbers.data(), own.rows(), 3) = own.template cast<double>();
-  const std::vector<double> all = conformal::gather(reduce, numbers);
-  return Eigen::Map<const Numbers>(all.data(), static_cast<conformal::Index>(all.size()) / 3, 3)
-    .template cast<typename Matrix::Scalar>();
 }
 
 vtkNew<vtkIdTypeArray> IdsFrom(vtkIdType begin, vtkIdType end, const char* name)
@@ -113,6 +108,7 @@ namespace vtkConformalConversions
 Processes::Processes(vtkAlgorithm* self, vtkMultiProcessController* controller)
   : Self(self)
   , Controller(controller)
+  , Signals(controller)
 {
   if (controller)
   {
@@ -157,18 +153,98 @@ conformal::Progress Processes::progress(double begin, double end)
   }
   return [this, report](double fraction)
   {
-    this->StopWanted = !report(fraction) || this->StopWanted;
-    return true;
+    if (!report(fraction) && !this->StopWanted)
+    {
+      this->StopWanted = true;
+      this->call();
+    }
+    if (!this->Signals.available())
+    {
+      return true;
+    }
+    this->StopWanted = this->StopWanted || this->Signals.heardStop();
+    return !this->StopWanted;
   };
+}
+
+//------------------------------------------------------------------------------
+void Processes::call()
+{
+  if (this->Signals.available())
+  {
+    this->Signals.askToStop();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Processes::meet()
+{
+  // Observers hear of the filter as often as they do while it works.
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds interval(50);
+  Clock::time_point last = Clock::now();
+  std::string error;
+  const auto attend = [&]()
+  {
+    const Clock::time_point now = Clock::now();
+    if (now - last < interval || !error.empty())
+    {
+      return;
+    }
+    last = now;
+    try
+    {
+      this->Self->UpdateProgress(this->Self->GetProgress());
+    }
+    catch (const std::exception& e)
+    {
+      error = MessageOf(e);
+      this->call();
+    }
+    if (this->Self->GetAbortExecute() && !this->StopWanted)
+    {
+      this->StopWanted = true;
+      this->call();
+    }
+  };
+  this->Signals.meet(attend);
+  return error;
+}
+
+//------------------------------------------------------------------------------
+int Processes::firstWith(bool condition)
+{
+  std::vector<std::int64_t> has(this->Size, 0);
+  has[this->Rank] = condition;
+  this->reduce().sum(has.data(), this->Size);
+  const auto found = std::find(has.begin(), has.end(), 1);
+  return found == has.end() ? -1 : static_cast<int>(found - has.begin());
+}
+
+//------------------------------------------------------------------------------
+std::string Processes::textOf(int rank, const std::string& text)
+{
+  this->agree();
+  return Broadcast(this->Controller, text, rank);
 }
 
 //------------------------------------------------------------------------------
 void Processes::agree(const std::string* error)
 {
+  std::string observersError;
+  if (this->Signals.available())
+  {
+    observersError = this->meet();
+    error = error || observersError.empty() ? error : &observersError;
+  }
   // The first process with an error, or else their number; then whether all want to go on.
   const std::int64_t own[] = { error ? this->Rank : this->Size, this->StopWanted ? 0 : 1 };
   std::int64_t all[2];
   Require(this->Controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP));
+  if (this->Signals.available() && (all[0] < this->Size || all[1] == 0))
+  {
+    this->Signals.settle();
+  }
   if (all[0] < this->Size)
   {
     const int first = static_cast<int>(all[0]);
@@ -177,7 +253,7 @@ void Processes::agree(const std::string* error)
   }
   if (all[1] == 0)
   {
-    throw conformal::Aborted();
+    throw SharedStop();
   }
 }
 
@@ -208,13 +284,18 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
       {
         throw;
       }
-      catch (const conformal::Aborted&) // thrown by agree() only
+      catch (const SharedStop&)
       {
         throw;
+      }
+      catch (const conformal::Aborted&)
+      {
+        processes.agree();
       }
       catch (const std::exception& e)
       {
         error = MessageOf(e);
+        processes.call();
         processes.agree(&error);
       }
       processes.agree();
@@ -245,18 +326,13 @@ void RequestOwnPieces(
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh, Processes& processes)
 {
   const conformal::Reduce reduce = processes.reduce();
-  std::vector<std::int64_t> has(processes.size(), 0);
-  has[processes.rank()] = mesh->GetNumberOfPoints() > 0;
-  reduce.sum(has.data(), processes.size());
-  const auto found = std::find(has.begin(), has.end(), 1);
-  const auto owner = found == has.end() ? 0 : found - has.begin();
   conformal::MappedMesh own;
-  if (owner == processes.rank())
+  if (std::max(processes.firstWith(mesh->GetNumberOfPoints() > 0), 0) == processes.rank())
   {
     own = ToMappedMesh(self, mesh);
   }
-  return { Broadcast(reduce, own.Positions), Broadcast(reduce, own.Faces),
-    Broadcast(reduce, own.SpherePositions) };
+  return { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Faces),
+    gatherRows(reduce, own.SpherePositions) };
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "MappedMesh.h" // for MappedMesh
 #include "Parallel.h"   // for Reduce
 #include "Types.h"      // for Progress
+#include "vtkProcessSignals.h"
 
 #include <functional> // for RunCore's argument
 #include <string>     // for what went wrong
@@ -19,12 +20,15 @@ namespace vtkConformalConversions
 /// The processes that run a filter together, each on its part of the points. One process, or no
 /// controller, is the ordinary case.
 ///
-/// What stops one of them, an error or the wish of its user, stops all of them at the same place:
-/// before they add up they tell each other how they are. So none waits for one that has left.
+/// What stops one of them, an error or the wish of its user, stops all of them: before they add up
+/// they meet and tell each other how they are, so none waits for one that has left. Who stops
+/// before signals it to the others, who are busy elsewhere and come to the meeting at once when
+/// they look, whenever they report progress. While they wait for each other their observers are
+/// called, too. Without MPI there are no signals, and all go on to the next sum.
 class Processes
 {
 public:
-  Processes(vtkAlgorithm* self, vtkMultiProcessController* controller);
+  explicit Processes(vtkAlgorithm* self = nullptr, vtkMultiProcessController* controller = nullptr);
   Processes(const Processes&) = delete;
   void operator=(const Processes&) = delete;
 
@@ -35,7 +39,13 @@ public:
   /// How they add up. Must not outlive this.
   conformal::Reduce reduce();
 
-  /// As ProgressOf, but of several processes none stops on its own.
+  /// The first process where the condition holds; -1 for none.
+  int firstWith(bool condition);
+
+  /// The text of one process, on all of them.
+  std::string textOf(int rank, const std::string& text);
+
+  /// As ProgressOf; also stops when another process does.
   conformal::Progress progress(double begin = 0.0, double end = 1.0);
 
   /// Hear of all. An error is that of the first process that has one.
@@ -44,12 +54,18 @@ public:
   /// @throws conformal::Aborted if one was asked to abort
   void agree(const std::string* error = nullptr);
 
+  /// Have the others come and agree.
+  void call();
+
 private:
+  std::string meet();
+
   vtkAlgorithm* Self;
   vtkMultiProcessController* Controller;
   int Rank = 0;
   int Size = 1;
   bool StopWanted = false;
+  ProcessSignals Signals;
 };
 
 /// Run the core on all processes together; all return the same. See RunCore for one.

@@ -1,5 +1,6 @@
 #include "TrainingSamples.h"
 
+#include "AcrossProcesses.h"
 #include "BoxTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -85,18 +86,6 @@ std::vector<Value> forEachBlock(const ParallelFor& parallelFor, Index size,
   forBlocks(parallelFor, size, BlockSize, progress,
     [&](Index begin, Index end) { body(begin, end, values[begin / BlockSize]); });
   return values;
-}
-
-/// Of each number the largest over all processes.
-std::vector<double> largest(const Reduce& reduce, const std::vector<double>& own)
-{
-  const std::vector<double> all = gather(reduce, own);
-  std::vector<double> most = own;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    most[i % own.size()] = std::max(most[i % own.size()], all[i]);
-  }
-  return most;
 }
 }
 
