@@ -1,10 +1,12 @@
 #include "vtkCurvedSeamlessMap.h"
 
+#include "AcrossProcesses.h"
 #include "CurvedSeamlessSurface.h"
 #include "TrainingSamples.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -17,6 +19,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessMap);
@@ -63,11 +66,48 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
   return positions;
 }
 
-conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy)
+// What a map is built of.
+struct Model
+{
+  conformal::CurvedSeamlessSurfaceOptions Options;
+  conformal::Points Points;
+  conformal::Triangles Triangles;
+  conformal::Points SpherePositions;
+};
+
+// That of the first process that has a surface, on all of them.
+Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
+  vtkConformalConversions::Processes& processes)
+{
+  const bool isAlone = processes.size() == 1;
+  Model model;
+  model.Options = OptionsOf(map, surface);
+  if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
+  {
+    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface);
+    model.SpherePositions = MapOf(surface, mesh.PointIds);
+    model.Points = std::move(mesh.Points);
+    model.Triangles = std::move(mesh.Triangles);
+  }
+  if (!isAlone)
+  {
+    const conformal::Reduce reduce = processes.reduce();
+    model.Points = conformal::gatherRows(reduce, model.Points);
+    model.Triangles = conformal::gatherRows(reduce, model.Triangles);
+    model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
+    model.Options.Polished =
+      processes.firstWith(surface->GetNumberOfPoints() > 0 && model.Options.Polished) >= 0;
+  }
+  return model;
+}
+
+conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy,
+  vtkConformalConversions::Processes& processes)
 {
   conformal::TrainingSamples samples(vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy),
-    {}, vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor());
-  if (samples.numberOfNonFinite() > 0)
+    {}, vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
+    processes.reduce());
+  if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
       self, << samples.numberOfNonFinite() << " points of the cloud are not finite and left out");
@@ -131,21 +171,20 @@ const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
 
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
-  const std::function<bool(double)>& progress)
+  const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes)
 {
   this->Surface.reset();
-  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this, surface);
-  const auto mesh = vtkConformalConversions::ToClosedMesh(self, surface);
-  const conformal::Points sphere = MapOf(surface, mesh.PointIds);
+  const Model model = ModelOf(this, self, surface, processes);
   conformal::Points copy;
-  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
-  const conformal::TrainingSamples samples =
-    fits ? SamplesOf(self, cloud, copy) : conformal::TrainingSamples(conformal::PointView());
-  this->Surface =
-    std::make_unique<conformal::CurvedSeamlessSurface>(sphere, mesh.Points, mesh.Triangles, options,
-      fits ? &samples : nullptr, vtkConformalConversions::SMPFor(), progress);
+  const bool fits = cloud && model.Options.DomeHeight == conformal::DomeHeight::Fitted;
+  const conformal::TrainingSamples samples = fits
+    ? SamplesOf(self, cloud, copy, processes)
+    : conformal::TrainingSamples(conformal::PointView());
+  this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model.SpherePositions,
+    model.Points, model.Triangles, model.Options, fits ? &samples : nullptr,
+    vtkConformalConversions::SMPFor(), progress);
   const conformal::Index degenerate = this->Surface->numberOfDegenerateTriangles();
-  if (degenerate > 0)
+  if (degenerate > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
       self, << degenerate
@@ -167,7 +206,8 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       }
       vtkInputChecks::RequireConsistentData(surface, "surface");
       vtkInputChecks::RequireConsistentData(cloud, "cloud");
-      this->BuildCore(this, surface, cloud, {});
+      vtkConformalConversions::Processes alone;
+      this->BuildCore(this, surface, cloud, {}, alone);
     });
 }
 

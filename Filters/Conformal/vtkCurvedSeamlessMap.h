@@ -49,6 +49,11 @@ namespace conformal
 class CurvedSeamlessSurface;
 }
 
+namespace vtkConformalConversions
+{
+class Processes;
+}
+
 class VTKFILTERSCONFORMAL_EXPORT vtkCurvedSeamlessMap : public vtkObject
 {
 public:
@@ -189,7 +194,7 @@ private:
 
   friend class vtkCurvedSeamlessSurface;
   void BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
-    const std::function<bool(double)>& progress);
+    const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes);
   const conformal::CurvedSeamlessSurface& Built() const;
 
   int SeamMode = EDGE_MATCHED;

@@ -6,11 +6,13 @@
 #include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -23,6 +25,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessSurface);
+vtkCxxSetObjectMacro(vtkCurvedSeamlessSurface, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -115,10 +118,14 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
 vtkCurvedSeamlessSurface::vtkCurvedSeamlessSurface()
 {
   this->SetNumberOfInputPorts(3);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 //------------------------------------------------------------------------------
-vtkCurvedSeamlessSurface::~vtkCurvedSeamlessSurface() = default;
+vtkCurvedSeamlessSurface::~vtkCurvedSeamlessSurface()
+{
+  this->SetController(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessSurface::SetSphereConnection(vtkAlgorithmOutput* output)
@@ -141,28 +148,43 @@ int vtkCurvedSeamlessSurface::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
+int vtkCurvedSeamlessSurface::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED)
+  {
+    vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkCurvedSeamlessSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* sphere = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkConformalConversions::RunCore(this,
-    [&]()
+  const bool fits = this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
+  return vtkConformalConversions::RunCore(this, fits ? this->Controller : nullptr,
+    [&](vtkConformalConversions::Processes& processes)
     {
-      if (surface->GetNumberOfPoints() == 0 || (sphere && sphere->GetNumberOfPoints() == 0))
+      const int owner = processes.firstWith(
+        surface->GetNumberOfPoints() > 0 && !(sphere && sphere->GetNumberOfPoints() == 0));
+      if (owner < 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
           surface->GetNumberOfPoints() == 0 ? "the surface is empty, and so is the result"
                                             : "the dense sphere is empty, and so is the result");
         return;
       }
-      const bool fits = this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
       const double shareOfMap = fits ? 0.9 : 0.5;
       this->Map->BuildCore(this, surface, vtkPointSet::GetData(inputVector[2]),
-        vtkConformalConversions::ProgressOf(this, 0.0, shareOfMap));
+        processes.progress(0.0, shareOfMap), processes);
       // What is large is let go as soon as the output has it.
-      conformal::GeodesicSphere dense = DenseSphere(sphere, this->Frequency);
+      conformal::GeodesicSphere dense = processes.rank() == owner
+        ? DenseSphere(sphere, this->Frequency)
+        : conformal::GeodesicSphere();
       output->Initialize();
       vtkConformalConversions::SetTriangles(output, dense.Faces);
       const vtkNew<vtkDoubleArray> directions =
@@ -180,8 +202,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       samples.Normals = normals->GetPointer(0);
       samples.Degenerate = degenerate.data();
       conformal::evaluate(this->Map->Built(), { directions->GetPointer(0), size }, samples,
-        vtkConformalConversions::SMPFor(),
-        vtkConformalConversions::ProgressOf(this, shareOfMap, 1.0));
+        vtkConformalConversions::SMPFor(), processes.progress(shareOfMap, 1.0));
       if (this->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE)
       {
         SmoothNormals(ViewOf(positions), dense.Faces, ViewOf(normals));
@@ -330,6 +351,7 @@ void vtkCurvedSeamlessSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "Map:\n";
   this->Map->PrintSelf(os, indent.GetNextIndent());
 }

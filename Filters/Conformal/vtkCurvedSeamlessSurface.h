@@ -53,6 +53,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkCurvedSeamlessMap;
+class vtkMultiProcessController;
 class vtkPointSet;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkCurvedSeamlessSurface : public vtkPolyDataAlgorithm
@@ -91,6 +92,20 @@ public:
    * The same, as data.
    */
   void SetCloudData(vtkPointSet* cloud);
+
+  ///@{
+  /**
+   * The processes that share the cloud of DomeHeight FITTED. Each runs this filter with its own
+   * points of the cloud, perhaps none, and asks its inputs for its own piece. The surface to be
+   * fitted is that of the first process that has one. It is fitted to all points together, the same
+   * to the bit however many processes there are, and that process gets the result; the others get
+   * empty arrays, and the map too. Default is the global controller; null for a cloud of this
+   * process alone. The other DomeHeights need no cloud, and each process makes the surface of its
+   * own input.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
 
   ///@{
   /**
@@ -156,6 +171,7 @@ protected:
   ~vtkCurvedSeamlessSurface() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -163,6 +179,7 @@ private:
   void operator=(const vtkCurvedSeamlessSurface&) = delete;
 
   int Frequency = 80;
+  vtkMultiProcessController* Controller = nullptr;
   vtkNew<vtkCurvedSeamlessMap> Map;
 };
 

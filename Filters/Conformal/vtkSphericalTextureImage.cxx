@@ -3,21 +3,30 @@
 #include "SphericalTextureImage.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
 #include "vtkSphereImageConversions.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 vtkStandardNewMacro(vtkSphericalTextureImage);
+vtkCxxSetObjectMacro(vtkSphericalTextureImage, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -31,6 +40,86 @@ vtkDataArray* ArrayOf(vtkPointSet* data, const std::string& name)
       name.empty() ? "no active scalars to bake" : "no point array " + name + " to bake");
   }
   return array;
+}
+
+// This process's part of an array that a part without points does not have.
+vtkSmartPointer<vtkDataArray> OwnPart(
+  vtkPointSet* source, const std::string& name, vtkConformalConversions::Processes& processes)
+{
+  const bool hasPoints = source->GetNumberOfPoints() > 0;
+  const int first = processes.firstWith(hasPoints);
+  if (first < 0)
+  {
+    throw std::invalid_argument("there are no points to take values from");
+  }
+  vtkSmartPointer<vtkDataArray> own;
+  const auto shapeOf = [](vtkDataArray* array)
+  {
+    return std::to_string(array->GetDataType()) + " " +
+      std::to_string(array->GetNumberOfComponents()) + " " +
+      (array->GetName() ? array->GetName() : "");
+  };
+  std::string shape;
+  if (hasPoints)
+  {
+    own = ArrayOf(source, name);
+    shape = shapeOf(own);
+  }
+  const std::string expected = processes.textOf(first, shape);
+  if (!hasPoints)
+  {
+    std::istringstream words(expected);
+    int type = 0, components = 0;
+    std::string itsName;
+    words >> type >> components;
+    words.get();
+    std::getline(words, itsName);
+    own.TakeReference(vtkDataArray::CreateDataArray(type));
+    own->SetNumberOfComponents(components);
+    own->SetName(itsName.c_str());
+  }
+  else if (shape != expected)
+  {
+    throw std::invalid_argument("the array to bake is not of the same name, type and components "
+                                "on all processes");
+  }
+  return own;
+}
+
+// Pixels that each process has painted where it is the closest, on all of them.
+void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conformal::Reduce& reduce)
+{
+  constexpr vtkIdType chunkSize = 1 << 18;
+  const int components = pixels->GetNumberOfComponents();
+  std::vector<std::int64_t> sums;
+  for (vtkIdType first = 0; first < pixels->GetNumberOfTuples(); first += chunkSize)
+  {
+    const vtkIdType size = std::min(chunkSize, pixels->GetNumberOfTuples() - first);
+    sums.assign(size * (components + 1), 0);
+    std::int64_t* sum = sums.data();
+    for (vtkIdType i = first; i < first + size; ++i)
+    {
+      *sum++ = holes->GetValue(i) == 0;
+      for (int c = 0; c < components; ++c, ++sum)
+      {
+        // Bit patterns, each added to zeros.
+        const double value = holes->GetValue(i) ? 0.0 : pixels->GetComponent(i, c);
+        std::memcpy(sum, &value, sizeof(value));
+      }
+    }
+    reduce.sum(sums.data(), static_cast<conformal::Index>(sums.size()));
+    sum = sums.data();
+    for (vtkIdType i = first; i < first + size; ++i)
+    {
+      holes->SetValue(i, *sum++ == 0);
+      for (int c = 0; c < components; ++c, ++sum)
+      {
+        double value = 0.0;
+        std::memcpy(&value, sum, sizeof(value));
+        pixels->SetComponent(i, c, value);
+      }
+    }
+  }
 }
 
 // Writes what each pixel shows.
@@ -64,6 +153,13 @@ conformal::PixelSink Painter(
 vtkSphericalTextureImage::vtkSphericalTextureImage()
 {
   this->SetNumberOfInputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalTextureImage::~vtkSphericalTextureImage()
+{
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -102,32 +198,51 @@ int vtkSphericalTextureImage::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+int vtkSphericalTextureImage::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkSphericalTextureImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPointSet* source = vtkPointSet::GetData(inputVector[1]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  return vtkConformalConversions::RunCore(this,
-    [&]()
+  return vtkConformalConversions::RunCore(this, source ? this->Controller : nullptr,
+    [&](vtkConformalConversions::Processes& processes)
     {
-      if (surface->GetNumberOfPoints() == 0)
+      using namespace vtkConformalConversions;
+      const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0);
+      if (owner < 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty, there is nothing to bake");
+        WarnOfEmptyInput(this, "the surface is empty, there is nothing to bake");
         return;
       }
-      using namespace vtkConformalConversions;
-      vtkDataArray* values = ArrayOf(source ? source : surface, this->ArrayName);
+      const bool isShared = processes.size() > 1;
+      const vtkSmartPointer<vtkDataArray> values = isShared
+        ? OwnPart(source, this->ArrayName, processes)
+        : vtkSmartPointer<vtkDataArray>(ArrayOf(source ? source : surface, this->ArrayName));
       vtkDataArray* pixels = AllocatePixels(output, outputVector->GetInformationObject(0), values);
       vtkNew<vtkUnsignedCharArray> holes;
       holes->SetName("OutsideSurface");
       holes->SetNumberOfValues(output->GetNumberOfPoints());
 
       conformal::Points copy, sourceCopy;
-      const conformal::SphereMappedSurface mapped = { ViewPoints(surface->GetPoints(), copy),
-        ToTriangles(surface), ToSpherePositions(surface) };
-      const conformal::SphereImage image = ToSphereImage(surface->GetFieldData());
+      conformal::SphereMappedSurface mapped;
+      conformal::SphereImage image;
+      if (processes.rank() == owner)
+      {
+        mapped = { ViewPoints(surface->GetPoints(), copy), ToTriangles(surface),
+          ToSpherePositions(surface) };
+        image = ToSphereImage(surface->GetFieldData());
+      }
       const conformal::PixelGrid grid = { this->ImageSize[0], this->ImageSize[1] };
       const conformal::PixelSink sink = Painter(values, pixels, holes);
       if (source)
@@ -135,11 +250,15 @@ int vtkSphericalTextureImage::RequestData(
         auto* sourceSurface = vtkPolyData::SafeDownCast(source);
         conformal::paintSphericalTexture(mapped, ViewPoints(source->GetPoints(), sourceCopy),
           sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3), image, grid,
-          sink, SMPFor(), ProgressOf(this));
+          sink, processes.reduce(), SMPFor(), processes.progress());
       }
       else
       {
-        conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), ProgressOf(this));
+        conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), processes.progress());
+      }
+      if (isShared)
+      {
+        SumPixels(pixels, holes, processes.reduce());
       }
       output->GetPointData()->AddArray(holes);
     });
@@ -151,4 +270,5 @@ void vtkSphericalTextureImage::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -18,6 +18,11 @@
  * - point array "OutsideSurface" (unsigned char, 1 component): 1 where the map to the sphere has a
  *   hole; values are 0 there.
  *
+ * Of several processes (Controller) each has its own points of the source, perhaps none, and the
+ * first that has a surface has all of it. Each gets the whole image, whose pixels have the values
+ * of the closest of all points, to the bit whatever the number of processes. A cloud stays where it
+ * is, triangles are gathered on each process. Without a source each process bakes its own surface.
+ *
  * Seen through the texture coordinates of vtkSphericalTextureMap the image is the surface's own
  * look. At the seams it is padded as wide as TextureMargin of vtkSphericalTextureMap allows, with
  * what the sphere has beyond them.
@@ -42,6 +47,7 @@
 #include <string> // for ArrayName
 
 class vtkAlgorithmOutput;
+class vtkMultiProcessController;
 class vtkPointSet;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkSphericalTextureImage : public vtkImageAlgorithm
@@ -57,6 +63,15 @@ public:
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkPointSet* source);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the source. Each runs this filter and asks its inputs for its own
+   * piece. Default is the global controller; null for a source of this process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
   ///@{
@@ -79,11 +94,13 @@ public:
 
 protected:
   vtkSphericalTextureImage();
-  ~vtkSphericalTextureImage() override = default;
+  ~vtkSphericalTextureImage() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -93,6 +110,7 @@ private:
 
   std::string ArrayName;
   int ImageSize[2] = { 1024, 1024 };
+  vtkMultiProcessController* Controller = nullptr;
 };
 
 #endif

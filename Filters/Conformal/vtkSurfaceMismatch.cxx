@@ -1,12 +1,15 @@
 #include "vtkSurfaceMismatch.h"
 
+#include "AcrossProcesses.h"
 #include "SurfaceMismatch.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -14,6 +17,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkSurfaceMismatch);
+vtkCxxSetObjectMacro(vtkSurfaceMismatch, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -32,6 +36,13 @@ vtkSurfaceMismatch::vtkSurfaceMismatch()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceMismatch::~vtkSurfaceMismatch()
+{
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -47,6 +58,14 @@ void vtkSurfaceMismatch::SetReferenceData(vtkPolyData* reference)
 }
 
 //------------------------------------------------------------------------------
+int vtkSurfaceMismatch::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceMismatch::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -59,25 +78,39 @@ int vtkSurfaceMismatch::RequestData(
   options.LengthUnit = static_cast<conformal::MismatchUnit>(this->LengthUnit);
   options.NumberOfSamples = this->NumberOfSamples;
   options.RandomSeed = this->RandomSeed;
-  return vtkConformalConversions::RunCore(this,
-    [&]()
+  return vtkConformalConversions::RunCore(this, this->Controller,
+    [&](vtkConformalConversions::Processes& processes)
     {
-      if (model->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+      const bool hasModel = processes.firstWith(model->GetNumberOfPoints() > 0) >= 0;
+      const bool hasReference = processes.firstWith(reference->GetNumberOfPoints() > 0) >= 0;
+      if (!hasModel || !hasReference)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
-          model->GetNumberOfPoints() == 0 ? "the model is empty, nothing was measured"
-                                          : "the reference is empty, nothing was measured");
+          hasModel ? "the reference is empty, nothing was measured"
+                   : "the model is empty, nothing was measured");
         return;
       }
+      const conformal::Reduce reduce = processes.reduce();
       conformal::Points modelCopy, referenceCopy;
-      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(
-        vtkConformalConversions::ViewPoints(model->GetPoints(), modelCopy),
-        vtkConformalConversions::ToTriangles(model),
-        vtkConformalConversions::ViewPoints(reference->GetPoints(), referenceCopy),
+      conformal::PointView modelPoints =
+        vtkConformalConversions::ViewPoints(model->GetPoints(), modelCopy);
+      conformal::Triangles modelTriangles = vtkConformalConversions::ToTriangles(model);
+      vtkIdType firstOwn = 0;
+      if (processes.size() > 1)
+      {
+        firstOwn = conformal::rowsBefore(reduce, modelPoints.size());
+        modelTriangles = conformal::gatherTriangles(reduce, modelTriangles, modelPoints.size());
+        modelCopy =
+          conformal::gatherRows(reduce, vtkConformalConversions::ToPoints(model->GetPoints()));
+        modelPoints = modelCopy;
+      }
+      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(modelPoints,
+        modelTriangles, vtkConformalConversions::ViewPoints(reference->GetPoints(), referenceCopy),
         vtkConformalConversions::ToTriangles(reference), options, vtkConformalConversions::SMPFor(),
-        vtkConformalConversions::ProgressOf(this));
+        processes.progress(), reduce);
 
-      PassWithDistances(model, output, mismatch.ModelDistances);
+      const auto own = mismatch.ModelDistances.begin() + firstOwn;
+      PassWithDistances(model, output, { own, own + model->GetNumberOfPoints() });
       PassWithDistances(reference, referenceOutput, mismatch.ReferenceDistances);
       vtkFieldData* data = output->GetFieldData();
       using vtkConformalConversions::AddNumber;
@@ -97,4 +130,5 @@ void vtkSurfaceMismatch::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

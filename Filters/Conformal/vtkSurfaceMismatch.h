@@ -22,6 +22,12 @@
  * - "WebFraction": share of the model's area that is farther than 0.02 from the reference.
  * - "LengthUnit": the length, in units of the coordinates, that counts as 1.
  *
+ * Of several processes (Controller) each has its own points of the reference, perhaps none, and of
+ * the model all, a piece, or nothing: what all have is the model, and what all have the reference.
+ * Figures are the same on all processes, to the bit whatever the number of processes; "Distance" is
+ * that of the process's own points. A cloud stays where it is; a reference with triangles is
+ * gathered on each process, and so is the model.
+ *
  * E_mis is defined in section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing
  * map on curved seamless surface", Neurocomputing 71 (2008).
  *
@@ -35,6 +41,8 @@
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkMultiProcessController;
 
 class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceMismatch : public vtkPolyDataAlgorithm
 {
@@ -88,10 +96,20 @@ public:
   void SetReferenceData(vtkPolyData* reference);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the model and the reference. Each runs this filter and asks its inputs
+   * for its own piece. Default is the global controller; null for points of this process alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
   vtkSurfaceMismatch();
-  ~vtkSurfaceMismatch() override = default;
+  ~vtkSurfaceMismatch() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -101,6 +119,7 @@ private:
   int LengthUnit = MAX_RADIUS;
   int NumberOfSamples = 60000;
   int RandomSeed = 1;
+  vtkMultiProcessController* Controller = nullptr;
 };
 
 #endif

@@ -1,5 +1,6 @@
 #include "CurvedTriangleFit.h"
 
+#include "AcrossProcesses.h"
 #include "LocalScale.h"
 #include "MeshTopology.h"
 #include "VertexNormals.h"
@@ -60,7 +61,7 @@ public:
   Equations(const Triangles& faces, const Adjacency& neighbors)
     : Faces(faces)
     , Neighbors(neighbors)
-    , Sums(faces.rows() * 54, 0.0)
+    , Sums(faces.rows() * 54 + 1, 0.0)
     , Diagonal(neighbors.Offsets.size() - 1)
     , Across(neighbors.Ids.size())
   {
@@ -80,7 +81,14 @@ public:
       }
       *sums++ += weighted * residual;
     }
+    this->Sums.back() += weight;
   }
+
+  /// All that was added, and nothing else, to be carried on by another process.
+  std::vector<double>& sums() { return this->Sums; }
+
+  /// The weight of all that was added.
+  double weight() const { return this->Sums.back(); }
 
   /// @return the right-hand side
   Unknowns assemble()
@@ -163,7 +171,7 @@ private:
 
   const Triangles& Faces;
   const Adjacency& Neighbors;
-  std::vector<double> Sums; // the upper triangle and the right-hand side, row by row
+  std::vector<double> Sums; // the upper triangle and the right-hand side, row by row; the weight
   Blocks Diagonal, Across;
 };
 
@@ -237,18 +245,22 @@ Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::ve
   return row;
 }
 
-/// The feet of all samples on all threads, handed out in order on the calling one.
+/// The feet of all samples on all threads, handed out in order on the calling one. Several
+/// processes keep theirs until it is their turn to carry on the sums of the body.
 template <typename Body>
 void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
-  std::vector<int>& hints, const ParallelFor& parallelFor, const Progress& progress, Body body)
+  std::vector<int>& hints, std::vector<double>& sums, const ParallelFor& parallelFor,
+  const Progress& progress, Body body)
 {
   const CurvedTriangleTree tree(surface, parallelFor);
   constexpr Index BlockSize = 256;
   constexpr Index ChunkSize = 64 * BlockSize;
-  std::vector<FootPoint> feet(std::min(ChunkSize, samples.size()));
+  const bool keep = samples.reduce().NumberOfRanks > 1;
+  std::vector<FootPoint> all(keep ? samples.size() : std::min(ChunkSize, samples.size()));
   for (Index first = 0; first < samples.size(); first += ChunkSize)
   {
     const Index size = std::min(ChunkSize, samples.size() - first);
+    FootPoint* const feet = all.data() + (keep ? first : 0);
     forBlocks(parallelFor, size, BlockSize,
       [&](Index begin, Index end)
       {
@@ -260,11 +272,22 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
           hint = last = feet[i].Triangle;
         }
       });
-    for (Index i = 0; i < size; ++i)
+    for (Index i = 0; i < size && !keep; ++i)
     {
       body(first + i, feet[i]);
     }
     report(progress, static_cast<double>(first + size) / static_cast<double>(samples.size()));
+  }
+  if (keep)
+  {
+    inTurn(samples.reduce(), sums.data(), static_cast<Index>(sums.size()),
+      [&]()
+      {
+        for (Index i = 0; i < samples.size(); ++i)
+        {
+          body(i, all[i]);
+        }
+      });
   }
 }
 
@@ -349,9 +372,9 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
   {
     const std::vector<Frame> frames = framesOf(surface, neighbors);
     const double begin = (round + 1) / steps;
-    double weights = 0.0;
     equations.clear();
-    forEachCurvedFoot(surface, samples, hints, parallelFor,
+    std::vector<double> none;
+    forEachCurvedFoot(surface, samples, hints, round < 0 ? none : equations.sums(), parallelFor,
       partOf(progress, begin, begin + 0.8 / steps),
       [&](Index i, const FootPoint& foot)
       {
@@ -371,14 +394,13 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
         }
         equations.add(
           foot.Triangle, motion(surface, frames, foot, direction), direction.dot(way), weight);
-        weights += weight;
       });
     scale.update(neighbors, samples.reduce());
-    if (round < 0 || weights == 0.0)
+    if (round < 0 || equations.weight() == 0.0)
     {
       continue;
     }
-    const double perVertex = weights / static_cast<double>(size);
+    const double perVertex = equations.weight() / static_cast<double>(size);
     const double stiffness = options.FitSmoothness * perVertex;
     Unknowns right = equations.assemble();
     addPriors(surface, frames, stiffness, 1e-6 * perVertex, equations, right);

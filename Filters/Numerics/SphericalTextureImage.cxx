@@ -1,11 +1,16 @@
 #include "SphericalTextureImage.h"
 
+#include "AcrossProcesses.h"
 #include "PointTree.h"
 #include "SphereLocator.h"
 #include "TriangleTree.h"
 #include "UnitBox.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace conformal
 {
@@ -80,6 +85,113 @@ void paint(const SphereMappedSurface& surface, const SphereImage& image, const P
       sink(begin, places);
     });
 }
+
+// The closest places of a cloud, or of a surface, of which processes have parts.
+class ClosestPlaces
+{
+public:
+  struct Found
+  {
+    SurfacePlace Place; // ids of this process; -1 for places of other processes
+    double SquareDistance = std::numeric_limits<double>::infinity();
+  };
+
+  ClosestPlaces(const PointView& cloud, const Triangles& faces, const Reduce& reduce,
+    const ParallelFor& parallelFor)
+    : NumberOfOwn(cloud.size())
+  {
+    std::int64_t sizes[] = { cloud.size(), faces.rows() };
+    reduce.sum(sizes, 2);
+    if (sizes[0] == 0)
+    {
+      throw std::invalid_argument("there are no points to take values from");
+    }
+    this->HasTriangles = sizes[1] > 0;
+    if (!this->HasTriangles)
+    {
+      this->Near = PointTree(cloud);
+      return;
+    }
+    Points positions(cloud.size(), 3);
+    for (Index i = 0; i < cloud.size(); ++i)
+    {
+      positions.row(i) = cloud[i];
+    }
+    this->FirstOwn = rowsBefore(reduce, cloud.size());
+    this->Faces = gatherTriangles(reduce, faces, cloud.size());
+    positions = gatherRows(reduce, positions);
+    if (!positions.allFinite())
+    {
+      throw std::invalid_argument("points to take values from are not finite");
+    }
+    this->Surface = TriangleTree(positions, this->Faces, parallelFor);
+  }
+
+  // Whether places are closest of all processes' and not only of this one's.
+  bool knowsAll() const { return this->HasTriangles; }
+
+  Found operator()(const Vector3& x, int& hint) const
+  {
+    Found found;
+    if (!this->HasTriangles)
+    {
+      const Neighbor neighbor = this->Near.nearest(x);
+      if (neighbor.Id >= 0)
+      {
+        found.Place = { { neighbor.Id, neighbor.Id, neighbor.Id }, { 1.0, 0.0, 0.0 } };
+        found.SquareDistance = neighbor.SquareDistance;
+      }
+      return found;
+    }
+    const FootPoint foot = this->Surface.closestPoint(x, hint);
+    hint = foot.Triangle;
+    if (hint < 0) // squares of distances have left the numbers' range
+    {
+      return found;
+    }
+    SurfacePlace place = placeIn(this->Faces, foot.Triangle, foot.Barycentric);
+    const Index own = place.Ids[0] - this->FirstOwn;
+    if (own >= 0 && own < this->NumberOfOwn)
+    {
+      for (int& id : place.Ids)
+      {
+        id -= static_cast<int>(this->FirstOwn);
+      }
+      found = { place, foot.SquareDistance };
+    }
+    return found;
+  }
+
+private:
+  Index FirstOwn = 0, NumberOfOwn;
+  bool HasTriangles = false;
+  PointTree Near;
+  TriangleTree Surface;
+  Triangles Faces;
+};
+
+// The points of the surface that pixels show, not finite in holes; none without a surface.
+Points pixelPositions(const SphereMappedSurface& surface, const SphereImage& image,
+  const PixelGrid& grid, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (surface.Faces.rows() == 0)
+  {
+    return Points(0, 3);
+  }
+  unitBoxOf(surface.Positions); // throws where they are not finite
+  Points positions(grid.size(), 3);
+  const PixelSink place = [&](Index first, const std::vector<SurfacePlace>& places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      positions.row(first + static_cast<Index>(i)) = places[i].Ids[0] < 0
+        ? Vector3(Vector3::Constant(std::numeric_limits<double>::infinity()))
+        : positionOf(places[i], surface.Positions);
+    }
+  };
+  paintSphericalTexture(surface, image, grid, place, parallelFor, progress);
+  return positions;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -97,46 +209,72 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
   const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const ParallelFor& parallelFor, const Progress& progress)
 {
-  if (cloud.size() == 0)
-  {
-    throw std::invalid_argument("there are no points to take values from");
-  }
+  const ClosestPlaces closest(cloud, cloudFaces, {}, parallelFor);
   unitBoxOf(surface.Positions); // throws where they are not finite
-  if (cloudFaces.rows() == 0)
-  {
-    const PointTree tree(cloud);
-    paint(
-      surface, image, grid,
-      [&](const SurfacePlace& place, int&)
-      {
-        const int id = tree.nearest(positionOf(place, surface.Positions)).Id;
-        return SurfacePlace{ { id, id, id }, { 1.0, 0.0, 0.0 } };
-      },
-      sink, parallelFor, progress);
-    return;
-  }
-  Points positions(cloud.size(), 3);
-  for (Index i = 0; i < cloud.size(); ++i)
-  {
-    positions.row(i) = cloud[i];
-  }
-  if (!positions.allFinite())
-  {
-    throw std::invalid_argument("points to take values from are not finite");
-  }
-  const TriangleTree tree(positions, cloudFaces, parallelFor);
   paint(
     surface, image, grid,
     [&](const SurfacePlace& place, int& hint)
-    {
-      const FootPoint foot = tree.closestPoint(positionOf(place, surface.Positions), hint);
-      hint = foot.Triangle;
-      if (hint < 0) // squares of distances have left the numbers' range
-      {
-        return SurfacePlace();
-      }
-      return placeIn(cloudFaces, foot.Triangle, foot.Barycentric);
-    },
+    { return closest(positionOf(place, surface.Positions), hint).Place; },
     sink, parallelFor, progress);
+}
+
+//------------------------------------------------------------------------------
+void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
+  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+  const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  if (reduce.NumberOfRanks == 1)
+  {
+    paintSphericalTexture(surface, cloud, cloudFaces, image, grid, sink, parallelFor, progress);
+    return;
+  }
+  const ClosestPlaces closest(cloud, cloudFaces, reduce, parallelFor);
+  const Points wanted =
+    pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.0, 0.3));
+  // So many at a time: all pixels are sent to all processes, and the distances back.
+  constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
+  for (Index first = 0; first < grid.size(); first += ChunkSize)
+  {
+    const Index size = std::min(ChunkSize, grid.size() - first);
+    const bool isOwner = wanted.rows() > 0;
+    const Points positions =
+      gatherRows(reduce, isOwner ? Points(wanted.middleRows(first, size)) : Points(0, 3));
+    if (positions.rows() != size)
+    {
+      throw std::invalid_argument("one process must have the surface, with triangles");
+    }
+    std::vector<SurfacePlace> places(size);
+    std::vector<double> squares(size, std::numeric_limits<double>::infinity());
+    const auto fraction = [&](Index done)
+    { return 0.3 + 0.7 * static_cast<double>(done) / static_cast<double>(grid.size()); };
+    forBlocks(parallelFor, size, BlockSize,
+      partOf(progress, fraction(first), fraction(first + size)),
+      [&](Index begin, Index end)
+      {
+        int hint = -1;
+        for (Index i = begin; i < end; ++i)
+        {
+          if (positions.row(i).allFinite()) // else it is a hole
+          {
+            const ClosestPlaces::Found found = closest(positions.row(i), hint);
+            places[i] = found.Place;
+            squares[i] = found.SquareDistance;
+          }
+        }
+      });
+    if (!closest.knowsAll())
+    {
+      const std::vector<Least> nearest = least(reduce, squares);
+      for (Index i = 0; i < size; ++i)
+      {
+        if (nearest[i].Rank != reduce.Rank)
+        {
+          places[i] = SurfacePlace();
+        }
+      }
+    }
+    sink(first, places);
+  }
 }
 }

@@ -41,6 +41,17 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage
 void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
   const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// The same by several processes, each of which has a part of the cloud, perhaps none. Where the
+/// closest place is another process's, ids are -1 too. A cloud of points stays where it is, one
+/// with triangles is gathered on each process.
+/// @param[in] surface  whole on one process; the others give one without triangles, whose image may
+///   be any
+/// @param[in] reduce   adds up over the processes
+void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
+  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+  const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "SurfaceMismatch.h"
 
+#include "AcrossProcesses.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -31,21 +32,31 @@ struct Frame
   }
 };
 
-Frame frameOf(const PointView& reference, MismatchUnit unit)
+Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const Reduce& reduce)
 {
   Box box;
   for (Index i = 0; i < reference.size(); ++i)
   {
     box.extend(reference[i]);
   }
+  {
+    const std::vector<double> ends = largest(reduce,
+      { -box.Lower[0], -box.Lower[1], -box.Lower[2], box.Upper[0], box.Upper[1], box.Upper[2] });
+    box.Lower = -Eigen::Map<const Vector3>(ends.data());
+    box.Upper = Eigen::Map<const Vector3>(ends.data() + 3);
+  }
   // Half each, since a sum may overflow.
   const Vector3 middle = 0.5 * box.Lower + 0.5 * box.Upper;
   Frame frame;
   Vector3 sum = Vector3::Zero();
-  for (Index i = 0; i < reference.size(); ++i)
-  {
-    sum += (reference[i] - middle) / static_cast<double>(reference.size());
-  }
+  inTurn(reduce, sum.data(), 3,
+    [&]()
+    {
+      for (Index i = 0; i < reference.size(); ++i)
+      {
+        sum += (reference[i] - middle) / static_cast<double>(total);
+      }
+    });
   frame.Center = middle + sum;
   if (unit == MismatchUnit::MaxRadius)
   {
@@ -54,6 +65,7 @@ Frame frameOf(const PointView& reference, MismatchUnit unit)
     {
       frame.Unit = std::max(frame.Unit, (reference[i] - frame.Center).stableNorm());
     }
+    frame.Unit = largest(reduce, { frame.Unit })[0];
   }
   else if (unit == MismatchUnit::HalfDiagonal)
   {
@@ -66,16 +78,18 @@ Frame frameOf(const PointView& reference, MismatchUnit unit)
   return frame;
 }
 
-void requireFinite(const PointView& points, const char* what)
+void requireFinite(const PointView& points, const char* what, const Reduce& reduce)
 {
-  Index bad = 0;
+  std::int64_t bad = 0, size = points.size();
   for (Index i = 0; i < points.size(); ++i)
   {
     bad += !points[i].allFinite();
   }
+  reduce.sum(&bad, 1);
+  reduce.sum(&size, 1);
   if (bad > 0)
   {
-    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(size) +
       " points of the " + what + " are not finite");
   }
 }
@@ -214,19 +228,39 @@ private:
   Index Done = 0;
 };
 
-double meanOf(const std::vector<double>& values)
+// Of values that are spread over processes, or that there are once.
+double meanOf(const std::vector<double>& values, Index total, const Reduce& reduce = {})
 {
   double sum = 0.0;
-  for (double value : values)
-  {
-    sum += value;
-  }
-  return sum / static_cast<double>(values.size());
+  inTurn(reduce, &sum, 1,
+    [&]()
+    {
+      for (double value : values)
+      {
+        sum += value;
+      }
+    });
+  return sum / static_cast<double>(total);
 }
 
-double maximumOf(const std::vector<double>& values)
+// None is below 0.
+double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
 {
-  return *std::max_element(values.begin(), values.end());
+  double most = 0.0;
+  for (double value : values)
+  {
+    most = std::max(most, value);
+  }
+  return largest(reduce, { most })[0];
+}
+
+// Of square distances to the parts of a cloud those to all of it.
+std::vector<double> toNearestPart(const Reduce& reduce, std::vector<double> squares)
+{
+  const std::vector<Least> nearest = least(reduce, squares);
+  std::transform(
+    nearest.begin(), nearest.end(), squares.begin(), [](const Least& part) { return part.Value; });
+  return squares;
 }
 
 std::vector<double> rootsTimes(std::vector<double> squares, double unit)
@@ -243,13 +277,17 @@ std::vector<double> rootsTimes(std::vector<double> squares, double unit)
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
   const Triangles& referenceTriangles, const SurfaceMismatchOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const ParallelFor& parallelFor, const Progress& progress, const Reduce& reduce)
 {
+  std::int64_t totals[] = { referencePoints.size(), referenceTriangles.rows() };
+  reduce.sum(totals, 2);
+  const Index total = totals[0];
+  const bool isCloud = totals[1] == 0;
   if (modelTriangles.rows() == 0)
   {
     throw std::invalid_argument("the model has no triangles");
   }
-  if (referencePoints.size() == 0)
+  if (total == 0)
   {
     throw std::invalid_argument("the reference has no points");
   }
@@ -257,10 +295,10 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   {
     throw std::invalid_argument("the number of samples must be positive");
   }
-  requireFinite(modelPoints, "model");
-  requireFinite(referencePoints, "reference");
+  requireFinite(modelPoints, "model", {});
+  requireFinite(referencePoints, "reference", reduce);
 
-  const Frame frame = frameOf(referencePoints, options.LengthUnit);
+  const Frame frame = frameOf(referencePoints, total, options.LengthUnit, reduce);
   const Points model = frame(modelPoints);
   const Index size = referencePoints.size();
   DistanceMeter measure(
@@ -271,25 +309,34 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   result.LengthUnit = frame.Unit;
   const std::vector<double> forward =
     measure(TriangleTree(model, modelTriangles, parallelFor), size, data);
-  result.MeanSquarePointToSurface = meanOf(forward);
+  result.MeanSquarePointToSurface = meanOf(forward, total, reduce);
+  const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
+  result.MeanSquarePointToVertex = meanOf(
+    measure(TriangleTree(model, asTriangles(vertices), parallelFor), size, data), total, reduce);
+
+  // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
+  // some triangles finds; of points there is one nearest distance.
+  Points referenceFrame = frame(referencePoints);
+  Triangles faces = referenceTriangles;
+  if (!isCloud)
   {
-    const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
-    result.MeanSquarePointToVertex =
-      meanOf(measure(TriangleTree(model, asTriangles(vertices), parallelFor), size, data));
+    faces = gatherTriangles(reduce, faces, size);
+    referenceFrame = gatherRows(reduce, referenceFrame);
   }
-  const TriangleTree reference = treeOf(frame(referencePoints), referenceTriangles, parallelFor);
+  const TriangleTree reference = treeOf(referenceFrame, faces, parallelFor);
+  const Reduce overParts = isCloud ? reduce : Reduce();
   const Points samples =
     spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
-  const std::vector<double> back =
-    measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); });
-  const std::vector<double> fromVertices =
-    measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); });
-  result.MeanSquareSurfaceToPoint = meanOf(back);
+  const std::vector<double> back = toNearestPart(overParts,
+    measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); }));
+  const std::vector<double> fromVertices = toNearestPart(
+    overParts, measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); }));
+  result.MeanSquareSurfaceToPoint = meanOf(back, samples.rows());
   result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
                          [](double square) { return square > WebDistance * WebDistance; })) /
     static_cast<double>(back.size());
-  double farthest = std::max(maximumOf(forward), maximumOf(back));
-  for (int v : usedVertices(modelTriangles, model.rows()))
+  double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));
+  for (int v : vertices)
   {
     farthest = std::max(farthest, fromVertices[v]);
   }

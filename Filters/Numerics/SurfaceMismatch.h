@@ -53,17 +53,23 @@ struct SurfaceMismatch
 /// Implementation note: samples step evenly through the area and fill each triangle by a sequence
 /// of low discrepancy, which leaves much less noise than independent ones.
 ///
+/// Of several processes each has a part of the reference and all have all of the model. What the
+/// parts are, one after the other, is measured: the figures are the same on all processes, to the
+/// bit those of one process that has all. Points of a reference without triangles stay where they
+/// are; one with triangles is gathered on all processes.
+///
 /// @param[in] modelPoints         #V by 3
 /// @param[in] modelTriangles      #F by 3, at least one
-/// @param[in] referencePoints     #P by 3, at least one
+/// @param[in] referencePoints     #P by 3, at least one on all processes together
 /// @param[in] referenceTriangles  may be empty
+/// @param[in] reduce              adds up over the processes that hold the other parts
 /// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, or
 ///   the reference has no extent to take a unit from
-/// @post the result depends only on the arguments, not on threads
+/// @post the result depends only on the arguments of all processes, not on threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
   const Triangles& referenceTriangles, const SurfaceMismatchOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const ParallelFor& parallelFor = {}, const Progress& progress = {}, const Reduce& reduce = {});
 }
 
 #endif

@@ -5,7 +5,9 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
+#include "vtkConformalSOM.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -15,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +107,67 @@ inline void AddPriorities(vtkPolyData* cloud)
   cloud->GetPointData()->AddArray(array);
 }
 
+/// Colours of three bytes, and a number, for each point: the active scalars and "Height".
+inline void AddColours(vtkPolyData* cloud)
+{
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("Colours");
+  colours->SetNumberOfComponents(3);
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    cloud->GetPoint(i, x);
+    heights->InsertNextValue(x[0] + x[2] / 3.0);
+    colours->InsertNextTuple3(40.0 * (x[0] - std::floor(x[0])), 30.0 * std::abs(x[1]), i % 251);
+  }
+  cloud->GetPointData()->SetScalars(colours);
+  cloud->GetPointData()->AddArray(heights);
+}
+
+/// The mesh that one process alone learns of the cloud.
+inline vtkSmartPointer<vtkPolyData> Learned(vtkPolyData* cloud)
+{
+  vtkNew<vtkConformalSOM> network;
+  network->SetController(nullptr);
+  network->SetInputData(cloud);
+  network->SetFrequency(8);
+  network->SetStartingShapeToSphere();
+  network->Update();
+  return network->GetOutput();
+}
+
+/// Triangles that share no points, over the points of a mesh.
+inline vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    for (const vtkIdType id : *corners)
+    {
+      points->InsertNextPoint(mesh->GetPoint(id));
+    }
+  }
+  auto soup = vtkSmartPointer<vtkPolyData>::New();
+  soup->SetPoints(points);
+  return soup;
+}
+
+/// Triangles of each three points.
+inline void AddSoupTriangles(vtkPolyData* points)
+{
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); i += 3)
+  {
+    triangles->InsertNextCell({ i, i + 1, i + 2 });
+  }
+  points->SetPolys(triangles);
+}
+
 /// How a cloud may be spread, as the end of each rank's part.
 inline std::vector<vtkIdType> EvenCuts(vtkIdType size)
 {
@@ -142,7 +206,40 @@ inline vtkSmartPointer<vtkPolyData> OwnPart(vtkPolyData* cloud, const std::vecto
       cloud->GetPointData(), i, points->InsertNextPoint(cloud->GetPoint(i)));
   }
   part->SetPoints(points);
+  if (vtkDataArray* scalars = cloud->GetPointData()->GetScalars())
+  {
+    part->GetPointData()->SetActiveScalars(scalars->GetName());
+  }
   return part;
+}
+
+/// The same values as some of a larger array, from a place on.
+inline void ExpectSameBitsFrom(vtkDataArray* part, vtkDataArray* whole, vtkIdType begin)
+{
+  ASSERT_NE(part, nullptr);
+  ASSERT_NE(whole, nullptr);
+  ASSERT_EQ(part->GetNumberOfComponents(), whole->GetNumberOfComponents());
+  ASSERT_LE(begin + part->GetNumberOfTuples(), whole->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < part->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < part->GetNumberOfComponents(); ++c)
+    {
+      ASSERT_EQ(part->GetComponent(i, c), whole->GetComponent(begin + i, c)) << i;
+    }
+  }
+}
+
+/// Field data of so many numbers, each that of the same name elsewhere.
+inline void ExpectSameFigures(vtkFieldData* figures, vtkFieldData* expected, int count)
+{
+  EXPECT_GE(figures->GetNumberOfArrays(), count);
+  for (int i = 0; i < figures->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = figures->GetArray(i);
+    ASSERT_NE(expected->GetArray(array->GetName()), nullptr);
+    EXPECT_EQ(expected->GetArray(array->GetName())->GetTuple1(0), array->GetTuple1(0))
+      << array->GetName();
+  }
 }
 
 inline void ExpectSameBits(vtkDataArray* a, vtkDataArray* b)
