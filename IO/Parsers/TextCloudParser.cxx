@@ -97,7 +97,7 @@ private:
     this->findPiece(first + this->Layout.FirstOffset);
     const double lines =
       1.02 * static_cast<double>(this->End - this->Begin) / this->Layout.MeanLineBytes;
-    std::size_t rowBytes = 0;
+    std::size_t rowBytes = 1;
     for (const NamedArray& array : this->Layout.Arrays)
     {
       rowBytes += array.tupleBytes();
