@@ -1,6 +1,6 @@
 #include "vtkConformalOFFReader.h"
 
-#include "OFFParser.h"
+#include "OFF/OFFParser.h"
 
 #include "vtkObjectFactory.h"
 

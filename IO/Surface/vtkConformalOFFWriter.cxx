@@ -1,6 +1,6 @@
 #include "vtkConformalOFFWriter.h"
 
-#include "SurfaceBytes.h"
+#include "Bytes/SurfaceBytes.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,7 +1,7 @@
 #include "vtkConformalPLYReader.h"
 
-#include "PLYHeader.h"
-#include "PLYParser.h"
+#include "PLY/PLYHeader.h"
+#include "PLY/PLYParser.h"
 
 #include "vtkObjectFactory.h"
 

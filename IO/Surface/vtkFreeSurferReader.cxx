@@ -1,7 +1,7 @@
 #include "vtkFreeSurferReader.h"
 
-#include "FreeSurferParser.h"
-#include "SurfacePairing.h"
+#include "Bytes/SurfacePairing.h"
+#include "FreeSurfer/FreeSurferParser.h"
 
 #include "vtkObjectFactory.h"
 

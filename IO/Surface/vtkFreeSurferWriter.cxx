@@ -1,7 +1,7 @@
 #include "vtkFreeSurferWriter.h"
 
-#include "SurfaceBytes.h"
-#include "SurfaceWalk.h"
+#include "Bytes/SurfaceBytes.h"
+#include "Bytes/SurfaceWalk.h"
 
 #include "vtkObjectFactory.h"
 

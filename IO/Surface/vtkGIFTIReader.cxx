@@ -1,8 +1,8 @@
 #include "vtkGIFTIReader.h"
 
-#include "GIFTIFile.h"
-#include "GIFTIParser.h"
-#include "SurfacePairing.h"
+#include "Bytes/SurfacePairing.h"
+#include "GIFTI/GIFTIFile.h"
+#include "GIFTI/GIFTIParser.h"
 
 #include "vtkObjectFactory.h"
 

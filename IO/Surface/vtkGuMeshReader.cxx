@@ -1,6 +1,6 @@
 #include "vtkGuMeshReader.h"
 
-#include "GuMeshParser.h"
+#include "GuMesh/GuMeshParser.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,7 +1,7 @@
 #include "vtkPCDReader.h"
 
-#include "PCDHeader.h"
-#include "PCDParser.h"
+#include "PCD/PCDHeader.h"
+#include "PCD/PCDParser.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,7 +1,7 @@
 #include "vtkStanfordScansReader.h"
 
-#include "AlignedScans.h"
-#include "ScanFolder.h"
+#include "StanfordScans/AlignedScans.h"
+#include "StanfordScans/ScanFolder.h"
 
 #include "vtkObjectFactory.h"
 

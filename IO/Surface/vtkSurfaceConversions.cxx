@@ -1,6 +1,6 @@
 #include "vtkSurfaceConversions.h"
 
-#include "FileOutput.h"
+#include "Files/FileOutput.h"
 #include "PolygonTriangulation.h"
 
 #include "vtkCellArray.h"

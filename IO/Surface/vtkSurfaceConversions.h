@@ -2,7 +2,7 @@
 #ifndef vtkSurfaceConversions_h
 #define vtkSurfaceConversions_h
 
-#include "SurfaceData.h"
+#include "Bytes/SurfaceData.h"
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

@@ -1,8 +1,8 @@
 #include "vtkSurfaceFileReader.h"
 
-#include "ByteReader.h"
-#include "FilePiece.h"
-#include "SurfaceData.h"
+#include "Bytes/ByteReader.h"
+#include "Bytes/FilePiece.h"
+#include "Bytes/SurfaceData.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"

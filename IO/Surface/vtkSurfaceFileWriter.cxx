@@ -1,7 +1,7 @@
 #include "vtkSurfaceFileWriter.h"
 
-#include "ParseStatus.h"
-#include "SurfaceData.h"
+#include "Bytes/ParseStatus.h"
+#include "Bytes/SurfaceData.h"
 #include "vtkInputChecks.h"
 #include "vtkSurfaceConversions.h"
 

@@ -1,6 +1,6 @@
 #include "vtkTextCloudReader.h"
 
-#include "TextCloudParser.h"
+#include "TextCloud/TextCloudParser.h"
 
 #include "vtkObjectFactory.h"
 

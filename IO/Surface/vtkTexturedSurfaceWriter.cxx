@@ -1,6 +1,6 @@
 #include "vtkTexturedSurfaceWriter.h"
 
-#include "TexturedSurfaceBytes.h"
+#include "Textured/TexturedSurfaceBytes.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkCellArray.h"

@@ -2,7 +2,7 @@
 // process of its own, so that a crash is one line of the table.
 #include "../Cxx/ReaderCases.h"
 #include "../Cxx/ReaderCheck.h"
-#include "../Parsers/Mutations.h"
+#include "../Formats/Bytes/Mutations.h"
 
 #include "vtkErrorCode.h"
 #include "vtkOBJReader.h"

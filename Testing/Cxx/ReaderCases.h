@@ -2,14 +2,14 @@
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
-#include "../Parsers/AlignedScansSamples.h"
-#include "../Parsers/FreeSurferSamples.h"
-#include "../Parsers/GIFTISamples.h"
-#include "../Parsers/GuMeshSamples.h"
-#include "../Parsers/OFFSamples.h"
-#include "../Parsers/PCDSamples.h"
-#include "../Parsers/PLYSamples.h"
-#include "../Parsers/TextCloudSamples.h"
+#include "../Formats/FreeSurfer/FreeSurferSamples.h"
+#include "../Formats/GIFTI/GIFTISamples.h"
+#include "../Formats/GuMesh/GuMeshSamples.h"
+#include "../Formats/OFF/OFFSamples.h"
+#include "../Formats/PCD/PCDSamples.h"
+#include "../Formats/PLY/PLYSamples.h"
+#include "../Formats/StanfordScans/AlignedScansSamples.h"
+#include "../Formats/TextCloud/TextCloudSamples.h"
 
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"

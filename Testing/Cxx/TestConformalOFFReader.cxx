@@ -1,6 +1,6 @@
 #include "vtkConformalOFFReader.h"
 
-#include "../Parsers/OFFSamples.h"
+#include "../Formats/OFF/OFFSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

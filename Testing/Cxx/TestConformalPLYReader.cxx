@@ -1,7 +1,7 @@
 #include "vtkConformalPLYReader.h"
 
 #include "../CommaLocale.h"
-#include "../Parsers/PLYSamples.h"
+#include "../Formats/PLY/PLYSamples.h"
 #include "../TemporaryFolder.h"
 #include "FilterContract.h"
 

@@ -1,6 +1,6 @@
 #include "vtkFreeSurferReader.h"
 
-#include "../Parsers/FreeSurferSamples.h"
+#include "../Formats/FreeSurfer/FreeSurferSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

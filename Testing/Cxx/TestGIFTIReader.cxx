@@ -1,6 +1,6 @@
 #include "vtkGIFTIReader.h"
 
-#include "../Parsers/GIFTISamples.h"
+#include "../Formats/GIFTI/GIFTISamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

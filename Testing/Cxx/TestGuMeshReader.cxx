@@ -1,6 +1,6 @@
 #include "vtkGuMeshReader.h"
 
-#include "../Parsers/GuMeshSamples.h"
+#include "../Formats/GuMesh/GuMeshSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

@@ -1,6 +1,6 @@
 #include "vtkPCDReader.h"
 
-#include "../Parsers/PCDSamples.h"
+#include "../Formats/PCD/PCDSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

@@ -1,5 +1,5 @@
 // Broken files: none crashes a reader, hangs it, makes it want much memory, or passes for whole.
-#include "../Parsers/Mutations.h"
+#include "../Formats/Bytes/Mutations.h"
 #include "../TemporaryFolder.h"
 #include "ReaderCases.h"
 #include "ReaderCheck.h"

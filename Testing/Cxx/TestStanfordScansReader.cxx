@@ -1,6 +1,6 @@
 #include "vtkStanfordScansReader.h"
 
-#include "../Parsers/AlignedScansSamples.h"
+#include "../Formats/StanfordScans/AlignedScansSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

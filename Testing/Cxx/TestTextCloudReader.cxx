@@ -1,7 +1,7 @@
 #include "vtkTextCloudReader.h"
 
-#include "../Parsers/MadeBytes.h"
-#include "../Parsers/TextCloudSamples.h"
+#include "../Formats/Bytes/MadeBytes.h"
+#include "../Formats/TextCloud/TextCloudSamples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderContract.h"
 

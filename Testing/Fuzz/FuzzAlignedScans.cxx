@@ -1,4 +1,4 @@
-#include "AlignedScans.h"
+#include "StanfordScans/AlignedScans.h"
 
 #include "FuzzTarget.h"
 

@@ -1,4 +1,4 @@
-#include "FreeSurferParser.h"
+#include "FreeSurfer/FreeSurferParser.h"
 
 #include "FuzzTarget.h"
 

@@ -1,4 +1,4 @@
-#include "GIFTIParser.h"
+#include "GIFTI/GIFTIParser.h"
 
 #include "FuzzTarget.h"
 

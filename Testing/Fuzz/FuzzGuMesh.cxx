@@ -1,4 +1,4 @@
-#include "GuMeshParser.h"
+#include "GuMesh/GuMeshParser.h"
 
 #include "FuzzTarget.h"
 

@@ -1,4 +1,4 @@
-#include "OFFParser.h"
+#include "OFF/OFFParser.h"
 
 #include "FuzzTarget.h"
 

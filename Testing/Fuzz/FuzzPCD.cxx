@@ -1,4 +1,4 @@
-#include "PCDParser.h"
+#include "PCD/PCDParser.h"
 
 #include "FuzzTarget.h"
 

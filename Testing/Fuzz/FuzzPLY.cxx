@@ -1,4 +1,4 @@
-#include "PLYParser.h"
+#include "PLY/PLYParser.h"
 
 #include "FuzzTarget.h"
 

@@ -2,8 +2,8 @@
 #ifndef FuzzTarget_h
 #define FuzzTarget_h
 
-#include "ByteReader.h"
-#include "SurfaceData.h"
+#include "Bytes/ByteReader.h"
+#include "Bytes/SurfaceData.h"
 
 #include <cmath>
 #include <cstddef>

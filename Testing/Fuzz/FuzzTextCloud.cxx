@@ -1,4 +1,4 @@
-#include "TextCloudParser.h"
+#include "TextCloud/TextCloudParser.h"
 
 #include "FuzzTarget.h"
 

@@ -65,4 +65,4 @@ function (check_module folder core_folder document)
 endfunction ()
 
 check_module(Filters/Conformal Filters/Numerics Documentation/Filters.md)
-check_module(IO/Surface IO/Parsers Documentation/Readers.md)
+check_module(IO/Surface IO/Formats Documentation/Readers.md)

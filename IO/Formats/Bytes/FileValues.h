@@ -1,0 +1,190 @@
+/// The numbers in the body of a file, one after another, from bytes or from text.
+
+#ifndef ConformalFileValues_h
+#define ConformalFileValues_h
+
+#include "Bytes/ByteReader.h"
+#include "Bytes/NumberText.h"
+#include "Bytes/ParseLimits.h"
+#include "Bytes/ScalarType.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace conformal
+{
+/// Numbers as bytes, in this machine's order or the other.
+class BinaryValues
+{
+public:
+  BinaryValues(ByteReader& input, bool swap)
+    : Input(input)
+    , Swap(swap)
+  {
+  }
+
+  template <typename T>
+  T next()
+  {
+    const std::string_view bytes = this->Input.peek(sizeof(T));
+    if (bytes.size() < sizeof(T))
+    {
+      this->Input.fail(ParseCode::PrematureEnd, "the file ends inside a record");
+    }
+    char copy[sizeof(T)];
+    std::memcpy(copy, bytes.data(), sizeof(T));
+    if (this->Swap)
+    {
+      std::reverse(copy, copy + sizeof(T));
+    }
+    this->Input.advance(sizeof(T));
+    T value;
+    std::memcpy(&value, copy, sizeof(T));
+    return value;
+  }
+
+  void skip(ScalarType type, std::size_t count)
+  {
+    if (!this->Input.skip(count * sizeOf(type)))
+    {
+      this->Input.fail(ParseCode::PrematureEnd, "the file ends inside a record");
+    }
+  }
+
+  void endRecord() {}
+
+  /// The fewest bytes that a number and what parts it from the one before take.
+  static std::size_t leastBytes(ScalarType type) { return sizeOf(type); }
+
+private:
+  ByteReader& Input;
+  bool Swap;
+};
+
+/// Numbers as words between blanks. A record ends where a line ends; line ends within a record are
+/// blanks. From a hash to its line's end is a remark, if the format has such.
+class TextValues
+{
+public:
+  explicit TextValues(ByteReader& input, bool hasRemarks = false)
+    : Input(input)
+    , HasRemarks(hasRemarks)
+  {
+  }
+
+  template <typename T>
+  T next()
+  {
+    constexpr std::size_t longestNumber = 4096;
+    this->skipBlanks();
+    const std::string_view text = this->Input.peek(longestNumber + 1);
+    T value = T();
+    const std::size_t length = readNumber(text, value);
+    if (length == 0 || length > longestNumber) // a longer one may be cut off
+    {
+      this->failAtWord(
+        text, std::is_floating_point<T>::value ? "a number" : "an integer of the property's type");
+    }
+    this->Input.advance(length);
+    return value;
+  }
+
+  void skip(ScalarType type, std::size_t count)
+  {
+    withType(type,
+      [&](auto zero)
+      {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          this->next<decltype(zero)>();
+        }
+      });
+  }
+
+  void endRecord()
+  {
+    if (!this->isLineEnd())
+    {
+      this->failAtWord(this->Input.peek(1), "the end of the line");
+    }
+  }
+
+  /// Whether nothing but blanks and a remark is left of a line.
+  bool isLineEnd()
+  {
+    this->skipWhile([](char c) { return c == ' ' || c == '\t'; });
+    const std::string_view text = this->Input.peek(1);
+    return text.empty() || isBlank(text[0]) || this->isRemark(text);
+  }
+
+  /// @throws ParseError unless nothing but blanks and remarks is left
+  void endFile()
+  {
+    this->skipBlanks();
+    const std::string_view text = this->Input.peek(1);
+    if (!text.empty())
+    {
+      this->failAtWord(text, "the end of the file");
+    }
+  }
+
+  /// Go to the next word or the end.
+  void skipBlanks()
+  {
+    this->skipWhile(isBlank);
+    while (this->isRemark(this->Input.peek(1)))
+    {
+      this->skipWhile([](char c) { return c != '\n' && c != '\r'; });
+      this->skipWhile(isBlank);
+    }
+  }
+
+  static std::size_t leastBytes(ScalarType) { return 2; }
+
+private:
+  bool isRemark(std::string_view text) const
+  {
+    return this->HasRemarks && !text.empty() && text[0] == '#';
+  }
+
+  template <typename Predicate>
+  void skipWhile(Predicate isSkipped)
+  {
+    for (std::size_t skipped = 0;;)
+    {
+      const std::string_view window = this->Input.peek(1);
+      const std::size_t length =
+        std::find_if_not(window.begin(), window.end(), isSkipped) - window.begin();
+      skipped += length;
+      if (skipped > LongestLine)
+      {
+        this->Input.fail(ParseCode::Malformed, tooLongMessage("blanks or a remark"));
+      }
+      this->Input.advance(length);
+      if (length < window.size() || window.empty())
+      {
+        return;
+      }
+    }
+  }
+
+  [[noreturn]] void failAtWord(std::string_view text, const std::string& expected)
+  {
+    if (text.empty())
+    {
+      this->Input.fail(ParseCode::PrematureEnd, "the file ends, expected " + expected);
+    }
+    const std::string_view word(
+      text.data(), std::find_if(text.begin(), text.end(), isBlank) - text.begin());
+    this->Input.fail(ParseCode::Malformed, "found " + quoted(word) + ", expected " + expected);
+  }
+
+  ByteReader& Input;
+  const bool HasRemarks;
+};
+}
+
+#endif

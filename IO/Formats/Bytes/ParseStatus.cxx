@@ -1,0 +1,55 @@
+#include "Bytes/ParseStatus.h"
+
+#include <new>
+
+namespace conformal
+{
+//------------------------------------------------------------------------------
+std::string ParseStatus::text() const
+{
+  if (this->Line > 0)
+  {
+    return "line " + std::to_string(this->Line) + ": " + this->Message;
+  }
+  return "byte " + std::to_string(this->Offset) + ": " + this->Message;
+}
+
+//------------------------------------------------------------------------------
+void report(const ParseProgress& progress, double fraction)
+{
+  if (progress && !progress(fraction))
+  {
+    throw ParseError({ ParseCode::Aborted, 0, 0, "aborted" });
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string quoted(std::string_view text)
+{
+  constexpr std::size_t longest = 40;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest))
+  {
+    result += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+//------------------------------------------------------------------------------
+ParseStatus statusOf(const std::function<void()>& parse)
+{
+  try
+  {
+    parse();
+    return {};
+  }
+  catch (const ParseError& e)
+  {
+    return e.status();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return { ParseCode::OutOfMemory, 0, 0, "out of memory" };
+  }
+}
+}

@@ -1,0 +1,114 @@
+/// The numbers of records as named arrays, filled record by record or field by field.
+
+#ifndef ConformalRecords_h
+#define ConformalRecords_h
+
+#include "Bytes/NamedArray.h"
+#include "Bytes/ScalarType.h"
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace conformal
+{
+struct RecordField
+{
+  std::string Name;
+  ScalarType Type = ScalarType::Float32;
+  bool IsKept = true; ///< otherwise it has no array, and its bytes are passed over
+};
+
+/// Fields that belong together share an array (see parsePLY()), and so do neighbours of one type
+/// that have one name, or that are named NAME_0, NAME_1 and so on; every other one has its own. A
+/// record that is given up is overwritten by the next one.
+class Records
+{
+public:
+  /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
+  /// @throws std::invalid_argument if they should and are not there, one field each
+  Records(std::vector<RecordField> fields, bool hasPoints);
+
+  void resize(std::size_t numberOfRecords);
+
+  /// Read a field of a record from BinaryValues or TextValues.
+  template <typename Values>
+  void read(Values& values, std::size_t field, std::size_t record)
+  {
+    const ScalarType type = this->Fields[field].Type;
+    withType(type,
+      [&](auto zero)
+      {
+        const auto value = values.template next<decltype(zero)>();
+        NamedArray& array = this->Arrays[this->Slots[field].Array];
+        unsigned char* place = array.Values.data() + record * array.tupleBytes() +
+          this->Slots[field].Component * sizeOf(array.Type);
+        if (array.Type == type)
+        {
+          std::memcpy(place, &value, sizeof(value));
+        }
+        else
+        {
+          const double converted = static_cast<double>(value);
+          std::memcpy(place, &converted, sizeof(converted));
+        }
+      });
+  }
+
+  /// Whether packed records lie in a file as they lie in the arrays, but for the order of bytes.
+  bool canCopy() const { return !this->Runs.empty(); }
+
+  /// Copy packed binary records to the records from `first` on.
+  void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
+
+  /// Copy one field of records that lie `stride` bytes apart in a file.
+  void copyField(std::size_t field, const char* from, std::size_t stride,
+    std::size_t numberOfRecords, std::size_t first, bool swap);
+
+  void move(std::size_t from, std::size_t to);
+
+  /// Whether a record's point has finite coordinates.
+  bool isFinitePoint(std::size_t record) const;
+
+  std::vector<NamedArray>& arrays() { return this->Arrays; }
+
+private:
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  // Where a field goes.
+  struct Slot
+  {
+    std::size_t Array = None;
+    std::size_t Component = 0;
+  };
+
+  // Neighbouring bytes of a record that stay neighbours in a tuple.
+  struct Run
+  {
+    std::size_t Array;
+    std::size_t RecordOffset;
+    std::size_t TupleOffset;
+    std::size_t Bytes;
+  };
+
+  void collectNames();
+  std::vector<std::size_t> find(const std::vector<std::string>& names) const;
+  bool isTaken(const std::string& name) const { return this->Names.count(name) > 0; }
+  void addArray(const std::string& name, ScalarType type, const std::vector<std::size_t>& members);
+  void groupPoints();
+  void group(
+    const std::string& name, const std::vector<std::string>& names, bool (*fits)(ScalarType));
+  void groupNeighbours();
+  void findRuns();
+
+  std::vector<RecordField> Fields;
+  std::vector<Slot> Slots; ///< one for each field
+  std::vector<NamedArray> Arrays;
+  std::map<std::string, std::size_t> Names; ///< of fields and arrays: the one field that has it
+  std::vector<Run> Runs;
+  std::size_t RecordBytes = 0;
+};
+}
+
+#endif

@@ -1,0 +1,26 @@
+/// Files that belong to a surface: its sphere, and numbers at its points.
+
+#ifndef ConformalSurfacePairing_h
+#define ConformalSurfacePairing_h
+
+#include "Bytes/ByteReader.h"
+#include "Bytes/SurfaceData.h"
+
+#include <functional>
+#include <string>
+
+namespace conformal
+{
+/// Parses an opened file.
+using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
+
+/// Read the file of a sphere with the same polygons, whose points become the array
+/// "SpherePosition" (Float64, unit length) of the surface, in place of one that it has. Nothing is
+/// done if the name is empty or the surface was not read; a failure becomes the surface's.
+void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
+
+/// Read a file of point arrays and append them, of names of their own.
+void addPointArrays(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
+}
+
+#endif

@@ -1,0 +1,132 @@
+/// What the makers of bytes share: a surface's numbers one by one.
+
+#ifndef ConformalSurfaceWalk_h
+#define ConformalSurfaceWalk_h
+
+#include "Bytes/ByteOrder.h"
+#include "Bytes/SurfaceData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace conformal
+{
+/// The array of a name, type of number and number of components; null if there is none.
+template <typename Fits>
+const NamedArray* findArray(
+  const std::vector<NamedArray>& arrays, std::string_view name, std::size_t components, Fits fits)
+{
+  const auto found = std::find_if(arrays.begin(), arrays.end(),
+    [&](const NamedArray& array)
+    { return array.Name == name && array.Components == components && fits(array.Type); });
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+inline bool isByte(ScalarType type)
+{
+  return type == ScalarType::UInt8;
+}
+
+/// "RGBA" or else "RGB"; null if there is neither.
+inline const NamedArray* findColors(const std::vector<NamedArray>& arrays)
+{
+  const NamedArray* colors = findArray(arrays, "RGBA", 4, isByte);
+  return colors ? colors : findArray(arrays, "RGB", 3, isByte);
+}
+
+/// Number `index` of an array, counted through all tuples.
+inline double valueOf(const NamedArray& array, std::size_t index)
+{
+  return withType(array.Type,
+    [&](auto zero)
+    {
+      auto value = zero;
+      std::memcpy(&value, array.Values.data() + index * sizeof(value), sizeof(value));
+      return static_cast<double>(value);
+    });
+}
+
+/// "SpherePosition"; null if there is none.
+/// @throws std::invalid_argument if one of the positions has no direction
+inline const NamedArray* findSpherePositions(const SurfaceData& surface)
+{
+  const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
+  for (std::size_t i = 0; sphere && i < 3 * sphere->numberOfTuples(); i += 3)
+  {
+    const double length =
+      std::hypot(valueOf(*sphere, i), valueOf(*sphere, i + 1), valueOf(*sphere, i + 2));
+    if (!std::isfinite(length) || length == 0.0)
+    {
+      throw std::invalid_argument(
+        "\"SpherePosition\" of point " + std::to_string(i / 3) + " has no direction");
+    }
+  }
+  return sphere;
+}
+
+/// Append bytes of this machine's order in another.
+inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
+{
+  const char* const begin = static_cast<const char*>(value);
+  bytes.append(begin, size);
+  if (isBig == isLittleEndianMachine())
+  {
+    std::reverse(bytes.end() - static_cast<std::ptrdiff_t>(size), bytes.end());
+  }
+}
+
+template <typename T>
+void appendBytes(std::string& bytes, T value, bool isBig)
+{
+  appendBytes(bytes, &value, sizeof(value), isBig);
+}
+
+inline std::size_t numberOfPolygons(const SurfaceData& surface)
+{
+  return surface.PolygonOffsets.size() > 0 ? surface.PolygonOffsets.size() - 1 : 0;
+}
+
+/// Call use(index) for each point, then use of the polygons with their index, ids and number of
+/// ids.
+/// @throws ParseError if the caller says stop
+template <typename UsePoint, typename UsePolygon>
+void walk(const SurfaceData& surface, const ParseProgress& progress, UsePoint usePoint,
+  UsePolygon usePolygon)
+{
+  const std::size_t points = surface.Points.numberOfTuples();
+  const std::size_t polygons = numberOfPolygons(surface);
+  constexpr std::size_t step = 1 << 14;
+  for (std::size_t i = 0; i < points + polygons; ++i)
+  {
+    if (i % step == 0)
+    {
+      report(progress, static_cast<double>(i) / (points + polygons));
+    }
+    if (i < points)
+    {
+      usePoint(i);
+      continue;
+    }
+    const std::size_t polygon = i - points;
+    const std::int64_t begin = surface.PolygonOffsets[polygon];
+    usePolygon(polygon, surface.PolygonIds.data() + begin,
+      static_cast<std::size_t>(surface.PolygonOffsets[polygon + 1] - begin));
+  }
+}
+
+/// @throws std::invalid_argument if a polygon has more than 3 corners
+inline void requireTriangles(const SurfaceData& surface)
+{
+  if (surface.PolygonIds.size() != 3 * numberOfPolygons(surface))
+  {
+    throw std::invalid_argument("the surface has polygons that are no triangles");
+  }
+}
+}
+
+#endif

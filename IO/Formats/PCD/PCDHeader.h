@@ -1,0 +1,49 @@
+/// The text at the start of a PCD file.
+
+#ifndef ConformalPCDHeader_h
+#define ConformalPCDHeader_h
+
+#include "Bytes/ByteReader.h"
+#include "Bytes/ScalarType.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace conformal
+{
+enum class PCDFormat
+{
+  Ascii,
+  Binary,
+  BinaryCompressed
+};
+
+struct PCDField
+{
+  static constexpr std::string_view Padding = "_"; ///< the one name that fields may share
+  std::string Name;
+  ScalarType Type = ScalarType::Float32;
+  std::size_t Count = 1;
+
+  bool isPadding() const { return this->Name == Padding; }
+  std::size_t bytes() const { return this->Count * sizeOf(this->Type); }
+};
+
+struct PCDHeader
+{
+  PCDFormat Format = PCDFormat::Ascii;
+  std::vector<PCDField> Fields;
+  std::uint64_t NumberOfPoints = 0;
+};
+
+/// Whether bytes from the start of a file are those of a PCD file.
+bool looksLikePCD(std::string_view start);
+
+/// Read up to and with the line "DATA". The input is at the first byte of the data then.
+/// @throws ParseError
+PCDHeader readPCDHeader(ByteReader& input);
+}
+
+#endif

@@ -1,0 +1,274 @@
+#include "StanfordScans/AlignedScans.h"
+
+#include "Bytes/LineReader.h"
+#include "PLY/PLYParser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::size_t MostScans = 10000; // no honest list is near
+
+bool isMesh(std::string_view word)
+{
+  return word == "mesh" || word == "bmesh";
+}
+
+bool isInside(const std::string& name)
+{
+  const std::filesystem::path path = std::filesystem::u8path(name);
+  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+struct Motion
+{
+  std::array<double, 3> Translation = {};
+  std::array<double, 4> Quaternion = {}; // its scalar last
+};
+
+// Seven finite numbers; the quaternion has a direction.
+bool readMotion(LineWords& words, Motion& motion)
+{
+  bool isRight = true;
+  for (double* number :
+    { &motion.Translation[0], &motion.Translation[1], &motion.Translation[2], &motion.Quaternion[0],
+      &motion.Quaternion[1], &motion.Quaternion[2], &motion.Quaternion[3] })
+  {
+    isRight = isRight && words.next(*number) && std::isfinite(*number);
+  }
+  const auto& q = motion.Quaternion;
+  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  return isRight && words.next().empty() && std::isfinite(length) && length > 0.0;
+}
+
+// The 3 by 3 matrix of a quaternion, its inverse if asked.
+std::array<double, 9> rotationOf(const Motion& motion, bool isInverse)
+{
+  std::array<double, 4> q = motion.Quaternion;
+  const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  for (double& component : q)
+  {
+    component /= length;
+  }
+  const auto [x, y, z, scalar] = q;
+  const double w = isInverse ? -scalar : scalar;
+  return { 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+    1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+    1 - 2 * (x * x + y * y) };
+}
+
+void appendValues(NamedArray& array, const NamedArray& more)
+{
+  if (more.Values.size() > 0)
+  {
+    array.Values.extend(more.Values.size());
+    std::memcpy(array.Values.data() + array.Values.size() - more.Values.size(), more.Values.data(),
+      more.Values.size());
+  }
+}
+
+class AlignedScansReader
+{
+public:
+  AlignedScansReader(ByteReader& input, const OpenScan& open, const AlignedScansOptions& options,
+    const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+    : Input(input)
+    , Open(open)
+    , Options(options)
+    , Limits(limits)
+    , Progress(progress)
+    , Data(data)
+    , Lines(input)
+  {
+  }
+
+  void read()
+  {
+    this->Input.requireBytes();
+    this->Data.Points = makeArray("Points", ScalarType::Float64, 3);
+    while (this->Lines.next())
+    {
+      this->report();
+      LineWords words(this->Lines.text());
+      const std::string_view keyword = words.next();
+      if (isMesh(keyword))
+      {
+        this->readMesh(words);
+      }
+      else if (!startsRemark(keyword) && keyword != "camera")
+      {
+        this->Input.fail(this->Files.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
+          "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
+      }
+    }
+    if (this->Files.empty())
+    {
+      this->Input.fail(ParseCode::PrematureEnd, "the file names no scans");
+    }
+    for (NamedArray& array : this->Data.PointArrays)
+    {
+      array.Name += array.Name == this->ScanIds.Name ? "2" : ""; // one that the scans have
+    }
+    this->Data.PointArrays.push_back(std::move(this->ScanIds));
+  }
+
+private:
+  void readMesh(LineWords& words)
+  {
+    const std::string name(words.next());
+    Motion motion;
+    if (!readMotion(words, motion))
+    {
+      this->Lines.failExpecting("mesh NAME TX TY TZ QI QJ QK QL");
+    }
+    if (!this->Options.AllowExternalFiles && !isInside(name))
+    {
+      this->Lines.failExpecting("scans in the file's folder");
+    }
+    if (this->Files.size() == MostScans)
+    {
+      this->Lines.failExpecting("no more than " + std::to_string(MostScans) + " scans");
+    }
+    OpenedScan scan = this->Open(name);
+    SurfaceResult result;
+    result.Status = scan.Status;
+    if (result.Status.ok())
+    {
+      if (!this->Files.insert(scan.Identity).second)
+      {
+        this->Lines.failExpecting("each scan once; another line names the same file");
+      }
+      result = parsePLY(scan.Input, {}, this->Limits,
+        this->Progress ? [this](double) { return this->Progress(this->fraction()); }
+                       : ParseProgress());
+    }
+    if (!result.Status.ok())
+    {
+      this->Input.fail(
+        result.Status.Code, "in " + conformal::quoted(name) + ": " + result.Status.text());
+    }
+    this->append(result.Data, rotationOf(motion, !this->Options.InvertRotation), motion);
+  }
+
+  void append(SurfaceData& scan, const std::array<double, 9>& rotation, const Motion& motion)
+  {
+    const std::size_t count = scan.Points.numberOfTuples();
+    const auto scanId = static_cast<std::int32_t>(this->Files.size() - 1);
+    withType(scan.Points.Type,
+      [&](auto zero)
+      {
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          std::array<decltype(zero), 3> p;
+          std::memcpy(p.data(), scan.Points.Values.data() + i * sizeof(p), sizeof(p));
+          std::array<double, 3> moved;
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            moved[c] = motion.Translation[c];
+            for (std::size_t d = 0; d < 3; ++d)
+            {
+              moved[c] += rotation[3 * c + d] * static_cast<double>(p[d]);
+            }
+          }
+          if (!(std::isfinite(moved[0]) && std::isfinite(moved[1]) && std::isfinite(moved[2])))
+          {
+            this->Lines.failExpecting("a motion that leaves points finite");
+          }
+          conformal::append(this->Data.Points, moved.data());
+          conformal::append(this->ScanIds, &scanId);
+        }
+      });
+    this->appendArrays(scan.PointArrays, scanId == 0);
+    this->Data.DroppedPoints += scan.DroppedPoints;
+    this->Data.ReplacedValues += scan.ReplacedValues;
+  }
+
+  // Keeps what all scans have.
+  void appendArrays(std::vector<NamedArray>& more, bool isFirst)
+  {
+    auto& arrays = this->Data.PointArrays;
+    if (isFirst)
+    {
+      arrays = std::move(more);
+      return;
+    }
+    std::map<std::string_view, const NamedArray*> byName;
+    for (const NamedArray& array : more)
+    {
+      byName[array.Name] = &array;
+    }
+    const auto isMissing = [&](NamedArray& array)
+    {
+      const auto found = byName.find(array.Name);
+      const NamedArray* other = found == byName.end() ? nullptr : found->second;
+      if (!other || other->Type != array.Type || other->Components != array.Components)
+      {
+        return true;
+      }
+      appendValues(array, *other);
+      return false;
+    };
+    arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isMissing), arrays.end());
+  }
+
+  double fraction() const
+  {
+    return static_cast<double>(this->Input.offset()) / static_cast<double>(this->Input.size());
+  }
+
+  void report()
+  {
+    if (this->Progress && !this->Progress(this->fraction()))
+    {
+      this->Input.fail(ParseCode::Aborted, "aborted");
+    }
+  }
+
+  ByteReader& Input;
+  const OpenScan& Open;
+  const AlignedScansOptions& Options;
+  const ParseLimits& Limits;
+  const ParseProgress& Progress;
+  SurfaceData& Data;
+  LineReader Lines;
+  std::set<std::string> Files; ///< identities of the scans read
+  NamedArray ScanIds = makeArray("ScanId", ScalarType::Int32, 1);
+};
+}
+
+//------------------------------------------------------------------------------
+SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
+  const AlignedScansOptions& options, const ParseLimits& limits, const ParseProgress& progress)
+{
+  return parseSurface([&](SurfaceData& data)
+    { AlignedScansReader(input, open, options, limits, progress, data).read(); });
+}
+
+//------------------------------------------------------------------------------
+bool looksLikeAlignedScans(std::string_view start)
+{
+  ByteReader input(start);
+  LineReader lines(input);
+  while (lines.next())
+  {
+    LineWords words(lines.text());
+    const std::string_view keyword = words.next();
+    if (!startsRemark(keyword))
+    {
+      Motion motion;
+      const bool hasName = isMesh(keyword) && !words.next().empty();
+      return (keyword == "camera" || hasName) && readMotion(words, motion);
+    }
+  }
+  return false;
+}
+}

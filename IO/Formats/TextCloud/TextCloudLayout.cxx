@@ -1,0 +1,424 @@
+#include "TextCloud/TextCloudLayout.h"
+
+#include "Bytes/LineReader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::size_t MostSampleLines = 100;
+constexpr std::size_t MostColumns = 1000; // no honest table is near
+constexpr std::string_view Blanks = " \t\v\f";
+
+using Words = std::vector<std::string_view>;
+using Rows = std::vector<std::vector<double>>;
+
+std::string_view trimmed(std::string_view text, std::string_view ends)
+{
+  const std::size_t begin = std::min(text.find_first_not_of(ends), text.size());
+  return text.substr(begin, text.find_last_not_of(ends) + 1 - begin);
+}
+
+Words split(std::string_view line, char delimiter)
+{
+  Words words;
+  if (delimiter == ' ')
+  {
+    LineWords rest(line);
+    for (std::string_view word = rest.next(); !word.empty(); word = rest.next())
+    {
+      words.push_back(word);
+    }
+    return words;
+  }
+  line = trimmed(line, delimiter == '\t' ? " \v\f" : Blanks);
+  while (!line.empty()) // a delimiter at the end ends the last word
+  {
+    const std::size_t end = std::min(line.find(delimiter), line.size());
+    words.push_back(trimmed(line.substr(0, end), Blanks));
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return words;
+}
+
+std::string lowerCase(std::string_view text)
+{
+  std::string result(text);
+  for (char& c : result)
+  {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return result;
+}
+
+bool readWord(std::string_view word, bool decimalComma, double& value)
+{
+  std::string text(word);
+  if (decimalComma)
+  {
+    std::replace(text.begin(), text.end(), ',', '.');
+  }
+  return !text.empty() && readNumber(text, value) == text.size();
+}
+
+bool isWholeNumber(std::string_view line)
+{
+  return trimmed(line, Blanks).find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// The first lines of a text, sorted into names, count and rows of numbers.
+struct Sample
+{
+  std::vector<std::string> Remarks; // before the numbers
+  std::string Names;
+  std::size_t NamesLine = 0;
+  std::vector<std::string_view> Lines; // of numbers
+  std::size_t FirstLine = 0;
+  std::size_t FirstOffset = 0;
+};
+
+bool isPlainText(std::string_view line)
+{
+  return std::all_of(line.begin(), line.end(),
+    [](char c) { return static_cast<unsigned char>(c) >= ' ' || isBlank(c); });
+}
+
+Sample takeSample(std::string_view start, bool isWhole)
+{
+  Sample sample;
+  ByteReader input(start);
+  LineReader lines(input);
+  for (std::size_t number = 1; sample.Lines.size() < MostSampleLines && lines.next(); ++number)
+  {
+    const std::string_view line = lines.text();
+    const bool isCut =
+      !isWhole && line.data() + line.size() == start.data() + start.size() && number > 1;
+    if (isCut)
+    {
+      break;
+    }
+    if (!isPlainText(line))
+    {
+      throw NoTextCloud(number, "found " + quoted(line) + ", expected text");
+    }
+    if (isRemark(line))
+    {
+      if (sample.Lines.empty() && sample.Remarks.size() < MostSampleLines)
+      {
+        sample.Remarks.emplace_back(trimmed(line, "#/; \t\v\f"));
+      }
+    }
+    else if (sample.Lines.empty() && sample.Names.empty() && !startsWithNumber(line, ','))
+    {
+      sample.Names = trimmed(line, Blanks);
+      sample.NamesLine = number;
+    }
+    else
+    {
+      if (sample.Lines.empty())
+      {
+        sample.FirstLine = number;
+        sample.FirstOffset = line.data() - start.data();
+      }
+      sample.Lines.push_back(line);
+    }
+  }
+  return sample;
+}
+
+// What the name of a column stands for: a member of a known array, or nothing known.
+struct Role
+{
+  std::string_view Name;
+  std::size_t Component = 0;
+};
+
+Role roleOf(const std::string& name)
+{
+  static const std::pair<std::string_view, Role> roles[] = { { "x", { "Points", 0 } },
+    { "y", { "Points", 1 } }, { "z", { "Points", 2 } }, { "points:0", { "Points", 0 } },
+    { "points:1", { "Points", 1 } }, { "points:2", { "Points", 2 } },
+    { "points_0", { "Points", 0 } }, { "points_1", { "Points", 1 } },
+    { "points_2", { "Points", 2 } }, { "nx", { "Normals", 0 } }, { "ny", { "Normals", 1 } },
+    { "nz", { "Normals", 2 } }, { "normal_x", { "Normals", 0 } }, { "normal_y", { "Normals", 1 } },
+    { "normal_z", { "Normals", 2 } }, { "normals:0", { "Normals", 0 } },
+    { "normals:1", { "Normals", 1 } }, { "normals:2", { "Normals", 2 } }, { "r", { "RGB", 0 } },
+    { "g", { "RGB", 1 } }, { "b", { "RGB", 2 } }, { "red", { "RGB", 0 } },
+    { "green", { "RGB", 1 } }, { "blue", { "RGB", 2 } }, { "rgb:0", { "RGB", 0 } },
+    { "rgb:1", { "RGB", 1 } }, { "rgb:2", { "RGB", 2 } }, { "i", { "Intensity", 0 } },
+    { "intensity", { "Intensity", 0 } } };
+  for (const auto& [known, role] : roles)
+  {
+    if (name == known)
+    {
+      return role;
+    }
+  }
+  return {};
+}
+
+std::string columnName(std::size_t number)
+{
+  return "Column" + std::to_string(number);
+}
+
+// The first name that is there again; empty if there is none.
+std::string repeatedName(const std::vector<std::string>& names)
+{
+  std::set<std::string> seen;
+  const auto repeated = std::find_if(
+    names.begin(), names.end(), [&](const std::string& name) { return !seen.insert(name).second; });
+  return repeated == names.end() ? "" : *repeated;
+}
+
+// The names that a line gives to so many columns; empty if it does not, or if x, y, z are not
+// among them. A column without a name is called by its number.
+std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::size_t columns)
+{
+  for (const char separator : { delimiter == ' ' ? '\t' : delimiter, delimiter })
+  {
+    std::vector<std::string> names;
+    std::array<bool, 3> has = {};
+    for (const std::string_view word : split(line, separator))
+    {
+      names.emplace_back(trimmed(word, "\"' \t"));
+      if (names.back().empty())
+      {
+        names.back() = columnName(names.size());
+      }
+      const Role role = roleOf(lowerCase(names.back()));
+      if (role.Name == "Points")
+      {
+        has[role.Component] = true;
+      }
+    }
+    if (names.size() == columns && has[0] && has[1] && has[2])
+    {
+      return names;
+    }
+  }
+  return {};
+}
+
+bool areColors(const Rows& rows, std::size_t first)
+{
+  return std::all_of(rows.begin(), rows.end(),
+    [&](const std::vector<double>& row)
+    {
+      return std::all_of(row.begin() + first, row.begin() + first + 3,
+        [](double v) { return v >= 0.0 && v <= 255.0 && v == std::floor(v); });
+    });
+}
+
+bool areNormals(const Rows& rows, std::size_t first)
+{
+  constexpr double tolerance = 0.01; // of normals with three digits
+  return std::all_of(rows.begin(), rows.end(),
+    [&](const std::vector<double>& row)
+    {
+      const double length = std::hypot(row[first], row[first + 1], row[first + 2]);
+      return length == 0.0 || std::abs(length - 1.0) < tolerance;
+    });
+}
+
+std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)
+{
+  std::vector<std::string> names = { "x", "y", "z" };
+  const auto add = [&](std::initializer_list<const char*> more)
+  { names.insert(names.end(), more.begin(), more.end()); };
+  if (columns == 4)
+  {
+    add({ "Intensity" });
+  }
+  else if (columns == 6 && areNormals(rows, 3))
+  {
+    add({ "nx", "ny", "nz" });
+  }
+  else if (columns == 6 && areColors(rows, 3))
+  {
+    add({ "r", "g", "b" });
+  }
+  else if (columns == 7 && areColors(rows, 4))
+  {
+    add({ "Intensity", "r", "g", "b" });
+  }
+  else if (columns == 7 && areColors(rows, 3))
+  {
+    add({ "r", "g", "b", "Intensity" });
+  }
+  else if (columns == 9 && areColors(rows, 6) && areNormals(rows, 3))
+  {
+    add({ "nx", "ny", "nz", "r", "g", "b" });
+  }
+  else if (columns == 9 && areColors(rows, 3) && areNormals(rows, 6))
+  {
+    add({ "r", "g", "b", "nx", "ny", "nz" });
+  }
+  while (names.size() < columns)
+  {
+    names.push_back(columnName(names.size() + 1));
+  }
+  return names;
+}
+
+// Gives each column its place. Names that make a known array together do, all others keep theirs.
+void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextCloudLayout& layout)
+{
+  constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+  layout.Columns.assign(names.size(), { nowhere, 0 });
+  const auto group = [&](const char* array, ScalarType type, std::size_t components)
+  {
+    std::array<std::size_t, 3> members = { nowhere, nowhere, nowhere };
+    for (std::size_t i = names.size(); i-- > 0;) // of "x" and "X" the first counts
+    {
+      const Role role = roleOf(lowerCase(names[i]));
+      if (role.Name == array)
+      {
+        members[role.Component] = i;
+      }
+    }
+    const auto end = members.begin() + components;
+    if (std::find(members.begin(), end, nowhere) != end)
+    {
+      return;
+    }
+    const auto fits = [&](const std::vector<double>& row)
+    {
+      return std::all_of(members.begin(), end,
+        [&](std::size_t i)
+        { return row[i] >= 0.0 && row[i] <= 255.0 && row[i] == std::floor(row[i]); });
+    };
+    if (type == ScalarType::UInt8 && !std::all_of(rows.begin(), rows.end(), fits))
+    {
+      return;
+    }
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      layout.Columns[members[c]] = { layout.Arrays.size(), c };
+    }
+    layout.Arrays.push_back(makeArray(array, type, components));
+  };
+  group("Points", ScalarType::Float64, 3);
+  group("Normals", ScalarType::Float64, 3);
+  group("RGB", ScalarType::UInt8, 3);
+  group("Intensity", ScalarType::Float64, 1);
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (layout.Columns[i].Array == nowhere)
+    {
+      layout.Columns[i] = { layout.Arrays.size(), 0 };
+      layout.Arrays.push_back(makeArray(names[i], ScalarType::Float64, 1));
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool isRemark(std::string_view line)
+{
+  line = trimmed(line, Blanks);
+  return line.empty() || line[0] == '#' || line[0] == ';' || line.substr(0, 2) == "//";
+}
+
+//------------------------------------------------------------------------------
+bool startsWithNumber(std::string_view line, char delimiter)
+{
+  line = trimmed(line, Blanks);
+  double value = 0.0;
+  if (readNumber(line, value, delimiter) > 0)
+  {
+    return true;
+  }
+  const std::size_t sign = !line.empty() && (line[0] == '-' || line[0] == '+') ? 1 : 0;
+  return line.size() > sign && ((line[sign] >= '0' && line[sign] <= '9') || line[sign] == '.');
+}
+
+//------------------------------------------------------------------------------
+TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool decimalComma)
+{
+  Sample sample = takeSample(start, isWhole);
+  const auto refuse = [](std::size_t line, std::string_view text, const std::string& expected)
+  { throw NoTextCloud(line, "found " + quoted(text) + ", expected " + expected); };
+  TextCloudLayout layout;
+  if (sample.Lines.empty() && sample.NamesLine > 0)
+  {
+    refuse(sample.NamesLine, sample.Names, "points below names of columns, or x, y and z");
+  }
+  if (sample.Lines.empty())
+  {
+    throw NoTextCloud(1, "the text has no points");
+  }
+  layout.FirstOffset = sample.FirstOffset;
+  layout.HasCount = isWholeNumber(sample.Lines[0]);
+  if (layout.HasCount) // so may be other blocks
+  {
+    sample.Lines.erase(
+      std::remove_if(sample.Lines.begin(), sample.Lines.end(), isWholeNumber), sample.Lines.end());
+  }
+  // Without a point, those that follow would be three numbers.
+  const std::string_view line = sample.Lines.empty() ? "0 0 0" : sample.Lines[0];
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  layout.Delimiter = has(';') ? ';' : has(',') && !decimalComma ? ',' : ' ';
+  const std::size_t columns = split(line, layout.Delimiter).size();
+  if (columns < 3 || columns > MostColumns)
+  {
+    refuse(sample.FirstLine, line, "3 to " + std::to_string(MostColumns) + " numbers of a point");
+  }
+
+  Rows rows;
+  double bytes = 0.0;
+  for (const std::string_view text : sample.Lines)
+  {
+    bytes += static_cast<double>(text.size() + 1) / static_cast<double>(sample.Lines.size());
+    std::vector<double> row;
+    for (const std::string_view word : split(text, layout.Delimiter))
+    {
+      double value = 0.0;
+      if (!readWord(word, decimalComma, value))
+      {
+        break;
+      }
+      row.push_back(value);
+    }
+    if (row.size() == columns)
+    {
+      rows.push_back(std::move(row));
+    }
+  }
+  layout.AllLinesFit = !rows.empty() && rows.size() == sample.Lines.size();
+  layout.MeanLineBytes = std::max(6.0, bytes); // "0 0 0" and a line end
+
+  std::vector<std::string> names;
+  if (sample.NamesLine > 0)
+  {
+    layout.HasNames = true;
+    names = namesFrom(sample.Names, layout.Delimiter, columns);
+    if (names.empty())
+    {
+      refuse(sample.NamesLine, sample.Names,
+        "numbers, or names of the " + std::to_string(columns) + " columns with x, y and z");
+    }
+    const std::string repeated = repeatedName(names);
+    if (!repeated.empty())
+    {
+      throw NoTextCloud(
+        sample.NamesLine, "found two columns " + quoted(repeated) + ", expected each name once");
+    }
+  }
+  else
+  {
+    for (const std::string& remark : sample.Remarks)
+    {
+      names = names.empty() ? namesFrom(remark, layout.Delimiter, columns) : names;
+      names = repeatedName(names).empty() ? names : std::vector<std::string>();
+    }
+  }
+  placeColumns(names.empty() ? namesByValues(rows, columns) : names, rows, layout);
+  return layout;
+}
+}

@@ -1,0 +1,289 @@
+#include "TextCloud/TextCloudParser.h"
+
+#include "Bytes/LineReader.h"
+#include "Bytes/ProgressReport.h"
+#include "TextCloud/TextCloudLayout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::size_t SampleBytes = std::size_t(4) << 20; // a hundred lines, even of long ones
+constexpr std::size_t MostReservedBytes = std::size_t(64)
+  << 20; // for lines that are only estimated
+
+class TextCloudReader
+{
+public:
+  TextCloudReader(ByteReader& input, const TextCloudOptions& options, const ParseLimits& limits,
+    const ParseProgress& progress, SurfaceData& data)
+    : Input(input)
+    , Options(options)
+    , Limits(limits)
+    , Data(data)
+    , Lines(input)
+    , Progress(input, progress)
+  {
+  }
+
+  void read()
+  {
+    this->findLayout();
+    const bool hasStart = this->Options.Piece.isFirst();
+    bool isCountNext = this->Layout.HasCount;
+    bool isNamesNext = this->Layout.HasNames && hasStart;
+    if (!hasStart)
+    {
+      this->goToLineFrom(this->Begin);
+    }
+    while (this->Lines.next() && this->Input.offset() < this->End)
+    {
+      const std::string_view line = this->Lines.text();
+      this->Progress.tick();
+      if (this->readPoint(line))
+      {
+        this->append();
+      }
+      else if (isRemark(line))
+      {
+        continue;
+      }
+      else if (isNamesNext && !startsWithNumber(line, ','))
+      {
+        isNamesNext = false;
+      }
+      else if (this->Layout.HasCount && (isCountNext || this->PointsToCome == 0))
+      {
+        this->readCount(line);
+        isCountNext = false;
+      }
+      else
+      {
+        this->refuseLine(line);
+      }
+    }
+    if (this->Layout.HasCount && this->PointsToCome > 0)
+    {
+      this->Input.fail(ParseCode::PrematureEnd,
+        "the file ends, expected " + std::to_string(this->PointsToCome) + " points more");
+    }
+    this->Data.Points = std::move(this->Layout.Arrays.front());
+    this->Layout.Arrays.erase(this->Layout.Arrays.begin());
+    this->Data.PointArrays = std::move(this->Layout.Arrays);
+  }
+
+private:
+  void findLayout()
+  {
+    this->Input.requireBytes();
+    const std::string_view start = this->Input.peek(SampleBytes);
+    const std::uint64_t first = this->Input.offset();
+    try
+    {
+      this->Layout =
+        findTextCloudLayout(start, start.size() == this->Input.left(), this->Options.DecimalComma);
+    }
+    catch (const NoTextCloud& e)
+    {
+      throw ParseError({ ParseCode::UnrecognizedType, e.Line, 0, e.what() });
+    }
+    this->Row.resize(this->Layout.Columns.size());
+    this->findPiece(first + this->Layout.FirstOffset);
+    const double lines =
+      1.02 * static_cast<double>(this->End - this->Begin) / this->Layout.MeanLineBytes;
+    std::size_t rowBytes = 1;
+    for (const NamedArray& array : this->Layout.Arrays)
+    {
+      rowBytes += array.tupleBytes();
+    }
+    const std::size_t rows =
+      std::min(static_cast<std::size_t>(lines + 1.0), MostReservedBytes / rowBytes);
+    for (NamedArray& array : this->Layout.Arrays)
+    {
+      array.Values.reserve(rows * array.tupleBytes());
+    }
+  }
+
+  // The bytes in which the lines of this piece begin.
+  void findPiece(std::uint64_t firstPoint)
+  {
+    const FilePiece& piece = this->Options.Piece;
+    const std::uint64_t size = this->Input.size();
+    if (this->Layout.HasCount)
+    {
+      this->Begin = piece.isFirst() ? firstPoint : size;
+      this->End = size;
+      return;
+    }
+    this->Begin = firstPoint + piece.begin(size - firstPoint);
+    this->End = firstPoint + piece.end(size - firstPoint);
+  }
+
+  // Go to the first line that begins there or later. A line end may lie across that place.
+  void goToLineFrom(std::uint64_t offset)
+  {
+    this->Input.beginBinary();
+    if (offset > this->Input.offset())
+    {
+      this->Input.skip(offset - 1 - this->Input.offset());
+      this->Lines.next();
+      this->Lines.finish();
+    }
+  }
+
+  // Reads a line into Row; false if it is no point.
+  bool readPoint(std::string_view line)
+  {
+    if (this->Options.DecimalComma)
+    {
+      this->Text = line;
+      std::replace(this->Text.begin(), this->Text.end(), ',', '.');
+      line = this->Text;
+    }
+    const char delimiter = this->Layout.Delimiter;
+    const char* c = line.data();
+    const char* const end = c + line.size();
+    const auto skipBlanks = [&]()
+    {
+      while (c != end && isBlank(*c))
+      {
+        ++c;
+      }
+    };
+    bool isFirst = true;
+    for (double& value : this->Row)
+    {
+      skipBlanks();
+      if (delimiter != ' ' && !isFirst)
+      {
+        if (c == end || *c != delimiter)
+        {
+          return false;
+        }
+        ++c;
+        skipBlanks();
+      }
+      const std::size_t length =
+        readNumber({ c, static_cast<std::size_t>(end - c) }, value, delimiter);
+      if (length == 0)
+      {
+        return false;
+      }
+      c += length;
+      isFirst = false;
+    }
+    skipBlanks();
+    if (delimiter != ' ' && c != end && *c == delimiter) // one after the last word
+    {
+      ++c;
+      skipBlanks();
+    }
+    return c == end;
+  }
+
+  void append()
+  {
+    if (this->Layout.HasCount && this->PointsToCome-- == 0)
+    {
+      this->Input.fail(
+        ParseCode::Malformed, "found one more point than the count before the points says");
+    }
+    bool isFinite = true;
+    for (std::size_t i = 0; i < this->Row.size(); ++i)
+    {
+      isFinite = isFinite && (this->Layout.Columns[i].Array > 0 || std::isfinite(this->Row[i]));
+    }
+    if (!isFinite)
+    {
+      ++this->Data.DroppedPoints;
+      return;
+    }
+    for (NamedArray& array : this->Layout.Arrays)
+    {
+      array.Values.extend(array.tupleBytes());
+    }
+    for (std::size_t i = 0; i < this->Row.size(); ++i)
+    {
+      const TextCloudLayout::Column column = this->Layout.Columns[i];
+      NamedArray& array = this->Layout.Arrays[column.Array];
+      unsigned char* tuple = array.Values.data() + array.Values.size() - array.tupleBytes();
+      if (array.Type == ScalarType::Float64)
+      {
+        std::memcpy(tuple + column.Component * sizeof(double), &this->Row[i], sizeof(double));
+        continue;
+      }
+      if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0))
+      {
+        this->Lines.failExpecting("colours in 0..255 as in the lines before");
+      }
+      tuple[column.Component] = static_cast<unsigned char>(this->Row[i]);
+    }
+  }
+
+  void readCount(std::string_view line)
+  {
+    LineWords words(line);
+    std::uint64_t count = 0;
+    if (!words.next(count) || !words.next().empty())
+    {
+      this->Lines.failExpecting("the number of points that follow");
+    }
+    constexpr std::size_t leastBytes = 5; // "0 0 0" at the end of a file
+    this->PointsToCome =
+      this->Limits.checkedCount(this->Input, "points", count, leastBytes, 3 * sizeof(double));
+  }
+
+  void refuseLine(std::string_view line)
+  {
+    if (this->Options.SkipMalformedLines)
+    {
+      ++this->Data.SkippedLines;
+      return;
+    }
+    const bool mayBeDecimal =
+      !this->Options.DecimalComma && line.find(',') != std::string_view::npos;
+    this->Lines.failExpecting(std::to_string(this->Row.size()) + " numbers" +
+      (mayBeDecimal ? "; if the commas are decimal marks, set DecimalComma" : ""));
+  }
+
+  ByteReader& Input;
+  const TextCloudOptions& Options;
+  const ParseLimits& Limits;
+  SurfaceData& Data;
+  LineReader Lines;
+  ProgressReport Progress;
+  TextCloudLayout Layout;
+  std::vector<double> Row;
+  std::string Text;
+  std::uint64_t PointsToCome = 0;
+  std::uint64_t Begin = 0, End = 0; ///< of the piece
+};
+}
+
+//------------------------------------------------------------------------------
+SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options,
+  const ParseLimits& limits, const ParseProgress& progress)
+{
+  return parseSurface(
+    [&](SurfaceData& data) { TextCloudReader(input, options, limits, progress, data).read(); });
+}
+
+//------------------------------------------------------------------------------
+bool looksLikeTextCloud(std::string_view start)
+{
+  try
+  {
+    return findTextCloudLayout(start, false, false).AllLinesFit;
+  }
+  catch (const NoTextCloud&)
+  {
+    return false;
+  }
+}
+}

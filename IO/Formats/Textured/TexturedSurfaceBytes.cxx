@@ -1,0 +1,305 @@
+#include "Textured/TexturedSurfaceBytes.h"
+
+#include "Bytes/NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+// Numbers of the glTF 2.0 specification.
+constexpr int Float = 5126;
+constexpr int UnsignedInt = 5125;
+constexpr int ArrayBuffer = 34962;
+constexpr int ElementArrayBuffer = 34963;
+constexpr int ClampToEdge = 33071;
+constexpr int Repeat = 10497;
+constexpr std::uint32_t Magic = 0x46546C67;     // "glTF"
+constexpr std::uint32_t JSONChunk = 0x4E4F534A; // "JSON"
+constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
+
+// Calls body for all i below count; reports now and then, from begin to end of the whole.
+template <typename Body>
+void forEach(std::size_t count, const ParseProgress& progress, double begin, double end, Body body)
+{
+  constexpr std::size_t chunk = 100000;
+  for (std::size_t first = 0; first < count; first += chunk)
+  {
+    report(progress, begin + (end - begin) * static_cast<double>(first) / count);
+    const std::size_t last = std::min(count, first + chunk);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      body(i);
+    }
+  }
+}
+
+void appendUint32(std::string& bytes, std::uint32_t value)
+{
+  for (int shift = 0; shift < 32; shift += 8)
+  {
+    bytes += static_cast<char>((value >> shift) & 0xFF);
+  }
+}
+
+void appendDouble(std::string& bytes, double value)
+{
+  static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8, "PLY's doubles");
+  std::uint64_t bits = 0;
+  std::copy_n(reinterpret_cast<const char*>(&value), 8, reinterpret_cast<char*>(&bits));
+  appendUint32(bytes, static_cast<std::uint32_t>(bits));
+  appendUint32(bytes, static_cast<std::uint32_t>(bits >> 32));
+}
+
+void appendFloat(std::string& bytes, float value)
+{
+  static_assert(std::numeric_limits<float>::is_iec559 && sizeof(float) == 4, "glTF's floats");
+  std::uint32_t bits = 0;
+  std::copy_n(reinterpret_cast<const char*>(&value), 4, reinterpret_cast<char*>(&bits));
+  appendUint32(bytes, bits);
+}
+
+void pad(std::string& bytes, char filler)
+{
+  bytes.append((4 - bytes.size() % 4) % 4, filler);
+}
+
+// The lists of a glTF document, while the buffer is filled.
+class GLBBuilder
+{
+public:
+  std::string Bytes;
+
+  // A view on the bytes from `begin` on; returns its number.
+  int addView(std::size_t begin, int target)
+  {
+    this->separate(this->Views);
+    this->Views += "{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) +
+      ",\"byteLength\":" + std::to_string(this->Bytes.size() - begin);
+    this->Views += target ? ",\"target\":" + std::to_string(target) + "}" : "}";
+    pad(this->Bytes, '\0');
+    return this->NumberOfViews++;
+  }
+
+  int addAccessor(int view, int componentType, const char* type, std::size_t count,
+    const std::string& bounds = "")
+  {
+    this->separate(this->Accessors);
+    this->Accessors += "{\"bufferView\":" + std::to_string(view) +
+      ",\"componentType\":" + std::to_string(componentType) +
+      ",\"count\":" + std::to_string(count) + ",\"type\":\"" + type + "\"" + bounds + "}";
+    return this->NumberOfAccessors++;
+  }
+
+  std::string file(const std::string& attributes, int indices, int image, bool repeatsTexture) const
+  {
+    const std::string wrap = std::to_string(repeatsTexture ? Repeat : ClampToEdge);
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\"},"
+                       "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+                       "\"meshes\":[{\"primitives\":[{\"attributes\":{" +
+      attributes + "},\"indices\":" + std::to_string(indices) +
+      ",\"material\":0}]}],"
+      "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0},"
+      "\"metallicFactor\":0},\"doubleSided\":true}],"
+      "\"textures\":[{\"sampler\":0,\"source\":0}],"
+      "\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" +
+      wrap + ",\"wrapT\":" + wrap + "}],\"images\":[{\"bufferView\":" + std::to_string(image) +
+      ",\"mimeType\":\"image/png\"}],\"accessors\":[" + this->Accessors + "],\"bufferViews\":[" +
+      this->Views + "],\"buffers\":[{\"byteLength\":" + std::to_string(this->Bytes.size()) + "}]}";
+    pad(json, ' ');
+    const std::uint64_t size = 12 + 8 + json.size() + 8 + this->Bytes.size();
+    if (size > std::numeric_limits<std::uint32_t>::max())
+    {
+      throw std::length_error("a GLB file holds at most 4 GiB");
+    }
+    std::string result;
+    result.reserve(size);
+    appendUint32(result, Magic);
+    appendUint32(result, 2);
+    appendUint32(result, static_cast<std::uint32_t>(size));
+    appendUint32(result, static_cast<std::uint32_t>(json.size()));
+    appendUint32(result, JSONChunk);
+    result += json;
+    appendUint32(result, static_cast<std::uint32_t>(this->Bytes.size()));
+    appendUint32(result, BINChunk);
+    result += this->Bytes;
+    return result;
+  }
+
+private:
+  static void separate(std::string& list) { list += list.empty() ? "" : ","; }
+
+  std::string Views;
+  std::string Accessors;
+  int NumberOfViews = 0;
+  int NumberOfAccessors = 0;
+};
+
+// Smallest and largest position, as the floats that the file holds.
+std::string boundsOf(const std::vector<double>& positions)
+{
+  std::array<float, 3> low;
+  std::array<float, 3> high;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    low[c] = high[c] = static_cast<float>(positions[c]);
+  }
+  for (std::size_t i = 3; i < positions.size(); ++i)
+  {
+    const float value = static_cast<float>(positions[i]);
+    low[i % 3] = std::min(low[i % 3], value);
+    high[i % 3] = std::max(high[i % 3], value);
+  }
+  std::string text;
+  const auto append = [&](const char* name, const std::array<float, 3>& corner)
+  {
+    text += name;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      text += c > 0 ? "," : "";
+      appendNumber(text, static_cast<double>(corner[c])); // readers compare as doubles
+    }
+    text += "]";
+  };
+  append(",\"min\":[", low);
+  append(",\"max\":[", high);
+  return text;
+}
+
+template <typename T>
+void appendLine(std::string& text, const char* keyword, const T* values, std::size_t count)
+{
+  text += keyword;
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    text += ' ';
+    appendNumber(text, values[c]);
+  }
+  text += '\n';
+}
+}
+
+//------------------------------------------------------------------------------
+std::string makeGLB(
+  const TexturedSurface& surface, std::string_view png, const ParseProgress& progress)
+{
+  const std::size_t count = surface.Positions.size() / 3;
+  const bool hasNormals = !surface.Normals.empty();
+  GLBBuilder builder;
+  std::string& bytes = builder.Bytes;
+  bytes.reserve(count * (hasNormals ? 32 : 20) + surface.Corners.size() * 4 + png.size() + 3);
+  const auto appendFloats = [&](const std::vector<float>& values, double begin, double end)
+  {
+    forEach(
+      values.size(), progress, begin, end, [&](std::size_t i) { appendFloat(bytes, values[i]); });
+  };
+
+  forEach(surface.Positions.size(), progress, 0.0, 0.3,
+    [&](std::size_t i) { appendFloat(bytes, static_cast<float>(surface.Positions[i])); });
+  const int positions = builder.addAccessor(
+    builder.addView(0, ArrayBuffer), Float, "VEC3", count, boundsOf(surface.Positions));
+  std::string attributes = "\"POSITION\":" + std::to_string(positions);
+  if (hasNormals)
+  {
+    const std::size_t begin = bytes.size();
+    appendFloats(surface.Normals, 0.3, 0.5);
+    const int normals =
+      builder.addAccessor(builder.addView(begin, ArrayBuffer), Float, "VEC3", count);
+    attributes += ",\"NORMAL\":" + std::to_string(normals);
+  }
+  const std::size_t texCoordsBegin = bytes.size();
+  forEach(surface.TexCoords.size(), progress, 0.5, 0.7,
+    [&](std::size_t i)
+    {
+      const float value = surface.TexCoords[i];
+      appendFloat(bytes, i % 2 == 1 ? 1.0F - value : value);
+    });
+  const int texCoords =
+    builder.addAccessor(builder.addView(texCoordsBegin, ArrayBuffer), Float, "VEC2", count);
+  attributes += ",\"TEXCOORD_0\":" + std::to_string(texCoords);
+
+  const std::size_t cornersBegin = bytes.size();
+  forEach(surface.Corners.size(), progress, 0.7, 0.9,
+    [&](std::size_t i) { appendUint32(bytes, surface.Corners[i]); });
+  const int corners = builder.addAccessor(builder.addView(cornersBegin, ElementArrayBuffer),
+    UnsignedInt, "SCALAR", surface.Corners.size());
+
+  const std::size_t imageBegin = bytes.size();
+  bytes += png;
+  const int image = builder.addView(imageBegin, 0);
+  report(progress, 1.0);
+  return builder.file(attributes, corners, image, surface.RepeatsTexture);
+}
+
+//------------------------------------------------------------------------------
+std::string makeOBJ(
+  const TexturedSurface& surface, const std::string& materialFile, const ParseProgress& progress)
+{
+  const std::size_t count = surface.Positions.size() / 3;
+  const bool hasNormals = !surface.Normals.empty();
+  std::string text = "mtllib " + materialFile + "\nusemtl surface\n";
+  forEach(count, progress, 0.0, 0.3,
+    [&](std::size_t i) { appendLine(text, "v", &surface.Positions[3 * i], 3); });
+  forEach(count, progress, 0.3, 0.5,
+    [&](std::size_t i) { appendLine(text, "vt", &surface.TexCoords[2 * i], 2); });
+  if (hasNormals)
+  {
+    forEach(count, progress, 0.5, 0.7,
+      [&](std::size_t i) { appendLine(text, "vn", &surface.Normals[3 * i], 3); });
+  }
+  forEach(surface.Corners.size(), progress, 0.7, 1.0,
+    [&](std::size_t i)
+    {
+      const std::string id = std::to_string(surface.Corners[i] + std::uint64_t(1));
+      text += i % 3 == 0 ? "f " : " ";
+      text += id + "/" + id + (hasNormals ? "/" + id : "") + (i % 3 == 2 ? "\n" : "");
+    });
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string makeMTL(const std::string& textureFile)
+{
+  return "newmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " + textureFile + "\n";
+}
+
+//------------------------------------------------------------------------------
+std::string makePLY(
+  const TexturedSurface& surface, const std::string& textureFile, const ParseProgress& progress)
+{
+  const std::size_t count = surface.Positions.size() / 3;
+  const std::size_t triangles = surface.Corners.size() / 3;
+  if (count > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    throw std::length_error("a PLY file of 32-bit ids holds at most 2^31 points");
+  }
+  const bool hasNormals = !surface.Normals.empty();
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment TextureFile " + textureFile +
+    "\nelement vertex " + std::to_string(count) +
+    "\nproperty double x\nproperty double y\nproperty double z\n" +
+    (hasNormals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
+    "property float texture_u\nproperty float texture_v\nelement face " +
+    std::to_string(triangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  bytes.reserve(bytes.size() + count * (hasNormals ? 44 : 32) + triangles * 13);
+  forEach(count, progress, 0.0, 0.6,
+    [&](std::size_t i)
+    {
+      std::for_each_n(&surface.Positions[3 * i], 3, [&](double v) { appendDouble(bytes, v); });
+      std::for_each_n(surface.Normals.data() + (hasNormals ? 3 * i : 0), hasNormals ? 3 : 0,
+        [&](float v) { appendFloat(bytes, v); });
+      std::for_each_n(&surface.TexCoords[2 * i], 2, [&](float v) { appendFloat(bytes, v); });
+    });
+  forEach(triangles, progress, 0.6, 1.0,
+    [&](std::size_t i)
+    {
+      bytes += static_cast<char>(3);
+      std::for_each_n(
+        &surface.Corners[3 * i], 3, [&](std::uint32_t id) { appendUint32(bytes, id); });
+    });
+  return bytes;
+}
+}

@@ -1,0 +1,48 @@
+/// Textured surfaces as files of bytes: binary glTF 2.0, Wavefront OBJ and PLY.
+
+#ifndef ConformalTexturedSurfaceBytes_h
+#define ConformalTexturedSurfaceBytes_h
+
+#include "Bytes/ParseStatus.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace conformal
+{
+/// Triangles with a picture on them, all numbers finite.
+struct TexturedSurface
+{
+  std::vector<double> Positions;      ///< #P by 3
+  std::vector<float> Normals;         ///< #P by 3 of unit length, or empty
+  std::vector<float> TexCoords;       ///< #P by 2, v counted from the picture's bottom
+  std::vector<std::uint32_t> Corners; ///< #F by 3 point ids, counter-clockwise from outside
+  bool RepeatsTexture = false; ///< beyond [0, 1] the picture comes again, instead of its border
+};
+
+/// A binary glTF 2.0 file with the picture inside. Positions become floats, as glTF has no
+/// other, and v is counted from the top there.
+/// @throws std::length_error if the file would pass the 4 GiB of the format
+/// @throws ParseError with Aborted if the progress callback says stop
+std::string makeGLB(
+  const TexturedSurface& surface, std::string_view png, const ParseProgress& progress = {});
+
+/// The text of an OBJ file that refers to a material "surface" of the material file.
+/// @throws ParseError with Aborted if the progress callback says stop
+std::string makeOBJ(const TexturedSurface& surface, const std::string& materialFile,
+  const ParseProgress& progress = {});
+
+/// The text of a material file whose material "surface" is the texture.
+std::string makeMTL(const std::string& textureFile);
+
+/// A binary PLY file with the texture coordinates at the vertices, as "texture_u" and "texture_v"
+/// with v upwards, that names the picture in a comment "TextureFile". Positions are doubles.
+/// @throws std::length_error if there are more points than a signed 32-bit id counts
+/// @throws ParseError with Aborted if the progress callback says stop
+std::string makePLY(const TexturedSurface& surface, const std::string& textureFile,
+  const ParseProgress& progress = {});
+}
+
+#endif

@@ -1,0 +1,124 @@
+#include "Textured/TexturedSurfaceBytes.h"
+
+#include "../../CommaLocale.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace
+{
+conformal::TexturedSurface triangle()
+{
+  conformal::TexturedSurface surface;
+  surface.Positions = { 0, 0, 0, 1.5, 0, 0, 0, 0.1, -2 };
+  surface.TexCoords = { 0, 0, 1, 0.25F, 0.5F, 1 };
+  surface.Corners = { 0, 1, 2 };
+  return surface;
+}
+
+std::uint32_t uint32At(const std::string& bytes, std::size_t offset)
+{
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    value |= std::uint32_t(static_cast<unsigned char>(bytes.at(offset + i))) << 8 * i;
+  }
+  return value;
+}
+
+float floatAt(const std::string& bytes, std::size_t offset)
+{
+  const std::uint32_t bits = uint32At(bytes, offset);
+  float value;
+  std::memcpy(&value, &bits, 4);
+  return value;
+}
+}
+
+TEST(TexturedSurfaceBytes, GLBHasTheLayoutOfTheSpecification)
+{
+  const CommaLocale locale;
+  const std::string png = "12345"; // not a multiple of four
+  const std::string glb = conformal::makeGLB(triangle(), png);
+  EXPECT_EQ(glb.substr(0, 4), "glTF");
+  EXPECT_EQ(uint32At(glb, 4), 2u);
+  EXPECT_EQ(uint32At(glb, 8), glb.size());
+  const std::uint32_t jsonSize = uint32At(glb, 12);
+  EXPECT_EQ(jsonSize % 4, 0u);
+  EXPECT_EQ(glb.substr(16, 4), "JSON");
+  const std::string json = glb.substr(20, jsonSize);
+  EXPECT_EQ(json.front(), '{');
+  EXPECT_EQ(json[json.find_last_not_of(' ')], '}');
+  // Shortest texts of the floats' exact values, as doubles.
+  EXPECT_NE(json.find("\"min\":[0,0,-2],\"max\":[1.5,0.10000000149011612,0]"), std::string::npos);
+  EXPECT_EQ(json.find("NORMAL"), std::string::npos);
+
+  const std::size_t bin = 20 + jsonSize;
+  EXPECT_EQ(uint32At(glb, bin), glb.size() - bin - 8);
+  EXPECT_EQ(glb.substr(bin + 4, 4), std::string("BIN\0", 4));
+  const std::size_t data = bin + 8;
+  EXPECT_EQ(data % 4, 0u);
+  EXPECT_EQ(floatAt(glb, data + 12), 1.5F);
+  EXPECT_EQ(floatAt(glb, data + 36 + 4), 1.0F);     // v of the first point, from the top
+  EXPECT_EQ(floatAt(glb, data + 36 + 12), 0.75F);   // and of the second
+  EXPECT_EQ(uint32At(glb, data + 36 + 24 + 8), 2u); // the last corner
+  EXPECT_EQ(glb.substr(data + 72), std::string("12345\0\0\0", 8));
+}
+
+TEST(TexturedSurfaceBytes, OBJCountsFromOneAndRefersToItsMaterial)
+{
+  conformal::TexturedSurface surface = triangle();
+  const CommaLocale locale;
+  EXPECT_EQ(conformal::makeOBJ(surface, "a.mtl"),
+    "mtllib a.mtl\nusemtl surface\n"
+    "v 0 0 0\nv 1.5 0 0\nv 0 0.1 -2\n"
+    "vt 0 0\nvt 1 0.25\nvt 0.5 1\n"
+    "f 1/1 2/2 3/3\n");
+  surface.Normals = { 0, 0, 1, 0, 0, 1, 0, 1, 0 };
+  const std::string text = conformal::makeOBJ(surface, "a.mtl");
+  EXPECT_NE(text.find("vn 0 1 0\nf 1/1/1 2/2/2 3/3/3\n"), std::string::npos);
+  EXPECT_NE(conformal::makeMTL("a.png").find("map_Kd a.png\n"), std::string::npos);
+}
+
+TEST(TexturedSurfaceBytes, PLYHasItsCoordinatesAtTheVertices)
+{
+  const CommaLocale locale;
+  conformal::TexturedSurface surface = triangle();
+  const std::string ply = conformal::makePLY(surface, "a b.png");
+  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment TextureFile a b.png\n"
+                             "element vertex 3\n"
+                             "property double x\nproperty double y\nproperty double z\n"
+                             "property float texture_u\nproperty float texture_v\n"
+                             "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  ASSERT_EQ(ply.substr(0, header.size()), header);
+  ASSERT_EQ(ply.size(), header.size() + 3 * 32 + 13);
+  double y = 0.0;
+  std::memcpy(
+    &y, ply.data() + header.size() + 64 + 8, 8); // the tests run on little-endian machines
+  EXPECT_EQ(y, 0.1);
+  EXPECT_EQ(floatAt(ply, header.size() + 32 + 28), 0.25F); // v as it is, upwards
+  EXPECT_EQ(ply[header.size() + 96], 3);
+  EXPECT_EQ(uint32At(ply, header.size() + 97 + 8), 2u);
+  surface.Normals = { 0, 0, 1, 0, 0, 1, 0, 1, 0 };
+  EXPECT_EQ(conformal::makePLY(surface, "a b.png").size(),
+    ply.size() + std::strlen("property float nx\nproperty float ny\nproperty float nz\n") + 36);
+}
+
+TEST(TexturedSurfaceBytes, GLBSaysWhetherTheTextureRepeats)
+{
+  conformal::TexturedSurface surface = triangle();
+  EXPECT_NE(
+    conformal::makeGLB(surface, "").find("\"wrapS\":33071,\"wrapT\":33071"), std::string::npos);
+  surface.RepeatsTexture = true;
+  EXPECT_NE(
+    conformal::makeGLB(surface, "").find("\"wrapS\":10497,\"wrapT\":10497"), std::string::npos);
+}
+
+TEST(TexturedSurfaceBytes, StopsWhenAsked)
+{
+  const auto stop = [](double) { return false; };
+  EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);
+  EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::ParseError);
+  EXPECT_THROW(conformal::makePLY(triangle(), "", stop), conformal::ParseError);
+}
