@@ -1,6 +1,6 @@
 #include "vtkConformalOFFWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
+#include "OFF/OFFWriter.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,6 +1,6 @@
 #include "vtkConformalPLYWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
+#include "PLY/PLYWriter.h"
 
 #include "vtkObjectFactory.h"
 

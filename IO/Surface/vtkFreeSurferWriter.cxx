@@ -1,7 +1,7 @@
 #include "vtkFreeSurferWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
 #include "Bytes/SurfaceWalk.h"
+#include "FreeSurfer/FreeSurferWriter.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,6 +1,6 @@
 #include "vtkGIFTIWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
+#include "GIFTI/GIFTIWriter.h"
 
 #include "vtkObjectFactory.h"
 

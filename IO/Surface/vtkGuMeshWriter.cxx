@@ -1,6 +1,6 @@
 #include "vtkGuMeshWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
+#include "GuMesh/GuMeshWriter.h"
 
 #include "vtkObjectFactory.h"
 

@@ -1,6 +1,6 @@
 #include "vtkTextCloudWriter.h"
 
-#include "Bytes/SurfaceBytes.h"
+#include "TextCloud/TextCloudWriter.h"
 
 #include "vtkObjectFactory.h"
 

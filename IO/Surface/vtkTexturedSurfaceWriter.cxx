@@ -1,6 +1,6 @@
 #include "vtkTexturedSurfaceWriter.h"
 
-#include "Textured/TexturedSurfaceBytes.h"
+#include "Textured/TexturedSurface.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkCellArray.h"

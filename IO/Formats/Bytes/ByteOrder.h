@@ -3,8 +3,13 @@
 #ifndef ConformalByteOrder_h
 #define ConformalByteOrder_h
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
 
 namespace conformal
 {
@@ -14,6 +19,25 @@ inline bool isLittleEndianMachine()
   unsigned char first = 0;
   std::memcpy(&first, &one, 1);
   return first == 1;
+}
+
+/// Append bytes of this machine's order in another.
+inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
+{
+  const char* const begin = static_cast<const char*>(value);
+  bytes.append(begin, size);
+  if (isBig == isLittleEndianMachine())
+  {
+    std::reverse(bytes.end() - static_cast<std::ptrdiff_t>(size), bytes.end());
+  }
+}
+
+template <typename T>
+void appendBytes(std::string& bytes, T value, bool isBig)
+{
+  static_assert(!std::is_floating_point<T>::value || std::numeric_limits<T>::is_iec559,
+    "files hold IEEE 754 numbers");
+  appendBytes(bytes, &value, sizeof(value), isBig);
 }
 }
 

@@ -117,7 +117,7 @@ public:
   {
     this->skipWhile([](char c) { return c == ' ' || c == '\t'; });
     const std::string_view text = this->Input.peek(1);
-    return text.empty() || isBlank(text[0]) || this->isRemark(text);
+    return text.empty() || isBlank(text[0]) || (this->HasRemarks && isRemark(text));
   }
 
   /// @throws ParseError unless nothing but blanks and remarks is left
@@ -135,7 +135,7 @@ public:
   void skipBlanks()
   {
     this->skipWhile(isBlank);
-    while (this->isRemark(this->Input.peek(1)))
+    while (this->HasRemarks && isRemark(this->Input.peek(1)))
     {
       this->skipWhile([](char c) { return c != '\n' && c != '\r'; });
       this->skipWhile(isBlank);
@@ -145,11 +145,6 @@ public:
   static std::size_t leastBytes(ScalarType) { return 2; }
 
 private:
-  bool isRemark(std::string_view text) const
-  {
-    return this->HasRemarks && !text.empty() && text[0] == '#';
-  }
-
   template <typename Predicate>
   void skipWhile(Predicate isSkipped)
   {

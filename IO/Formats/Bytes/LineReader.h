@@ -140,10 +140,10 @@ private:
   std::string_view Rest;
 };
 
-/// Whether a line of this first word says nothing: it is blank, or a remark behind #.
-inline bool startsRemark(std::string_view word)
+/// Whether a line of this first word is blank or a remark.
+inline bool isIgnored(std::string_view firstWord)
 {
-  return word.empty() || word[0] == '#';
+  return firstWord.empty() || isRemark(firstWord);
 }
 }
 

@@ -18,6 +18,12 @@ inline bool isBlank(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/// Whether a text starts a remark, which lasts to the end of its line.
+inline bool isRemark(std::string_view text)
+{
+  return !text.empty() && text[0] == '#';
+}
+
 /// A number too small for its type is zero, one too large is none.
 template <typename T>
 bool isUnderflow(std::string_view text)

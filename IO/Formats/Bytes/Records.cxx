@@ -8,11 +8,6 @@ namespace conformal
 {
 namespace
 {
-bool isByte(ScalarType type)
-{
-  return type == ScalarType::UInt8;
-}
-
 template <std::size_t Bytes>
 void copyStrided(const char* from, std::size_t fromStride, unsigned char* to, std::size_t toStride,
   std::size_t count)
@@ -87,6 +82,20 @@ bool isFiniteTriple(const unsigned char* bytes)
 }
 
 //------------------------------------------------------------------------------
+const std::vector<KnownFields>& knownFields()
+{
+  static const std::vector<KnownFields> known = { { "Normals", { "nx", "ny", "nz" }, isFloating },
+    { "Normals", { "normal_x", "normal_y", "normal_z" }, isFloating },
+    { "RGBA", { "red", "green", "blue", "alpha" }, isByte },
+    { "RGB", { "red", "green", "blue" }, isByte },
+    { "RGBA", { "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha" }, isByte },
+    { "RGB", { "diffuse_red", "diffuse_green", "diffuse_blue" }, isByte },
+    { "TCoords", { "s", "t" }, isFloating }, { "TCoords", { "u", "v" }, isFloating },
+    { "TCoords", { "texture_u", "texture_v" }, isFloating } };
+  return known;
+}
+
+//------------------------------------------------------------------------------
 Records::Records(std::vector<RecordField> fields, bool hasPoints)
   : Fields(std::move(fields))
   , Slots(this->Fields.size())
@@ -96,15 +105,10 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
   {
     this->groupPoints();
   }
-  this->group("Normals", { "nx", "ny", "nz" }, isFloating);
-  this->group("Normals", { "normal_x", "normal_y", "normal_z" }, isFloating);
-  this->group("RGBA", { "red", "green", "blue", "alpha" }, isByte);
-  this->group("RGB", { "red", "green", "blue" }, isByte);
-  this->group("RGBA", { "diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha" }, isByte);
-  this->group("RGB", { "diffuse_red", "diffuse_green", "diffuse_blue" }, isByte);
-  this->group("TCoords", { "s", "t" }, isFloating);
-  this->group("TCoords", { "u", "v" }, isFloating);
-  this->group("TCoords", { "texture_u", "texture_v" }, isFloating);
+  for (const KnownFields& known : knownFields())
+  {
+    this->group(known);
+  }
   this->groupNeighbours();
   this->Names.clear();
   this->findRuns();
@@ -168,20 +172,19 @@ void Records::groupPoints()
 }
 
 //------------------------------------------------------------------------------
-void Records::group(
-  const std::string& name, const std::vector<std::string>& names, bool (*fits)(ScalarType))
+void Records::group(const KnownFields& known)
 {
-  const std::vector<std::size_t> members = this->find(names);
-  if (members.empty() || this->isTaken(name))
+  const std::vector<std::size_t> members = this->find(known.Names);
+  if (members.empty() || this->isTaken(known.Array))
   {
     return;
   }
   const ScalarType type = this->Fields[members[0]].Type;
   const bool isOneType = std::all_of(
     members.begin(), members.end(), [&](std::size_t i) { return this->Fields[i].Type == type; });
-  if (isOneType && fits(type))
+  if (isOneType && known.Fits(type))
   {
-    this->addArray(name, type, members);
+    this->addArray(known.Array, type, members);
   }
 }
 

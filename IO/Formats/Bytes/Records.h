@@ -20,6 +20,17 @@ struct RecordField
   bool IsKept = true; ///< otherwise it has no array, and its bytes are passed over
 };
 
+/// Fields that make one array together, under names that programs agree on.
+struct KnownFields
+{
+  const char* Array;
+  std::vector<std::string> Names; ///< one for each component
+  bool (*Fits)(ScalarType);       ///< which type the fields must all have
+};
+
+/// Normals, colors and texture coordinates. Of several lists of an array, writers use the first.
+const std::vector<KnownFields>& knownFields();
+
 /// Fields that belong together share an array (see parsePLY()), and so do neighbours of one type
 /// that have one name, or that are named NAME_0, NAME_1 and so on; every other one has its own. A
 /// record that is given up is overwritten by the next one.
@@ -97,8 +108,7 @@ private:
   bool isTaken(const std::string& name) const { return this->Names.count(name) > 0; }
   void addArray(const std::string& name, ScalarType type, const std::vector<std::size_t>& members);
   void groupPoints();
-  void group(
-    const std::string& name, const std::vector<std::string>& names, bool (*fits)(ScalarType));
+  void group(const KnownFields& known);
   void groupNeighbours();
   void findRuns();
 

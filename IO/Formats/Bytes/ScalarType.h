@@ -62,6 +62,11 @@ inline bool isFloating(ScalarType type)
 {
   return type == ScalarType::Float32 || type == ScalarType::Float64;
 }
+
+inline bool isByte(ScalarType type)
+{
+  return type == ScalarType::UInt8;
+}
 }
 
 #endif

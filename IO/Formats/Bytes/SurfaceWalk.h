@@ -4,6 +4,7 @@
 #define ConformalSurfaceWalk_h
 
 #include "Bytes/ByteOrder.h"
+#include "Bytes/NumberText.h"
 #include "Bytes/SurfaceData.h"
 
 #include <algorithm>
@@ -25,11 +26,6 @@ const NamedArray* findArray(
     [&](const NamedArray& array)
     { return array.Name == name && array.Components == components && fits(array.Type); });
   return found == arrays.end() ? nullptr : &*found;
-}
-
-inline bool isByte(ScalarType type)
-{
-  return type == ScalarType::UInt8;
 }
 
 /// "RGBA" or else "RGB"; null if there is neither.
@@ -69,21 +65,25 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
-/// Append bytes of this machine's order in another.
-inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
+/// Append a tuple's numbers as text, each behind a blank.
+inline void appendTuple(std::string& text, const NamedArray& array, std::size_t tuple)
 {
-  const char* const begin = static_cast<const char*>(value);
-  bytes.append(begin, size);
-  if (isBig == isLittleEndianMachine())
+  for (std::size_t c = 0; c < array.Components; ++c)
   {
-    std::reverse(bytes.end() - static_cast<std::ptrdiff_t>(size), bytes.end());
+    text += ' ';
+    appendNumber(text, valueOf(array, tuple * array.Components + c));
   }
 }
 
-template <typename T>
-void appendBytes(std::string& bytes, T value, bool isBig)
+/// Append bytes as fractions of 255: these are read back as the same bytes whatever the others are.
+inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
-  appendBytes(bytes, &value, sizeof(value), isBig);
+  constexpr float whole = 255.0F;
+  for (std::size_t c = 0; c < colors.Components; ++c)
+  {
+    text += ' ';
+    appendNumber(text, static_cast<float>(valueOf(colors, tuple * colors.Components + c)) / whole);
+  }
 }
 
 inline std::size_t numberOfPolygons(const SurfaceData& surface)

@@ -68,7 +68,7 @@ public:
       {
         this->readFace(words);
       }
-      else if (!startsRemark(keyword) && keyword != "Edge" && keyword != "Corner")
+      else if (!isIgnored(keyword) && keyword != "Edge" && keyword != "Corner")
       {
         this->Input.fail(this->Points == 0 ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected Vertex, Face, Edge or Corner");
@@ -338,7 +338,7 @@ bool looksLikeGuMesh(std::string_view start)
   {
     LineWords words(lines.text());
     const std::string_view keyword = words.next();
-    if (!startsRemark(keyword))
+    if (!isIgnored(keyword))
     {
       std::int64_t id = 0;
       double x = 0.0;

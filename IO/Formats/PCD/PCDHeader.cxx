@@ -52,7 +52,7 @@ public:
     {
       LineWords words(this->Lines.text());
       const std::string_view keyword = words.next();
-      if (startsRemark(keyword))
+      if (isIgnored(keyword))
       {
         continue;
       }
@@ -229,7 +229,7 @@ bool looksLikePCD(std::string_view start)
       double version = 0.0;
       return words.next(version) && version >= 0.5 && version <= 0.7;
     }
-    if (!startsRemark(keyword))
+    if (!isIgnored(keyword))
     {
       const bool isFields = keyword == "FIELDS" || keyword == "COLUMNS";
       return isFields && !words.next().empty();

@@ -104,7 +104,7 @@ public:
       {
         this->readMesh(words);
       }
-      else if (!startsRemark(keyword) && keyword != "camera")
+      else if (!isIgnored(keyword) && keyword != "camera")
       {
         this->Input.fail(this->Files.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
@@ -262,7 +262,7 @@ bool looksLikeAlignedScans(std::string_view start)
   {
     LineWords words(lines.text());
     const std::string_view keyword = words.next();
-    if (!startsRemark(keyword))
+    if (!isIgnored(keyword))
     {
       Motion motion;
       const bool hasName = isMesh(keyword) && !words.next().empty();

@@ -106,7 +106,7 @@ Sample takeSample(std::string_view start, bool isWhole)
     {
       throw NoTextCloud(number, "found " + quoted(line) + ", expected text");
     }
-    if (isRemark(line))
+    if (isIgnoredLine(line))
     {
       if (sample.Lines.empty() && sample.Remarks.size() < MostSampleLines)
       {
@@ -319,10 +319,10 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
 }
 
 //------------------------------------------------------------------------------
-bool isRemark(std::string_view line)
+bool isIgnoredLine(std::string_view line)
 {
   line = trimmed(line, Blanks);
-  return line.empty() || line[0] == '#' || line[0] == ';' || line.substr(0, 2) == "//";
+  return isIgnored(line) || line[0] == ';' || line.substr(0, 2) == "//";
 }
 
 //------------------------------------------------------------------------------

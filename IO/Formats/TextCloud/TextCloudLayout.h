@@ -31,8 +31,8 @@ struct TextCloudLayout
   bool AllLinesFit = false;       ///< whether there were some and all have a number in each column
 };
 
-/// Whether a line says nothing: blank, or a remark after #, // or ;.
-bool isRemark(std::string_view line);
+/// Whether a line is blank or a remark behind #, // or ;.
+bool isIgnoredLine(std::string_view line);
 
 /// Whether a line begins with a number.
 bool startsWithNumber(std::string_view line, char delimiter);

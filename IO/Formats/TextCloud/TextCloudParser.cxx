@@ -50,7 +50,7 @@ public:
       {
         this->append();
       }
-      else if (isRemark(line))
+      else if (isIgnoredLine(line))
       {
         continue;
       }

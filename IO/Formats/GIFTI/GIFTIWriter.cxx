@@ -1,6 +1,10 @@
-#include "Bytes/SurfaceBytes.h"
+#include "GIFTI/GIFTIWriter.h"
+
 #include "Bytes/SurfaceWalk.h"
 #include "GIFTI/BinaryText.h"
+
+#include <stdexcept>
+#include <string_view>
 
 namespace conformal
 {

@@ -1,4 +1,4 @@
-#include "Textured/TexturedSurfaceBytes.h"
+#include "Textured/TexturedSurface.h"
 
 #include "../../CommaLocale.h"
 
@@ -36,7 +36,7 @@ float floatAt(const std::string& bytes, std::size_t offset)
 }
 }
 
-TEST(TexturedSurfaceBytes, GLBHasTheLayoutOfTheSpecification)
+TEST(TexturedSurface, GLBHasTheLayoutOfTheSpecification)
 {
   const CommaLocale locale;
   const std::string png = "12345"; // not a multiple of four
@@ -66,7 +66,7 @@ TEST(TexturedSurfaceBytes, GLBHasTheLayoutOfTheSpecification)
   EXPECT_EQ(glb.substr(data + 72), std::string("12345\0\0\0", 8));
 }
 
-TEST(TexturedSurfaceBytes, OBJCountsFromOneAndRefersToItsMaterial)
+TEST(TexturedSurface, OBJCountsFromOneAndRefersToItsMaterial)
 {
   conformal::TexturedSurface surface = triangle();
   const CommaLocale locale;
@@ -81,7 +81,7 @@ TEST(TexturedSurfaceBytes, OBJCountsFromOneAndRefersToItsMaterial)
   EXPECT_NE(conformal::makeMTL("a.png").find("map_Kd a.png\n"), std::string::npos);
 }
 
-TEST(TexturedSurfaceBytes, PLYHasItsCoordinatesAtTheVertices)
+TEST(TexturedSurface, PLYHasItsCoordinatesAtTheVertices)
 {
   const CommaLocale locale;
   conformal::TexturedSurface surface = triangle();
@@ -105,7 +105,7 @@ TEST(TexturedSurfaceBytes, PLYHasItsCoordinatesAtTheVertices)
     ply.size() + std::strlen("property float nx\nproperty float ny\nproperty float nz\n") + 36);
 }
 
-TEST(TexturedSurfaceBytes, GLBSaysWhetherTheTextureRepeats)
+TEST(TexturedSurface, GLBSaysWhetherTheTextureRepeats)
 {
   conformal::TexturedSurface surface = triangle();
   EXPECT_NE(
@@ -115,7 +115,7 @@ TEST(TexturedSurfaceBytes, GLBSaysWhetherTheTextureRepeats)
     conformal::makeGLB(surface, "").find("\"wrapS\":10497,\"wrapT\":10497"), std::string::npos);
 }
 
-TEST(TexturedSurfaceBytes, StopsWhenAsked)
+TEST(TexturedSurface, StopsWhenAsked)
 {
   const auto stop = [](double) { return false; };
   EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);

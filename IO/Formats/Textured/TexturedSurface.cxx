@@ -1,5 +1,6 @@
-#include "Textured/TexturedSurfaceBytes.h"
+#include "Textured/TexturedSurface.h"
 
+#include "Bytes/ByteOrder.h"
 #include "Bytes/NumberText.h"
 
 #include <algorithm>
@@ -36,31 +37,6 @@ void forEach(std::size_t count, const ParseProgress& progress, double begin, dou
       body(i);
     }
   }
-}
-
-void appendUint32(std::string& bytes, std::uint32_t value)
-{
-  for (int shift = 0; shift < 32; shift += 8)
-  {
-    bytes += static_cast<char>((value >> shift) & 0xFF);
-  }
-}
-
-void appendDouble(std::string& bytes, double value)
-{
-  static_assert(std::numeric_limits<double>::is_iec559 && sizeof(double) == 8, "PLY's doubles");
-  std::uint64_t bits = 0;
-  std::copy_n(reinterpret_cast<const char*>(&value), 8, reinterpret_cast<char*>(&bits));
-  appendUint32(bytes, static_cast<std::uint32_t>(bits));
-  appendUint32(bytes, static_cast<std::uint32_t>(bits >> 32));
-}
-
-void appendFloat(std::string& bytes, float value)
-{
-  static_assert(std::numeric_limits<float>::is_iec559 && sizeof(float) == 4, "glTF's floats");
-  std::uint32_t bits = 0;
-  std::copy_n(reinterpret_cast<const char*>(&value), 4, reinterpret_cast<char*>(&bits));
-  appendUint32(bytes, bits);
 }
 
 void pad(std::string& bytes, char filler)
@@ -118,14 +94,14 @@ public:
     }
     std::string result;
     result.reserve(size);
-    appendUint32(result, Magic);
-    appendUint32(result, 2);
-    appendUint32(result, static_cast<std::uint32_t>(size));
-    appendUint32(result, static_cast<std::uint32_t>(json.size()));
-    appendUint32(result, JSONChunk);
+    appendBytes(result, Magic, false);
+    appendBytes(result, std::uint32_t(2), false);
+    appendBytes(result, static_cast<std::uint32_t>(size), false);
+    appendBytes(result, static_cast<std::uint32_t>(json.size()), false);
+    appendBytes(result, JSONChunk, false);
     result += json;
-    appendUint32(result, static_cast<std::uint32_t>(this->Bytes.size()));
-    appendUint32(result, BINChunk);
+    appendBytes(result, static_cast<std::uint32_t>(this->Bytes.size()), false);
+    appendBytes(result, BINChunk, false);
     result += this->Bytes;
     return result;
   }
@@ -194,12 +170,12 @@ std::string makeGLB(
   bytes.reserve(count * (hasNormals ? 32 : 20) + surface.Corners.size() * 4 + png.size() + 3);
   const auto appendFloats = [&](const std::vector<float>& values, double begin, double end)
   {
-    forEach(
-      values.size(), progress, begin, end, [&](std::size_t i) { appendFloat(bytes, values[i]); });
+    forEach(values.size(), progress, begin, end,
+      [&](std::size_t i) { appendBytes(bytes, values[i], false); });
   };
 
   forEach(surface.Positions.size(), progress, 0.0, 0.3,
-    [&](std::size_t i) { appendFloat(bytes, static_cast<float>(surface.Positions[i])); });
+    [&](std::size_t i) { appendBytes(bytes, static_cast<float>(surface.Positions[i]), false); });
   const int positions = builder.addAccessor(
     builder.addView(0, ArrayBuffer), Float, "VEC3", count, boundsOf(surface.Positions));
   std::string attributes = "\"POSITION\":" + std::to_string(positions);
@@ -216,7 +192,7 @@ std::string makeGLB(
     [&](std::size_t i)
     {
       const float value = surface.TexCoords[i];
-      appendFloat(bytes, i % 2 == 1 ? 1.0F - value : value);
+      appendBytes(bytes, i % 2 == 1 ? 1.0F - value : value, false);
     });
   const int texCoords =
     builder.addAccessor(builder.addView(texCoordsBegin, ArrayBuffer), Float, "VEC2", count);
@@ -224,7 +200,7 @@ std::string makeGLB(
 
   const std::size_t cornersBegin = bytes.size();
   forEach(surface.Corners.size(), progress, 0.7, 0.9,
-    [&](std::size_t i) { appendUint32(bytes, surface.Corners[i]); });
+    [&](std::size_t i) { appendBytes(bytes, surface.Corners[i], false); });
   const int corners = builder.addAccessor(builder.addView(cornersBegin, ElementArrayBuffer),
     UnsignedInt, "SCALAR", surface.Corners.size());
 
@@ -288,17 +264,18 @@ std::string makePLY(
   forEach(count, progress, 0.0, 0.6,
     [&](std::size_t i)
     {
-      std::for_each_n(&surface.Positions[3 * i], 3, [&](double v) { appendDouble(bytes, v); });
+      std::for_each_n(
+        &surface.Positions[3 * i], 3, [&](double v) { appendBytes(bytes, v, false); });
       std::for_each_n(surface.Normals.data() + (hasNormals ? 3 * i : 0), hasNormals ? 3 : 0,
-        [&](float v) { appendFloat(bytes, v); });
-      std::for_each_n(&surface.TexCoords[2 * i], 2, [&](float v) { appendFloat(bytes, v); });
+        [&](float v) { appendBytes(bytes, v, false); });
+      std::for_each_n(&surface.TexCoords[2 * i], 2, [&](float v) { appendBytes(bytes, v, false); });
     });
   forEach(triangles, progress, 0.6, 1.0,
     [&](std::size_t i)
     {
       bytes += static_cast<char>(3);
       std::for_each_n(
-        &surface.Corners[3 * i], 3, [&](std::uint32_t id) { appendUint32(bytes, id); });
+        &surface.Corners[3 * i], 3, [&](std::uint32_t id) { appendBytes(bytes, id, false); });
     });
   return bytes;
 }

@@ -1,8 +1,12 @@
-#include "Bytes/SurfaceBytes.h"
+#include "PLY/PLYWriter.h"
+
+#include "Bytes/Records.h"
 #include "Bytes/SurfaceWalk.h"
 
+#include <algorithm>
 #include <limits>
 #include <set>
+#include <vector>
 
 namespace conformal
 {
@@ -76,17 +80,17 @@ public:
 private:
   static std::string propertyName(const NamedArray& array, std::size_t component)
   {
-    constexpr const char* known[][5] = { { "Points", "x", "y", "z", nullptr },
-      { "Normals", "nx", "ny", "nz", nullptr }, { "TCoords", "s", "t", nullptr, nullptr },
-      { "RGB", "red", "green", "blue", nullptr }, { "RGBA", "red", "green", "blue", "alpha" } };
-    for (const auto& names : known)
+    constexpr const char* coordinates[] = { "x", "y", "z" };
+    if (array.Name == "Points" && array.Components == 3 && isFloating(array.Type))
     {
-      const bool isColor = names[0][0] == 'R';
-      const std::size_t components = std::find(names + 1, names + 5, nullptr) - (names + 1);
-      if (array.Name == names[0] && array.Components == components &&
-        (isColor ? isByte(array.Type) : isFloating(array.Type)))
+      return coordinates[component];
+    }
+    for (const KnownFields& known : knownFields())
+    {
+      if (array.Name == known.Array && array.Components == known.Names.size() &&
+        known.Fits(array.Type))
       {
-        return names[component + 1];
+        return known.Names[component];
       }
     }
     std::string name = array.Name.empty() ? "array" : array.Name;
@@ -99,39 +103,6 @@ private:
   std::set<std::string> Names;
   std::string Text;
 };
-
-// Triangles between points that are those of the surface or others.
-std::string makeFreeSurfer(
-  const SurfaceData& surface, const NamedArray& points, double scale, const ParseProgress& progress)
-{
-  requireTriangles(surface);
-  std::string bytes = "\xFF\xFF\xFE"
-                      "created by ConformalSOM\n\n";
-  appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
-  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons(surface)), true);
-  walk(
-    surface, progress,
-    [&](std::size_t point)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const auto value = static_cast<float>(scale * valueOf(points, 3 * point + c));
-        if (!std::isfinite(value))
-        {
-          throw std::invalid_argument("a coordinate is no finite float");
-        }
-        appendBytes(bytes, value, true);
-      }
-    },
-    [&](std::size_t, const std::int64_t* ids, std::size_t count)
-    {
-      for (std::size_t c = 0; c < count; ++c)
-      {
-        appendBytes(bytes, static_cast<std::int32_t>(ids[c]), true);
-      }
-    });
-  return bytes;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -181,40 +152,6 @@ std::string makePLY(const SurfaceData& surface, const ParseProgress& progress)
       }
       polygons.append(bytes, polygon);
     });
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress)
-{
-  return makeFreeSurfer(surface, surface.Points, 1.0, progress);
-}
-
-//------------------------------------------------------------------------------
-std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
-{
-  constexpr double radius = 100.0;
-  const NamedArray* sphere = findSpherePositions(surface);
-  if (!sphere)
-  {
-    throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
-  }
-  return makeFreeSurfer(surface, *sphere, radius, progress);
-}
-
-//------------------------------------------------------------------------------
-std::string makeFreeSurferCurv(
-  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress)
-{
-  report(progress, 0.0);
-  std::string bytes = "\xFF\xFF\xFF";
-  appendBytes(bytes, static_cast<std::int32_t>(values.numberOfTuples()), true);
-  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons), true);
-  appendBytes(bytes, std::int32_t(1), true);
-  for (std::size_t i = 0; i < values.numberOfTuples(); ++i)
-  {
-    appendBytes(bytes, static_cast<float>(valueOf(values, i)), true);
-  }
   return bytes;
 }
 }

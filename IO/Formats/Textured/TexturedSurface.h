@@ -1,7 +1,7 @@
 /// Textured surfaces as files of bytes: binary glTF 2.0, Wavefront OBJ and PLY.
 
-#ifndef ConformalTexturedSurfaceBytes_h
-#define ConformalTexturedSurfaceBytes_h
+#ifndef ConformalTexturedSurface_h
+#define ConformalTexturedSurface_h
 
 #include "Bytes/ParseStatus.h"
 

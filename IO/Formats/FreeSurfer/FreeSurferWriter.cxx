@@ -1,0 +1,79 @@
+#include "FreeSurfer/FreeSurferWriter.h"
+
+#include "Bytes/SurfaceWalk.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+// Triangles between points that are those of the surface or others.
+std::string makeFreeSurfer(
+  const SurfaceData& surface, const NamedArray& points, double scale, const ParseProgress& progress)
+{
+  requireTriangles(surface);
+  std::string bytes = "\xFF\xFF\xFE"
+                      "created by ConformalSOM\n\n";
+  appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
+  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons(surface)), true);
+  walk(
+    surface, progress,
+    [&](std::size_t point)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const auto value = static_cast<float>(scale * valueOf(points, 3 * point + c));
+        if (!std::isfinite(value))
+        {
+          throw std::invalid_argument("a coordinate is no finite float");
+        }
+        appendBytes(bytes, value, true);
+      }
+    },
+    [&](std::size_t, const std::int64_t* ids, std::size_t count)
+    {
+      for (std::size_t c = 0; c < count; ++c)
+      {
+        appendBytes(bytes, static_cast<std::int32_t>(ids[c]), true);
+      }
+    });
+  return bytes;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress)
+{
+  return makeFreeSurfer(surface, surface.Points, 1.0, progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
+{
+  constexpr double radius = 100.0;
+  const NamedArray* sphere = findSpherePositions(surface);
+  if (!sphere)
+  {
+    throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
+  }
+  return makeFreeSurfer(surface, *sphere, radius, progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeFreeSurferCurv(
+  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress)
+{
+  report(progress, 0.0);
+  std::string bytes = "\xFF\xFF\xFF";
+  appendBytes(bytes, static_cast<std::int32_t>(values.numberOfTuples()), true);
+  appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons), true);
+  appendBytes(bytes, std::int32_t(1), true);
+  for (std::size_t i = 0; i < values.numberOfTuples(); ++i)
+  {
+    appendBytes(bytes, static_cast<float>(valueOf(values, i)), true);
+  }
+  return bytes;
+}
+}

@@ -1,0 +1,30 @@
+/// Surfaces, spheres and values as the bytes of FreeSurfer's files.
+
+#ifndef ConformalFreeSurferWriter_h
+#define ConformalFreeSurferWriter_h
+
+#include "Bytes/SurfaceData.h"
+
+#include <string>
+
+namespace conformal
+{
+/// FreeSurfer's triangles. Points are written as floats.
+/// @throws std::invalid_argument if a polygon has more than 3 corners, or a point is too far for
+/// floats
+/// @throws ParseError if the caller says stop
+std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress = {});
+
+/// FreeSurfer's triangles on the sphere of radius 100: "SpherePosition" are the points.
+/// @throws std::invalid_argument if it is missing or has no direction, or a polygon has more than 3
+/// corners
+/// @throws ParseError if the caller says stop
+std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress = {});
+
+/// FreeSurfer's curv, the new layout, of an array of 1 component. Values are written as floats.
+/// @throws ParseError if the caller says stop
+std::string makeFreeSurferCurv(
+  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress = {});
+}
+
+#endif

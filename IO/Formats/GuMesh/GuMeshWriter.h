@@ -1,0 +1,19 @@
+/// Meshes and clouds as the text of a .m file of Gu's.
+
+#ifndef ConformalGuMeshWriter_h
+#define ConformalGuMeshWriter_h
+
+#include "Bytes/SurfaceData.h"
+
+#include <string>
+
+namespace conformal
+{
+/// Gu's .m: "SpherePosition" as trait sph, "Normals", "TCoords", "RGB" of the points, "RGB" of the
+/// polygons. Other arrays are left out.
+/// @throws std::invalid_argument if a "SpherePosition" has no direction
+/// @throws ParseError if the caller says stop
+std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress = {});
+}
+
+#endif

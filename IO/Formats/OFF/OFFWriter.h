@@ -1,0 +1,18 @@
+/// Surfaces and clouds as the text of an OFF file.
+
+#ifndef ConformalOFFWriter_h
+#define ConformalOFFWriter_h
+
+#include "Bytes/SurfaceData.h"
+
+#include <string>
+
+namespace conformal
+{
+/// OFF as text: "Normals", "RGB" or "RGBA", "TCoords" of the points, colours and "ColorIndex" of
+/// the polygons. Other arrays are left out.
+/// @throws ParseError if the caller says stop
+std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = {});
+}
+
+#endif

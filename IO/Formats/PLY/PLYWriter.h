@@ -1,0 +1,18 @@
+/// Surfaces and clouds as the bytes of a PLY file.
+
+#ifndef ConformalPLYWriter_h
+#define ConformalPLYWriter_h
+
+#include "Bytes/SurfaceData.h"
+
+#include <string>
+
+namespace conformal
+{
+/// PLY, binary little endian, all arrays of points and polygons. 8-byte integers become doubles, a
+/// blank in a name becomes an underscore.
+/// @throws ParseError if the caller says stop
+std::string makePLY(const SurfaceData& surface, const ParseProgress& progress = {});
+}
+
+#endif

@@ -1,0 +1,18 @@
+/// Clouds as text with one point a line.
+
+#ifndef ConformalTextCloudWriter_h
+#define ConformalTextCloudWriter_h
+
+#include "Bytes/SurfaceData.h"
+
+#include <string>
+
+namespace conformal
+{
+/// Points as text with names of the columns in a remark, if there are more than x, y and z. All
+/// arrays; those of several components other than "Normals" and "RGB" become several columns.
+/// @throws ParseError if the caller says stop
+std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress = {});
+}
+
+#endif

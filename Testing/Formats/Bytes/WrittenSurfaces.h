@@ -1,0 +1,171 @@
+/// Surfaces to write, and whether they are read back the same, to the last bit.
+
+#ifndef ConformalWrittenSurfaces_h
+#define ConformalWrittenSurfaces_h
+
+#include "Bytes/ByteReader.h"
+#include "ParsedArrays.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace written
+{
+using conformal::makeArray;
+using conformal::NamedArray;
+using conformal::ScalarType;
+using conformal::SurfaceData;
+using conformal::SurfaceResult;
+
+template <typename T>
+NamedArray arrayOf(
+  const char* name, ScalarType type, std::size_t components, const std::vector<T>& values)
+{
+  NamedArray array = makeArray(name, type, components);
+  for (std::size_t i = 0; i < values.size(); i += components)
+  {
+    conformal::append(array, &values[i]);
+  }
+  return array;
+}
+
+template <typename T>
+NamedArray randomArray(
+  const char* name, ScalarType type, std::size_t components, std::size_t tuples, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::vector<T> values;
+  for (std::size_t i = 0; i < tuples * components; ++i)
+  {
+    values.push_back(
+      static_cast<T>(std::is_floating_point<T>::value ? static_cast<double>(random()) / 1e7 - 100.0
+                                                      : static_cast<double>(random() % 100)));
+  }
+  return arrayOf(name, type, components, values);
+}
+
+/// A tetrahedron of hard numbers, in floats or doubles.
+inline SurfaceData tetrahedron(bool isDouble)
+{
+  SurfaceData data;
+  if (isDouble)
+  {
+    data.Points = arrayOf<double>("Points", ScalarType::Float64, 3,
+      { 0.1, 1.0 / 3, 5e-324, 1234567.123456789, -1e300, 0, 0, 1, 0.7, -0.0, 0, 1e-3 });
+  }
+  else
+  {
+    data.Points = arrayOf<float>("Points", ScalarType::Float32, 3,
+      { 0.1F, 1.0F / 3, 1e-45F, 1234567.1F, -1e38F, 0, 0, 1, 0.7F, -0.0F, 0, 1e-3F });
+  }
+  for (const std::int64_t id : { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 })
+  {
+    data.PolygonIds.push(id);
+  }
+  for (const std::int64_t offset : { 0, 3, 6, 9, 12 })
+  {
+    data.PolygonOffsets.push(offset);
+  }
+  return data;
+}
+
+inline std::vector<double> asDoubles(const NamedArray& array)
+{
+  std::vector<double> result;
+  conformal::withType(array.Type,
+    [&](auto zero)
+    {
+      for (const auto value : samples::values<decltype(zero)>(array))
+      {
+        result.push_back(static_cast<double>(value));
+      }
+    });
+  return result;
+}
+
+/// Arrays of the same names and values; also of the same types if asked.
+inline void ExpectSame(
+  const std::vector<NamedArray>& read, const std::vector<NamedArray>& written, bool areTypesKept)
+{
+  ASSERT_EQ(read.size(), written.size());
+  for (const NamedArray& array : written)
+  {
+    const NamedArray* other = samples::find(read, array.Name.c_str());
+    ASSERT_NE(other, nullptr) << array.Name;
+    EXPECT_EQ(other->Components, array.Components) << array.Name;
+    EXPECT_EQ(asDoubles(*other), asDoubles(array)) << array.Name;
+    if (areTypesKept)
+    {
+      EXPECT_EQ(other->Type, array.Type) << array.Name;
+    }
+  }
+}
+
+inline void ExpectSame(const SurfaceResult& read, const SurfaceData& written, bool areTypesKept)
+{
+  ASSERT_TRUE(read.Status.ok()) << read.Status.text();
+  EXPECT_EQ(asDoubles(read.Data.Points), asDoubles(written.Points));
+  EXPECT_EQ(samples::polygonIds(read.Data), samples::polygonIds(written));
+  EXPECT_EQ(samples::polygonOffsets(read.Data), samples::polygonOffsets(written));
+  if (areTypesKept)
+  {
+    EXPECT_EQ(read.Data.Points.Type, written.Points.Type);
+  }
+  ExpectSame(read.Data.PointArrays, written.PointArrays, areTypesKept);
+  ExpectSame(read.Data.PolygonArrays, written.PolygonArrays, areTypesKept);
+}
+
+template <typename Parse>
+SurfaceResult read(const std::string& bytes, Parse parse)
+{
+  conformal::ByteReader input{ std::string_view(bytes) };
+  return parse(input);
+}
+
+inline NamedArray spherePositions()
+{
+  return arrayOf<double>(
+    "SpherePosition", ScalarType::Float64, 3, { 0, 0, 1, 1, 0, 0, 0, -1, 0, 0.6, 0, 0.8 });
+}
+
+/// A tetrahedron whose map has one position without a direction.
+inline std::vector<SurfaceData> surfacesWithABrokenMap()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<SurfaceData> surfaces;
+  for (const std::array<double, 3>& direction : { std::array<double, 3>{ 0, 0, 0 }, { 1, nan, 0 },
+         { 0, 0, std::numeric_limits<double>::infinity() } })
+  {
+    surfaces.push_back(tetrahedron(false));
+    NamedArray map = makeArray("SpherePosition", ScalarType::Float64, 3);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const std::array<double, 3> north = { 0, 0, 1 };
+      append(map, (i == 2 ? direction : north).data());
+    }
+    surfaces.back().PointArrays.push_back(std::move(map));
+  }
+  return surfaces;
+}
+
+/// A square beside a triangle.
+inline SurfaceData surfaceWithAQuad()
+{
+  SurfaceData quads = tetrahedron(false);
+  quads.PolygonIds.push(1);
+  return quads;
+}
+
+template <typename Make>
+void ExpectStopsWhenAsked(Make make)
+{
+  EXPECT_THROW(make(tetrahedron(false), [](double) { return false; }), conformal::ParseError);
+}
+}
+
+#endif

@@ -1,0 +1,45 @@
+#include "FreeSurfer/FreeSurferWriter.h"
+
+#include "../Bytes/WrittenSurfaces.h"
+#include "FreeSurfer/FreeSurferParser.h"
+
+using namespace written;
+
+TEST(FreeSurferWriter, IsReadBackTheSame)
+{
+  const auto parse = [](conformal::ByteReader& input)
+  { return conformal::parseFreeSurferSurface(input); };
+  const auto parseCurv = [](conformal::ByteReader& input)
+  { return conformal::parseFreeSurferCurv(input); };
+  const SurfaceData data = tetrahedron(false);
+  ExpectSame(read(conformal::makeFreeSurferSurface(data), parse), data, true);
+  const NamedArray curvature = randomArray<float>("Curvature", ScalarType::Float32, 1, 4, 1);
+  const SurfaceResult curv = read(conformal::makeFreeSurferCurv(curvature, 4), parseCurv);
+  ASSERT_TRUE(curv.Status.ok()) << curv.Status.text();
+  EXPECT_TRUE(samples::AreSame(curv.Data.PointArrays.at(0), curvature));
+}
+
+TEST(FreeSurferWriter, StopsWhenAsked)
+{
+  ExpectStopsWhenAsked([](const SurfaceData& data, auto stop)
+    { return conformal::makeFreeSurferSurface(data, stop); });
+  ExpectStopsWhenAsked([](const SurfaceData& data, auto stop)
+    { return conformal::makeFreeSurferCurv(data.Points, 4, stop); });
+}
+
+TEST(FreeSurferWriter, RefusesWhatCouldNotBeReadBack)
+{
+  EXPECT_THROW(conformal::makeFreeSurferSurface(surfaceWithAQuad()), std::invalid_argument);
+  for (const SurfaceData& surface : surfacesWithABrokenMap())
+  {
+    EXPECT_THROW(conformal::makeFreeSurferSphere(surface), std::invalid_argument);
+  }
+  SurfaceData far = tetrahedron(false);
+  far.Points = makeArray("Points", ScalarType::Float64, 3);
+  for (int i = 0; i < 4; ++i)
+  {
+    const std::array<double, 3> point = { 1, 2, i == 2 ? 1e39 : 3 };
+    append(far.Points, point.data());
+  }
+  EXPECT_THROW(conformal::makeFreeSurferSurface(far), std::invalid_argument);
+}

@@ -1,0 +1,15 @@
+# A room of IO/Formats holds one file format and includes itself, Bytes and what the table allows; no
+# two units (a header and its source) include each other, not even through others.
+cmake_minimum_required(VERSION 3.18)
+
+set(rooms Bytes Files PLY OFF PCD GuMesh FreeSurfer GIFTI TextCloud StanfordScans Textured)
+set(below_Bytes)
+foreach (room IN LISTS rooms)
+  if (NOT room STREQUAL "Bytes")
+    set(below_${room} Bytes)
+  endif ()
+endforeach ()
+list(APPEND below_StanfordScans PLY) # the scans are PLY files
+
+include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
+check_rooms("${SOURCE_DIR}/IO/Formats")
