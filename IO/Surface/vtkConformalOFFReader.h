@@ -10,11 +10,11 @@
  * - point array "TCoords" (type of the points, 2 components), active: ST.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: C, and what stands behind the
  *   coordinates of a plain OFF. If no number is more than 1 they are fractions, else bytes.
- * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colours behind the ids of faces;
+ * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors behind the ids of faces;
  *   white where a face has none.
  * - cell array "ColorIndex" (int, 1 component): a single number there; -1 where there is none.
  *
- * What all readers of this module share is said in vtkSurfaceFileReader.
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -34,7 +34,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   * Whether a file is of this format, judged by its first bytes and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -1,12 +1,12 @@
 /**
  * @class   vtkConformalOFFWriter
- * @brief   write OFF text with normals, colours and texture coordinates
+ * @brief   write OFF text with normals, colors and texture coordinates
  *
- * Input port 0: vtkPolyData. What is written is OFF as text: active normals, colours and texture
- * coordinates of the points, active colours (or else the array "ColorIndex" of 1 integer) of the
+ * Input port 0: vtkPolyData. What is written is OFF as text: active normals, colors and texture
+ * coordinates of the points, active colors (or else the array "ColorIndex" of 1 integer) of the
  * polygons. Numbers are written so that they are read back the same.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkConformalOFFReader

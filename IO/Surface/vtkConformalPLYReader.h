@@ -4,8 +4,8 @@
  *
  * Output port 0: vtkPolyData, the points and polygons of a PLY file of any of its three formats.
  * The points are floats if x, y and z are, else doubles. Triangle strips become triangles, and so
- * do neighbours in the grid of a range scan. What all readers of this module share is said in
- * vtkSurfaceFileReader.
+ * do neighbors in the grid of a range scan. vtkSurfaceFileReader describes what all
+ * readers of this module have in common.
  * - point array "Normals" (float or double, 3 components), active: nx, ny, nz.
  * - point array "RGB" or "RGBA" (unsigned char, 3 or 4 components), active scalars: red, green,
  *   blue, alpha, also with "diffuse_" before them.
@@ -37,16 +37,16 @@ public:
 
   ///@{
   /**
-   * Longest edge of a triangle between neighbours in the grid of a range scan; longer ones would
+   * Longest edge of a triangle between neighbors in the grid of a range scan; longer ones would
    * bridge gaps of the object. At least 0. Default is 0, which takes 4 times the median length
-   * between neighbours.
+   * between neighbors.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   /**
-   * Whether a file is a PLY file, told by its first lines, whatever its name is.
+   * Whether a file is of this format, judged by its first lines and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -3,11 +3,11 @@
  * @brief   write PLY with all arrays
  *
  * Input port 0: vtkPolyData. What is written is PLY, binary little endian, with all arrays of
- * points and polygons: active normals, texture coordinates and colours by their usual names, others
+ * points and polygons: active normals, texture coordinates and colors by their usual names, others
  * of several components as NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.
  * 8-byte integers become doubles.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkConformalPLYReader

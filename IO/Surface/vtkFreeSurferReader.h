@@ -9,8 +9,8 @@
  * - point array "Curvature" (float, 1 component): the values of the file CurvatureFileName, such as
  *   lh.curv or lh.thickness, of the new or the old layout.
  *
- * The volume's geometry behind the faces is not read: points are those of the file. What all
- * readers of this module share is said in vtkSurfaceFileReader.
+ * The volume's geometry behind the faces is not read: points are those of the file.
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -47,7 +47,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   * Whether a file is of this format, judged by its first bytes and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

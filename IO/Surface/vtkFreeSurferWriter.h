@@ -8,7 +8,7 @@
  *   the radius of FreeSurfer's spheres.
  * - CURVATURE: the point array ArrayName (1 component), as floats.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkFreeSurferReader

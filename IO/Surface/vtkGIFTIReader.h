@@ -12,8 +12,8 @@
  *   as "Shape".
  *
  * Matrices of other coordinate systems and label tables are not read. An entity of the file's own
- * or an array in another file is an error. What all readers of this module share is said in
- * vtkSurfaceFileReader.
+ * or an array in another file is an error. vtkSurfaceFileReader describes what all
+ * readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -50,7 +50,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   * Whether a file is of this format, judged by its first bytes and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

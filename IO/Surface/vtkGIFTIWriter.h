@@ -5,7 +5,7 @@
  * Input port 0: vtkPolyData. What is written is GIFTI, compressed: points in their type, triangles,
  * and every array of the points by its name. Polygons of more corners are an error.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkGIFTIReader

@@ -5,11 +5,11 @@
  * Input port 0: vtkPolyData. What is written is Gu's .m: points and polygons, and of the points as
  * traits
  * - array "SpherePosition" (3 components): trait sph,
- * - active normals, texture coordinates and colours (3 unsigned chars): normal, uv, rgb,
+ * - active normals, texture coordinates and colors (3 unsigned chars): normal, uv, rgb,
  *
- * and of the polygons active colours. Numbers are written so that they are read back the same.
+ * and of the polygons active colors. Numbers are written so that they are read back the same.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkGuMeshReader

@@ -10,7 +10,7 @@
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: rgb or rgba of four bytes.
  * - point arrays of the name, type and count of every other field but padding.
  *
- * What all readers of this module share is said in vtkSurfaceFileReader.
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -30,7 +30,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   * Whether a file is of this format, judged by its first bytes and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -7,7 +7,7 @@
  * - point array "ScanId" (int, 1 component): the line of the scan, counted from 0.
  * - point arrays of the names and types that all scans have, such as "confidence", "intensity".
  *
- * What all readers of this module share is said in vtkSurfaceFileReader.
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader vtkConformalPLYReader
@@ -48,7 +48,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is such a file, told by its first bytes, whatever its name is.
+   * Whether a file is of this format, judged by its first bytes and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

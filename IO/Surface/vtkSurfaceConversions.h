@@ -32,7 +32,7 @@ public:
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
 /// Points, polygons and named arrays of numbers. The active normals, texture coordinates and
-/// colours (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
+/// colors (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
 /// become triangles; vertices and lines are left out, and so are cell arrays unless all cells are
 /// polygons.
 /// @pre the surface passed vtkInputChecks.h

@@ -264,7 +264,7 @@ int vtkSurfaceFileReader::RequestData(
   this->Warn(output, "NumberOfReplacedValues", result.Data.ReplacedValues,
     "values replaced by 0 that are not finite");
   this->Warn(
-    output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are no points");
+    output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are not points");
   return 1;
 }
 

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSurfaceFileReader
- * @brief   base of the readers of scans and meshes: what all of them do alike
+ * @brief   what all readers of scans and meshes have in common
  *
  * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a
  * cloud and gets one vertex for each point, so that it can be seen.
@@ -15,6 +15,9 @@
  * that no point has, gives an error with its line or byte, an empty output, and an error code of
  * vtkErrorCode. Numbers are read alike in every locale. A reader that is asked to abort gives an
  * empty output without an error.
+ *
+ * This class is abstract, and only readers of this module derive from it: what they implement is
+ * not installed. Use one of them.
  *
  * Asked for a piece, a reader of clouds reads its share of the file and no more, where the format
  * can be cut: the pieces together are the whole, in order. All of another file is the first piece.
@@ -73,7 +76,8 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  // Whether Parse heeds the piece. Otherwise it is asked for the first one only, and gives all.
+  // Whether Parse reads only the piece. Otherwise it is called for the first piece only, and reads
+  // the whole file.
   virtual bool CutsFiles() const { return false; }
 
   // Read the opened file. Throws std::invalid_argument for a property that makes no sense.

@@ -1,12 +1,15 @@
 /**
  * @class   vtkSurfaceFileWriter
- * @brief   base of the writers of scans and meshes: what all of them do alike
+ * @brief   what all writers of scans and meshes have in common
  *
  * Input port 0: vtkPolyData, points, with or without polygons; strips are triangulated, vertices
- * and lines are left out. The active normals, texture coordinates and colours (unsigned char) are
+ * and lines are left out. The active normals, texture coordinates and colors (unsigned char) are
  * written as what a format calls so, other arrays by their names. Which of them a format has, the
  * writers say. Arrays that have not a tuple for each point or cell, and cells that name points that
  * are not there, are an error.
+ *
+ * This class is abstract, and only writers of this module derive from it: what they implement is
+ * not installed. Use one of them.
  *
  * Files are written whole or not at all, and those of one surface all or none: after an error,
  * which sets an error code of vtkErrorCode and makes Write() return 0, older files of the names are

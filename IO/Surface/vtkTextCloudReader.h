@@ -14,10 +14,10 @@
  * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red ... if
  *   all are whole numbers in 0..255; the last three of six; with the normals of nine.
  * - point array "Intensity" (double, 1 component): column i or intensity; the fourth of four; with
- *   the colours of seven.
+ *   the colors of seven.
  * - point arrays (double, 1 component) of the name of every other column, or "Column4" and so on.
  *
- * What all readers of this module share is said in vtkSurfaceFileReader.
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader vtkPTSReader vtkSimplePointsReader vtkDelimitedTextReader
@@ -57,7 +57,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is such a text, told by its first lines, whatever its name is.
+   * Whether a file is of this format, judged by its first lines and not by its name.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

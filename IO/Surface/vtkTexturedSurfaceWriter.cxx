@@ -96,7 +96,7 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
   }
   const bool areFloats = std::all_of(result.Positions.begin(), result.Positions.end(),
     [](double p) { return std::abs(p) <= std::numeric_limits<float>::max(); });
-  Require(areFloats, "a coordinate is no finite float");
+  Require(areFloats, "a coordinate is not finite as a 32-bit float");
   result.Corners.reserve(3 * surface->GetNumberOfPolys());
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
@@ -115,7 +115,8 @@ std::string ToPNG(vtkImageData* texture)
   int size[3];
   texture->GetDimensions(size);
   vtkDataArray* pixels = texture->GetPointData()->GetScalars();
-  Require(pixels && texture->GetNumberOfPoints() > 0 && size[2] == 1, "the texture is no picture");
+  Require(pixels && texture->GetNumberOfPoints() > 0 && size[2] == 1,
+    "the texture is not a 2D image with scalars");
   const int components = pixels->GetNumberOfComponents();
   Require(pixels->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4),
     "the texture's pixels are not 3 or 4 unsigned chars");
@@ -173,7 +174,7 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   if (extension != ".glb" && extension != ".obj" && extension != ".ply")
   {
     throw WriteError(vtkErrorCode::UnrecognizedFileTypeError,
-      std::string(this->FileName) + " ends in none of .glb, .obj and .ply");
+      std::string(this->FileName) + " does not end in .glb, .obj or .ply");
   }
   conformal::TexturedSurface surface =
     ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));

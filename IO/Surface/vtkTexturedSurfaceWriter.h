@@ -11,14 +11,14 @@
  * Input port 1: vtkImageData, the texture: one slice of unsigned char, 3 (RGB) or 4 (RGBA)
  * components.
  *
- * The ending of FileName, in small letters or capitals, chooses the format:
+ * The extension of FileName, in lower or upper case, chooses the format:
  * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats.
  * - ".obj": Wavefront OBJ with doubles, and beside it a material (".mtl") and the texture (".png")
  *   of the same name.
  * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
  *   vertices, and beside it the texture (".png") of the same name.
  *
- * What all writers of this module share is said in vtkSurfaceFileWriter.
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileWriter vtkSphericalTextureMap vtkGLTFReader vtkOBJReader

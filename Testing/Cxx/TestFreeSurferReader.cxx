@@ -55,7 +55,7 @@ TEST(FreeSurferReader, RefusesFilesThatDoNotBelongTogether)
   const auto refuse = [&](const Names& names, unsigned long code, const char* part)
   { contract::ExpectRefused(Read(names), code, part); };
   refuse({ white, other, "" }, vtkErrorCode::FileFormatError, "lh.other");
-  refuse({ white, center, "" }, vtkErrorCode::FileFormatError, "centre");
+  refuse({ white, center, "" }, vtkErrorCode::FileFormatError, "center");
   refuse({ white, "", curv }, vtkErrorCode::FileFormatError, "5 values");
   refuse({ white, folder.file("missing"), "" }, vtkErrorCode::FileNotFoundError, "missing");
   refuse({ white, "", white }, vtkErrorCode::PrematureEndOfFileError, "lh.white");

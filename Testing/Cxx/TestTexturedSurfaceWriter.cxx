@@ -392,7 +392,7 @@ TEST(TexturedSurfaceWriter, RefusesWhatCannotBeWritten)
   }
   sphere = TexturedSphere();
   vtkNew<vtkImageData> none;
-  refuse(sphere, none, "no picture");
+  refuse(sphere, none, "not a 2D image");
   refuse(sphere, Picture(1), "unsigned chars");
   vtkNew<vtkImageData> floats;
   floats->SetDimensions(2, 2, 1);
@@ -401,7 +401,7 @@ TEST(TexturedSurfaceWriter, RefusesWhatCannotBeWritten)
   vtkNew<vtkImageData> volume;
   volume->SetDimensions(2, 2, 2);
   volume->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  refuse(sphere, volume, "no picture");
+  refuse(sphere, volume, "not a 2D image");
   EXPECT_EQ(folder.numberOfFiles(), 0u);
   const Writing untextured(sphere, nullptr, folder.file("sphere.glb"));
   EXPECT_EQ(untextured.Result, 0);

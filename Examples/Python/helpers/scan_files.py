@@ -8,9 +8,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
 
-OUR_READERS = [reader for reader in vars(conformalsom).values()
-               if isinstance(reader, type) and reader is not conformalsom.vtkSurfaceFileReader
-               and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
+OUR_READERS = [reader for reader in vars(conformalsom).values() if hasattr(reader, "CanReadFile")]
 VTK_READERS = {
     ".obj": vtkOBJReader,
     ".stl": vtkSTLReader,

@@ -1,4 +1,4 @@
-/// Which end of a number comes first.
+/// Byte order of this machine, and numbers appended in a given order.
 
 #ifndef ConformalByteOrder_h
 #define ConformalByteOrder_h

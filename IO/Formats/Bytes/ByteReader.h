@@ -1,4 +1,4 @@
-/// The bytes of a file from first to last, whether they lie in memory or come in pieces.
+/// Reads the bytes of a file in order, from memory or piece by piece.
 
 #ifndef ConformalByteReader_h
 #define ConformalByteReader_h

@@ -15,7 +15,7 @@ void ColorList::add(const double* color, std::size_t components)
     if (c < components && !(value >= 0.0 && value <= 255.0))
     {
       this->Input.fail(ParseCode::Malformed,
-        "found " + std::to_string(value) + " in a colour, expected 0 to 255 or 0 to 1");
+        "found " + std::to_string(value) + " in a color, expected 0 to 255 or 0 to 1");
     }
     this->Values.push_back(static_cast<float>(value));
     this->Largest = std::max(this->Largest, this->Values.back());

@@ -1,4 +1,4 @@
-/// Colours as they come from a file, as bytes or as fractions.
+/// Colors read from a file, given as bytes or as fractions.
 
 #ifndef ConformalColorList_h
 #define ConformalColorList_h
@@ -11,7 +11,7 @@
 
 namespace conformal
 {
-/// Collects colours of 3 or 4 numbers. Files do not say what they count in: if none is more than 1
+/// Collects colors of 3 or 4 numbers. Files do not say what they count in: if none is more than 1
 /// they are fractions, else bytes.
 class ColorList
 {
@@ -23,17 +23,17 @@ public:
 
   void reserve(std::size_t count) { this->Values.reserve(4 * count); }
 
-  /// Append a colour.
+  /// Append a color.
   /// @throws ParseError if a number is not in [0, 255]
   void add(const double* color, std::size_t components);
 
-  /// Append a colour that the file does not give; it becomes white.
+  /// Append a color that the file does not give; it becomes white.
   void addMissing();
 
   /// Whether the file gave any.
   bool hasAny() const { return this->HasAny; }
 
-  /// "RGB", or "RGBA" if one colour has 4 numbers.
+  /// "RGB", or "RGBA" if one color has 4 numbers.
   NamedArray take();
 
 private:

@@ -1,4 +1,4 @@
-/// Which part of a file's points to read, where several processes share them.
+/// The part of a file's points that one of several processes reads.
 
 #ifndef ConformalFilePiece_h
 #define ConformalFilePiece_h

@@ -1,4 +1,4 @@
-/// The numbers in the body of a file, one after another, from bytes or from text.
+/// Reads the numbers in the body of a file, binary or text.
 
 #ifndef ConformalFileValues_h
 #define ConformalFileValues_h

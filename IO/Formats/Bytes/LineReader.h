@@ -1,4 +1,4 @@
-/// A text line by line, and a line word by word.
+/// Reads a text line by line, and a line word by word.
 
 #ifndef ConformalLineReader_h
 #define ConformalLineReader_h

@@ -1,4 +1,4 @@
-/// What parsers make of a file's numbers.
+/// A named array of numbers read from a file.
 
 #ifndef ConformalNamedArray_h
 #define ConformalNamedArray_h

@@ -1,4 +1,4 @@
-/// Numbers to and from text, the same in every locale.
+/// Conversion of numbers to and from text, the same in every locale.
 
 #ifndef ConformalNumberText_h
 #define ConformalNumberText_h

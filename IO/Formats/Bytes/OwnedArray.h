@@ -1,4 +1,4 @@
-/// Numbers in memory of malloc, so that another owner can take them without a copy.
+/// An array allocated with malloc, so that another owner can take it without a copy.
 
 #ifndef ConformalOwnedArray_h
 #define ConformalOwnedArray_h
@@ -25,7 +25,7 @@ public:
   T& operator[](std::size_t i) { return this->Values.get()[i]; }
   const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
 
-  /// Memory for so many values in all. New values are not initialised.
+  /// Memory for so many values in all. New values are not initialized.
   void reserve(std::size_t capacity)
   {
     if (capacity > this->Capacity)
@@ -49,7 +49,7 @@ public:
     this->Values.get()[this->Size++] = value;
   }
 
-  /// Append values that are not initialised.
+  /// Append values that are not initialized.
   void extend(std::size_t count)
   {
     if (count > this->Capacity - this->Size)

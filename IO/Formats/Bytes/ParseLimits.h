@@ -1,4 +1,4 @@
-/// The one place where what a file promises becomes memory.
+/// Limits on the memory that a parser may allocate.
 
 #ifndef ConformalParseLimits_h
 #define ConformalParseLimits_h

@@ -1,4 +1,4 @@
-/// How reading a file ended, and where.
+/// Outcome of reading a file: the error and its place in the file.
 
 #ifndef ConformalParseStatus_h
 #define ConformalParseStatus_h

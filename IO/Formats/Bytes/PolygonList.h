@@ -1,4 +1,4 @@
-/// Polygons as they come from a file, one id after another.
+/// Polygons read from a file, one point id after another.
 
 #ifndef ConformalPolygonList_h
 #define ConformalPolygonList_h

@@ -1,4 +1,4 @@
-/// Progress of a parser, told by how much of the input it has passed.
+/// Progress of a parser, as the fraction of the input that has been read.
 
 #ifndef ConformalProgressReport_h
 #define ConformalProgressReport_h

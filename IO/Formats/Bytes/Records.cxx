@@ -109,7 +109,7 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
   {
     this->group(known);
   }
-  this->groupNeighbours();
+  this->groupNeighbors();
   this->Names.clear();
   this->findRuns();
 }
@@ -164,7 +164,7 @@ void Records::groupPoints()
   const std::vector<std::size_t> members = this->find({ "x", "y", "z" });
   if (members.empty())
   {
-    throw std::invalid_argument("found no x, y and z of the points, one number each");
+    throw std::invalid_argument("found no x, y and z of the points with one number each");
   }
   const bool areFloats = std::all_of(members.begin(), members.end(),
     [&](std::size_t i) { return this->Fields[i].Type == ScalarType::Float32; });
@@ -189,7 +189,7 @@ void Records::group(const KnownFields& known)
 }
 
 //------------------------------------------------------------------------------
-void Records::groupNeighbours()
+void Records::groupNeighbors()
 {
   for (std::size_t i = 0; i < this->Fields.size();)
   {

@@ -1,4 +1,4 @@
-/// The numbers of records as named arrays, filled record by record or field by field.
+/// Conversion of records to named arrays, record by record or field by field.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -31,7 +31,7 @@ struct KnownFields
 /// Normals, colors and texture coordinates. Of several lists of an array, writers use the first.
 const std::vector<KnownFields>& knownFields();
 
-/// Fields that belong together share an array (see parsePLY()), and so do neighbours of one type
+/// Fields that belong together share an array (see parsePLY()), and so do neighbors of one type
 /// that have one name, or that are named NAME_0, NAME_1 and so on; every other one has its own. A
 /// record that is given up is overwritten by the next one.
 class Records
@@ -94,7 +94,7 @@ private:
     std::size_t Component = 0;
   };
 
-  // Neighbouring bytes of a record that stay neighbours in a tuple.
+  // Neighboring bytes of a record that stay neighbors in a tuple.
   struct Run
   {
     std::size_t Array;
@@ -109,7 +109,7 @@ private:
   void addArray(const std::string& name, ScalarType type, const std::vector<std::size_t>& members);
   void groupPoints();
   void group(const KnownFields& known);
-  void groupNeighbours();
+  void groupNeighbors();
   void findRuns();
 
   std::vector<RecordField> Fields;

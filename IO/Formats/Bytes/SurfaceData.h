@@ -1,4 +1,4 @@
-/// What every parser of surfaces and clouds gives.
+/// Points, polygons and arrays: the output of parsers and the input of writers.
 
 #ifndef ConformalSurfaceData_h
 #define ConformalSurfaceData_h

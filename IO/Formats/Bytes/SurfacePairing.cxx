@@ -83,7 +83,7 @@ void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfa
   if (!makeUnitVectors(positions))
   {
     fail(
-      surface, path, { ParseCode::Malformed, 0, 0, "found a point of the sphere at its centre" });
+      surface, path, { ParseCode::Malformed, 0, 0, "found a point of the sphere at its center" });
     return;
   }
   auto& arrays = surface.Data.PointArrays;

@@ -1,4 +1,4 @@
-/// Files that belong to a surface: its sphere, and numbers at its points.
+/// Adds the data of other files to a surface: its sphere, and values at its points.
 
 #ifndef ConformalSurfacePairing_h
 #define ConformalSurfacePairing_h

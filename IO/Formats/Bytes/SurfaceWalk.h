@@ -1,4 +1,4 @@
-/// What the makers of bytes share: a surface's numbers one by one.
+/// Access to the points, polygons and arrays of a surface, for the writers.
 
 #ifndef ConformalSurfaceWalk_h
 #define ConformalSurfaceWalk_h
@@ -124,7 +124,7 @@ inline void requireTriangles(const SurfaceData& surface)
 {
   if (surface.PolygonIds.size() != 3 * numberOfPolygons(surface))
   {
-    throw std::invalid_argument("the surface has polygons that are no triangles");
+    throw std::invalid_argument("the surface has polygons that are not triangles");
   }
 }
 }

@@ -1,4 +1,4 @@
-/// Vectors that a file says to be of unit length.
+/// Normalization of vectors that should be of unit length.
 
 #ifndef ConformalUnitVectors_h
 #define ConformalUnitVectors_h

@@ -1,4 +1,4 @@
-/// Files written whole or not at all.
+/// Writes files completely or not at all.
 
 #ifndef ConformalFileOutput_h
 #define ConformalFileOutput_h

@@ -1,4 +1,4 @@
-/// One file on its way to its place: written beside it under another name, then renamed.
+/// Writes a file under a temporary name beside it, then renames it.
 
 #ifndef ConformalOutputFile_h
 #define ConformalOutputFile_h

@@ -113,7 +113,7 @@ public:
     }
     if (this->Input.left() > 0)
     {
-      this->Input.fail(ParseCode::Malformed, "found more bytes behind the last value");
+      this->Input.fail(ParseCode::Malformed, "found bytes after the last value");
     }
     this->Data.PointArrays.push_back(std::move(values));
   }
@@ -127,7 +127,7 @@ private:
     if (end == std::string_view::npos)
     {
       this->Input.fail(text.size() < longest ? ParseCode::PrematureEnd : ParseCode::Malformed,
-        "expected a line that says who made the surface");
+        "expected a line that names the creator of the surface");
     }
     this->Input.advance(end + 1);
   }

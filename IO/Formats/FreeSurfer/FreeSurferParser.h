@@ -1,4 +1,4 @@
-/// Surfaces of the cortex, and numbers on them, as FreeSurfer writes them.
+/// Parser of FreeSurfer surfaces and of values at their points.
 
 #ifndef ConformalFreeSurferParser_h
 #define ConformalFreeSurferParser_h

@@ -27,7 +27,7 @@ std::string makeFreeSurfer(
         const auto value = static_cast<float>(scale * valueOf(points, 3 * point + c));
         if (!std::isfinite(value))
         {
-          throw std::invalid_argument("a coordinate is no finite float");
+          throw std::invalid_argument("a coordinate is not finite as a 32-bit float");
         }
         appendBytes(bytes, value, true);
       }

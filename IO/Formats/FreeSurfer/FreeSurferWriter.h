@@ -1,4 +1,4 @@
-/// Surfaces, spheres and values as the bytes of FreeSurfer's files.
+/// Writer of FreeSurfer surfaces, spheres and values at their points.
 
 #ifndef ConformalFreeSurferWriter_h
 #define ConformalFreeSurferWriter_h

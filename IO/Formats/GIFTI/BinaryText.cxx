@@ -89,7 +89,7 @@ public:
       if ((this->IsAtEnd && this->Stream.avail_in > 0) ||
         (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR))
       {
-        throw BinaryTextError("found compressed data that zlib does not know");
+        throw BinaryTextError("found data that zlib cannot decompress");
       }
       this->IsAtEnd = code == Z_STREAM_END;
       sink(buffer.data(), buffer.size() - this->Stream.avail_out);
@@ -139,7 +139,7 @@ void BinaryTextDecoder::add(std::string_view text)
     this->IsPadded = this->IsPadded || c == '=';
     if (bits < 0 ? c != '=' : this->IsPadded)
     {
-      throw BinaryTextError("found a letter that base64 has not, or not here");
+      throw BinaryTextError("found a character that is not valid base64 at this place");
     }
     if (bits < 0)
     {

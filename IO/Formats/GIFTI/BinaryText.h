@@ -1,4 +1,4 @@
-/// Bytes written as text: base64, with or without zlib compression before.
+/// Conversion of bytes to and from base64 text, optionally compressed with zlib.
 
 #ifndef ConformalBinaryText_h
 #define ConformalBinaryText_h

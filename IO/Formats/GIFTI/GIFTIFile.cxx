@@ -17,7 +17,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostArrays = 10000; // no honest file is near
+constexpr std::size_t MostArrays = 10000; // more than any real file has
 
 // What is wrong at the parser's place in the file.
 class GIFTIError : public std::runtime_error
@@ -74,7 +74,7 @@ public:
       }
       else
       {
-        require(this->Word.size() < longestNumber, "found a word that is no number");
+        require(this->Word.size() < longestNumber, "found a word that is not a number");
         this->Word += c;
       }
     }
@@ -150,21 +150,21 @@ public:
     this->Text.clear();
     this->TextBytes = 0;
     require(this->Path.size() > 1 || name == "GIFTI", "expected the element GIFTI");
-    require(this->Path.size() < 100, "found elements nested too deep");
+    require(this->Path.size() < 100, "found elements that are nested too deeply");
     if (this->Path.size() == 1)
     {
       this->readCount(attributes);
     }
     else if (name == "DataArray")
     {
-      require(!this->IsInArray, "found a DataArray in another");
+      require(!this->IsInArray, "found a DataArray inside another DataArray");
       require(this->Arrays.size() < this->NumberOfArrays, this->wrongCountMessage("more"));
       this->IsInArray = true;
       this->startArray(attributes);
     }
     else if (name == "Data" && this->IsInArray)
     {
-      require(!this->HasData, "found a DataArray of two Data");
+      require(!this->HasData, "found a DataArray with two Data elements");
       this->HasData = true;
       this->startData();
     }
@@ -185,7 +185,7 @@ public:
       constexpr std::size_t longest = 1000; // of a name; what is longer is no name
       this->Text.append(text.substr(0, longest - std::min(longest, this->Text.size())));
       this->TextBytes += text.size();
-      require(this->TextBytes <= LongestLine, tooLongMessage("a text that is no data"));
+      require(this->TextBytes <= LongestLine, tooLongMessage("text outside of a Data element"));
     }
   }
 
@@ -321,7 +321,7 @@ private:
     require(this->NumberOfValues * sizeOf(values.Type) <= most,
       "found dimensions of more values than the file could hold");
     values.Components = *sizes[0] > 0 ? this->NumberOfValues / *sizes[0] : 1;
-    require(values.Components > 0, "found a dimension of size 0 behind another");
+    require(values.Components > 0, "found a dimension of size 0 after another");
     require(values.Components <= 100000, "found tuples of more than 100000 numbers");
   }
 
@@ -335,8 +335,8 @@ private:
     }
     else
     {
-      require(
-        this->Encoding != "ExternalFileBinary", "found data in another file; they are not read");
+      require(this->Encoding != "ExternalFileBinary",
+        "found a DataArray whose data are in another file, which is not read");
       const bool isCompressed = this->Encoding == "GZipBase64Binary";
       require(isCompressed || this->Encoding == "Base64Binary",
         "found Encoding " + quoted(this->Encoding) +
@@ -424,7 +424,7 @@ public:
         const char*)
       {
         of(self).guard([](GIFTIHandler&)
-          { require(false, "found an entity of the file's own; they are not read"); });
+          { require(false, "found an entity that the file defines; such entities are not read"); });
       });
   }
 
@@ -456,7 +456,7 @@ public:
           code == XML_ERROR_PARTIAL_CHAR ||
           (isLast && this->place() >= static_cast<std::int64_t>(this->Input.size()));
         this->fail(isEnd ? ParseCode::PrematureEnd : ParseCode::Malformed,
-          std::string("the XML is wrong: ") + XML_ErrorString(code));
+          std::string("the XML is not valid: ") + XML_ErrorString(code));
       }
       this->Input.advance(piece.size());
       if (this->Input.offset() > LongestLine + static_cast<std::uint64_t>(this->place()))

@@ -1,4 +1,4 @@
-/// The arrays of a GIFTI file, whatever they mean.
+/// Parser of the arrays of a GIFTI file, whatever their intent.
 
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h

@@ -1,4 +1,4 @@
-/// Surfaces and numbers on them in the GIFTI format.
+/// Parser of GIFTI surfaces and of values at their points.
 
 #ifndef ConformalGIFTIParser_h
 #define ConformalGIFTIParser_h

@@ -84,7 +84,7 @@ std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
   requireTriangles(surface);
   if (numberOfPolygons(surface) == 0)
   {
-    throw std::invalid_argument("the surface has no polygons, and GIFTI has no clouds");
+    throw std::invalid_argument("the surface has no polygons; GIFTI cannot store points alone");
   }
   NamedArray triangles = makeArray("Triangles", ScalarType::Int32, 3);
   triangles.Values.reserve(3 * numberOfPolygons(surface) * sizeof(std::int32_t));

@@ -1,4 +1,4 @@
-/// Surfaces as the text of a GIFTI file.
+/// Writer of GIFTI surfaces.
 
 #ifndef ConformalGIFTIWriter_h
 #define ConformalGIFTIWriter_h

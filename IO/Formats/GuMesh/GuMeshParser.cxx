@@ -239,7 +239,7 @@ private:
     {
       if (!words.next(numbers[i]))
       {
-        this->Lines.failExpecting("traits of as many numbers as their names say");
+        this->Lines.failExpecting("traits with 3 numbers each (uv: 2)");
       }
     }
     return numbers;
@@ -295,7 +295,7 @@ private:
       if (!isWhole || !makeUnitVectors(this->Data.PointArrays.back()))
       {
         this->Input.fail(
-          ParseCode::Malformed, "expected sph=(x y z) at every vertex, of a length above 0");
+          ParseCode::Malformed, "expected sph=(x y z) at every vertex, of a length greater than 0");
       }
     }
     if (this->Colors.hasAny())

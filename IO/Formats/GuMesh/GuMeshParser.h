@@ -1,4 +1,4 @@
-/// Meshes in the .m format of X. Gu's MeshLib.
+/// Parser of meshes in the .m format of X. Gu's MeshLib.
 
 #ifndef ConformalGuMeshParser_h
 #define ConformalGuMeshParser_h

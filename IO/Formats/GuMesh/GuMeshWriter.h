@@ -1,4 +1,4 @@
-/// Meshes and clouds as the text of a .m file of Gu's.
+/// Writer of meshes and clouds in the .m format of X. Gu's MeshLib.
 
 #ifndef ConformalGuMeshWriter_h
 #define ConformalGuMeshWriter_h

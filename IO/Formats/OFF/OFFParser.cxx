@@ -228,7 +228,7 @@ private:
     ++this->Data.DroppedPoints;
   }
 
-  // The numbers behind normals: colours and texture coordinates. All points have as many.
+  // The numbers behind normals: colors and texture coordinates. All points have as many.
   const std::vector<double>& extrasOfPoint(TextValues& text, std::size_t point)
   {
     this->readLine(text);
@@ -240,7 +240,8 @@ private:
     {
       this->Input.fail(ParseCode::Malformed,
         "found " + std::to_string(this->Extras.size()) +
-          " numbers behind a point's, expected colours and texture coordinates as the keyword "
+          " numbers after the coordinates of a point, expected colors and texture coordinates as "
+          "the keyword "
           "says, as many for each point");
     }
     this->ExtrasOfPoints = this->Extras.size();
@@ -314,7 +315,7 @@ private:
     if (count < 0 || count > 4 || count == 2)
     {
       this->Input.fail(ParseCode::Malformed,
-        "found a colour of " + std::to_string(count) + " numbers, expected 0, 1, 3 or 4");
+        "found a color of " + std::to_string(count) + " numbers, expected 0, 1, 3 or 4");
     }
     this->Extras.resize(static_cast<std::size_t>(count));
     for (double& extra : this->Extras)
@@ -341,7 +342,7 @@ private:
       {
         this->Input.fail(ParseCode::Malformed,
           "found " + std::to_string(this->Extras.size()) +
-            " numbers behind a face's ids, expected an index or a colour of 3 or 4");
+            " numbers after the ids of a face, expected an index or a color of 3 or 4");
       }
       index = hasIndex ? static_cast<std::int32_t>(this->Extras[0]) : index;
       this->HasIndex = this->HasIndex || hasIndex;

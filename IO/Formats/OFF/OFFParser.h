@@ -1,4 +1,4 @@
-/// OFF files of Geomview, with all prefixes but dimensions other than three.
+/// Parser of OFF files of Geomview, with all prefixes but dimensions other than three.
 
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
@@ -16,7 +16,7 @@ namespace conformal
 ///
 /// Points are Float64 of a text and Float32 of a binary file; those of 4OFF are divided by their
 /// fourth coordinate. N gives "Normals", ST "TCoords" of the points' type, C "RGB" or "RGBA"
-/// (UInt8). Numbers behind the coordinates of a plain OFF's lines are colours. Colours behind a
+/// (UInt8). Numbers behind the coordinates of a plain OFF's lines are colors. Colors behind a
 /// face's ids are an array of the polygons, white where there are none; a single number there is
 /// "ColorIndex" (Int32), -1 where there is none.
 SurfaceResult parseOFF(

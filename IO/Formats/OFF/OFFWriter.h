@@ -1,4 +1,4 @@
-/// Surfaces and clouds as the text of an OFF file.
+/// Writer of OFF text files.
 
 #ifndef ConformalOFFWriter_h
 #define ConformalOFFWriter_h
@@ -9,7 +9,7 @@
 
 namespace conformal
 {
-/// OFF as text: "Normals", "RGB" or "RGBA", "TCoords" of the points, colours and "ColorIndex" of
+/// OFF as text: "Normals", "RGB" or "RGBA", "TCoords" of the points, colors and "ColorIndex" of
 /// the polygons. Other arrays are left out.
 /// @throws ParseError if the caller says stop
 std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = {});

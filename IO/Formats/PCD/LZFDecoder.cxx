@@ -12,7 +12,8 @@ unsigned char LZFDecoder::nextByte()
   }
   if (this->Left-- == 0)
   {
-    this->Input.fail(ParseCode::Malformed, "the compressed data end before all they promised");
+    this->Input.fail(
+      ParseCode::Malformed, "the compressed data end before the size that the header states");
   }
   const auto byte = static_cast<unsigned char>(bytes[0]);
   this->Input.advance(1);
@@ -38,8 +39,8 @@ void LZFDecoder::nextControl()
   if (this->Distance > this->Done)
   {
     this->Input.fail(ParseCode::Malformed,
-      "found a repetition of " + std::to_string(this->Distance) + " bytes before, of which " +
-        std::to_string(this->Done) + " are there");
+      "found a reference to " + std::to_string(this->Distance) + " bytes back, with only " +
+        std::to_string(this->Done) + " decompressed");
   }
 }
 
@@ -71,7 +72,7 @@ void LZFDecoder::end() const
 {
   if (this->Left > 0 || this->Literals > 0 || this->Repeats > 0)
   {
-    this->Input.fail(ParseCode::Malformed, "the compressed data go on behind the last point");
+    this->Input.fail(ParseCode::Malformed, "found compressed data after the last point");
   }
 }
 }

@@ -1,4 +1,4 @@
-/// Data compressed by LibLZF, as in PCD files, decompressed piece by piece.
+/// Decompression of LibLZF data in PCD files, piece by piece.
 
 #ifndef ConformalLZFDecoder_h
 #define ConformalLZFDecoder_h

@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostNumbers = 100000; // of a point; no honest header is near
+constexpr std::size_t MostNumbers = 100000; // of a point, more than any real file has
 constexpr std::string_view Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
 
@@ -146,7 +146,7 @@ private:
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
     {
       std::uint32_t number = 0;
-      this->check(readNumber(word, number) == word.size() && number > 0, "numbers above 0");
+      this->check(readNumber(word, number) == word.size() && number > 0, "numbers greater than 0");
       numbers.push_back(number);
     }
   }
@@ -197,7 +197,7 @@ private:
   {
     if (!isRight)
     {
-      this->Input.fail(ParseCode::Malformed, "the header is wrong: expected " + expected);
+      this->Input.fail(ParseCode::Malformed, "the header is not valid: expected " + expected);
     }
   }
 

@@ -1,4 +1,4 @@
-/// The text at the start of a PCD file.
+/// Parser of the header of a PCD file.
 
 #ifndef ConformalPCDHeader_h
 #define ConformalPCDHeader_h

@@ -1,4 +1,4 @@
-/// PCD files of the Point Cloud Library.
+/// Parser of PCD files of the Point Cloud Library.
 
 #ifndef ConformalPCDParser_h
 #define ConformalPCDParser_h
@@ -13,7 +13,7 @@ namespace conformal
 /// Read a file of version 0.5 to 0.7: ascii, binary or binary_compressed.
 ///
 /// x, y, z become Points (Float32 if all three are, else Float64), normal_x, normal_y, normal_z
-/// "Normals". Fields rgb and rgba of four bytes, whatever type they claim, are colours, "RGB" and
+/// "Normals". Fields rgb and rgba of four bytes, whatever type they claim, are colors, "RGB" and
 /// "RGBA" (UInt8). Every other field keeps its name, type and count; padding is left out. A point
 /// that is not finite is one that the scanner did not see: it is dropped without a word.
 ///

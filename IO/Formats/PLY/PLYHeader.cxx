@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t SomeBytes = 4096;
-constexpr std::size_t MostNames = 100000; // of elements and properties; no honest header is near
+constexpr std::size_t MostNames = 100000; // of elements and properties; more than any real file has
 
 // The first words of a line, one more than any line of a header may have.
 std::vector<std::string_view> wordsOf(std::string_view line)

@@ -1,4 +1,4 @@
-/// The text at the start of a PLY file: what elements follow, of what properties.
+/// Parser of the header of a PLY file: its elements and their properties.
 
 #ifndef ConformalPLYHeader_h
 #define ConformalPLYHeader_h

@@ -1,4 +1,4 @@
-/// PLY files: points with all their properties, polygons and triangle strips.
+/// Parser of PLY files: points with all their properties, polygons and triangle strips.
 
 #ifndef ConformalPLYParser_h
 #define ConformalPLYParser_h
@@ -26,7 +26,7 @@ struct PLYOptions
 /// are kept. Element "tristrips": the list vertex_indices gives strips, each ended by -1; they are
 /// resolved into triangles of one winding, and those with an id twice, which only turn a strip, are
 /// left out. Element "range_grid": the list vertex_indices gives the one point, or none, of each
-/// cell of a scanner's grid, whose size is in the lines obj_info num_cols and num_rows; neighbours
+/// cell of a scanner's grid, whose size is in the lines obj_info num_cols and num_rows; neighbors
 /// become triangles. Without these lines it is skipped. Other elements and other lists are skipped.
 ///
 /// A point that is not finite is dropped from a cloud and is an error in a mesh.

@@ -1,4 +1,4 @@
-/// Surfaces and clouds as the bytes of a PLY file.
+/// Writer of binary PLY files.
 
 #ifndef ConformalPLYWriter_h
 #define ConformalPLYWriter_h

@@ -31,7 +31,7 @@ public:
   {
   }
 
-  // Median distance of neighbours, 0 if there are none.
+  // Median distance of neighbors, 0 if there are none.
   double medianEdge() const
   {
     std::vector<float> lengths;
@@ -126,7 +126,7 @@ void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids)
 {
-  constexpr double wideFactor = 4.0; // neighbours on a slope of 75 degrees are this far apart
+  constexpr double wideFactor = 4.0; // neighbors on a slope of 75 degrees are this far apart
   GridTriangles triangles(points, grid, columns);
   triangles.append(
     maximumEdge > 0.0 ? maximumEdge : wideFactor * triangles.medianEdge(), offsets, ids);

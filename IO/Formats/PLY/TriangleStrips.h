@@ -1,4 +1,4 @@
-/// Triangle strips as triangles.
+/// Conversion of triangle strips to triangles.
 
 #ifndef ConformalTriangleStrips_h
 #define ConformalTriangleStrips_h

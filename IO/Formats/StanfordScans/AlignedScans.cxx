@@ -16,7 +16,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostScans = 10000; // no honest list is near
+constexpr std::size_t MostScans = 10000; // more than any real list has
 
 bool isMesh(std::string_view word)
 {
@@ -181,7 +181,7 @@ private:
           }
           if (!(std::isfinite(moved[0]) && std::isfinite(moved[1]) && std::isfinite(moved[2])))
           {
-            this->Lines.failExpecting("a motion that leaves points finite");
+            this->Lines.failExpecting("a motion that keeps the coordinates finite");
           }
           conformal::append(this->Data.Points, moved.data());
           conformal::append(this->ScanIds, &scanId);

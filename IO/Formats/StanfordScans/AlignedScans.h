@@ -1,4 +1,4 @@
-/// Range scans with the motions that align them, as the Stanford scanning repository gives them.
+/// Parser of range scans and the motions that align them, in the Stanford repository's format.
 
 #ifndef ConformalAlignedScans_h
 #define ConformalAlignedScans_h

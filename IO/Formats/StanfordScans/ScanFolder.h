@@ -1,4 +1,4 @@
-/// The scans that a list of scans names, as files.
+/// Opens the files that a list of scans names.
 
 #ifndef ConformalScanFolder_h
 #define ConformalScanFolder_h

@@ -12,7 +12,7 @@ namespace conformal
 namespace
 {
 constexpr std::size_t MostSampleLines = 100;
-constexpr std::size_t MostColumns = 1000; // no honest table is near
+constexpr std::size_t MostColumns = 1000; // more than any real table has
 constexpr std::string_view Blanks = " \t\v\f";
 
 using Words = std::vector<std::string_view>;
@@ -347,7 +347,7 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   TextCloudLayout layout;
   if (sample.Lines.empty() && sample.NamesLine > 0)
   {
-    refuse(sample.NamesLine, sample.Names, "points below names of columns, or x, y and z");
+    refuse(sample.NamesLine, sample.Names, "points after the names of columns, or x, y and z");
   }
   if (sample.Lines.empty())
   {

@@ -1,4 +1,4 @@
-/// What the columns of a text with points mean, told from its first lines.
+/// Meaning of the columns of a text file with points, found from its first lines.
 
 #ifndef ConformalTextCloudLayout_h
 #define ConformalTextCloudLayout_h
@@ -55,8 +55,8 @@ public:
 /// and commas are no decimal marks, else blanks. Names of columns come from a line before the
 /// numbers, a remark or not, that names x, y and z, and nothing twice. Without names, columns after
 /// the first three are told by their number and by the values of the first hundred lines: 4:
-/// intensity; 6: normals if all are of unit length, else colours if all are whole and in 0..255; 7:
-/// intensity and colours in either order; 9: normals and colours in either order; all others are
+/// intensity; 6: normals if all are of unit length, else colors if all are whole and in 0..255; 7:
+/// intensity and colors in either order; 9: normals and colors in either order; all others are
 /// "Column4" and so on.
 ///
 /// @param[in] start    bytes from the start of a text

@@ -71,7 +71,7 @@ public:
     if (this->Layout.HasCount && this->PointsToCome > 0)
     {
       this->Input.fail(ParseCode::PrematureEnd,
-        "the file ends, expected " + std::to_string(this->PointsToCome) + " points more");
+        "the file ends, expected " + std::to_string(this->PointsToCome) + " more points");
     }
     this->Data.Points = std::move(this->Layout.Arrays.front());
     this->Layout.Arrays.erase(this->Layout.Arrays.begin());
@@ -220,7 +220,7 @@ private:
       }
       if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0))
       {
-        this->Lines.failExpecting("colours in 0..255 as in the lines before");
+        this->Lines.failExpecting("colors in 0..255 as in the lines before");
       }
       tuple[column.Component] = static_cast<unsigned char>(this->Row[i]);
     }

@@ -1,4 +1,4 @@
-/// Points as text: XYZ, ASC, TXT, CSV, NTS, PTS.
+/// Parser of points in text files: XYZ, ASC, TXT, CSV, NTS, PTS.
 
 #ifndef ConformalTextCloudParser_h
 #define ConformalTextCloudParser_h
@@ -20,7 +20,7 @@ struct TextCloudOptions
 };
 
 /// Read a text with one point on a line, see findTextCloudLayout(). Points are Float64; "Normals"
-/// are, too, and so is every other column but whole colours, "RGB" (UInt8). A number alone on the
+/// are, too, and so is every other column but whole colors, "RGB" (UInt8). A number alone on the
 /// first line is the number of points that follow (PTS); a file may have several such blocks.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
   const ParseLimits& limits = {}, const ParseProgress& progress = {});

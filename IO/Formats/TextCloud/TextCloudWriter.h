@@ -1,4 +1,4 @@
-/// Clouds as text with one point a line.
+/// Writer of points as text, one point a line.
 
 #ifndef ConformalTextCloudWriter_h
 #define ConformalTextCloudWriter_h

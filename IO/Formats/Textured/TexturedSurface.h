@@ -1,4 +1,4 @@
-/// Textured surfaces as files of bytes: binary glTF 2.0, Wavefront OBJ and PLY.
+/// Writers of textured surfaces: binary glTF 2.0, Wavefront OBJ and PLY.
 
 #ifndef ConformalTexturedSurface_h
 #define ConformalTexturedSurface_h

@@ -71,7 +71,7 @@ TEST(FreeSurferParser, ReadsCurvOfBothKinds)
     {
       ExpectRefused(parseCurv(file.substr(0, size)), ParseCode::PrematureEnd, "");
     }
-    ExpectRefused(parseCurv(file + "x"), ParseCode::Malformed, "more bytes");
+    ExpectRefused(parseCurv(file + "x"), ParseCode::Malformed, "bytes after the last value");
     ExpectRefused(parseCurv(""), ParseCode::PrematureEnd, "empty");
   }
   const std::string file = samples::FreeSurferCurv(false);

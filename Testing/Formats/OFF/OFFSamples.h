@@ -13,7 +13,7 @@ inline const std::string& PlainOFF()
   return text;
 }
 
-// Every prefix of a text but 4 and n, remarks, colours of faces of every sort.
+// Every prefix of a text but 4 and n, remarks, colors of faces of every sort.
 inline const std::string& RichOFF()
 {
   static const std::string text = "STCNOFF # all of it\n# points\n4 3 # no edges\n\n"
@@ -32,7 +32,7 @@ inline std::string BinaryOFF()
   for (int i = 0; i < 3; ++i)
   {
     file.add(std::vector<float>{ 0.5F * float(i), float(i == 1), 0.1F }); // coordinates
-    file.add(std::vector<float>{ 0, 0, 1, 1, 0.5F, 0, 1 });               // normal and colour
+    file.add(std::vector<float>{ 0, 0, 1, 1, 0.5F, 0, 1 });               // normal and color
   }
   file.add(std::vector<std::int32_t>{ 3, 0, 1, 2, 3 }).add(std::vector<float>{ 0, 1, 0 });
   return file.bytes();

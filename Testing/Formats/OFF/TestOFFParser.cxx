@@ -125,7 +125,7 @@ TEST(OFFParser, ReadsBinaryFiles)
   ExpectRefused(word(1, 2147483647), ParseCode::Malformed, 0, "2147483647");
   ExpectRefused(word(33, -3), ParseCode::Malformed, 0, "-3");
   ExpectRefused(word(34, 3), ParseCode::Malformed, 0, "found id 3");
-  ExpectRefused(word(37, 2), ParseCode::Malformed, 0, "colour of 2");
+  ExpectRefused(word(37, 2), ParseCode::Malformed, 0, "color of 2");
 }
 
 TEST(OFFParser, DropsPolygonsAndPointsThatAreNone)
@@ -148,7 +148,7 @@ TEST(OFFParser, RefusesBrokenFilesWithTheirLine)
   ExpectRefused("OFFX\n", ParseCode::UnrecognizedType, 1, "OFFX");
   ExpectRefused("# only remarks\n", ParseCode::UnrecognizedType, 2, "OFF");
   ExpectRefused("nOFF 4\n1 0 0\n0 0 0 0\n", ParseCode::Malformed, 1, "3 dimensions");
-  ExpectRefused(replaced(plain, "4 4 6", "5 4 6"), ParseCode::Malformed, 7, "numbers behind");
+  ExpectRefused(replaced(plain, "4 4 6", "5 4 6"), ParseCode::Malformed, 7, "numbers after");
   ExpectRefused(replaced(plain, "4 4 6", "4 5 6"), ParseCode::PrematureEnd, 11, "ends");
   ExpectRefused(replaced(plain, "4 4 6", "4 3 6"), ParseCode::Malformed, 10, "end of the file");
   ExpectRefused(replaced(plain, "4 4 6", "-4 4 6"), ParseCode::Malformed, 2, "-4");
@@ -161,10 +161,10 @@ TEST(OFFParser, RefusesBrokenFilesWithTheirLine)
   ExpectRefused(replaced(plain, "1.5", "nan"), ParseCode::Malformed, 4, "not finite");
   ExpectRefused(replaced(plain, "3 1 2 3", "3 1 2 4"), ParseCode::Malformed, 9, "found id 4");
   ExpectRefused(replaced(plain, "3 1 2 3", "-3 1 2 3"), ParseCode::Malformed, 9, "-3");
-  ExpectRefused(replaced(plain, "3 1 2 3", "3 1 2 3 1 1"), ParseCode::Malformed, 9, "colour");
+  ExpectRefused(replaced(plain, "3 1 2 3", "3 1 2 3 1 1"), ParseCode::Malformed, 9, "color");
   ExpectRefused(replaced(plain, "3 1 2 3", "3 1 2 3 1 1 300"), ParseCode::Malformed, 9, "300");
   ExpectRefused(replaced(plain, "3 1 2 3", "3 1 2 3 1 1 1 1 1 1 1"), ParseCode::Malformed, 9, "1");
-  ExpectRefused(replaced(plain, "OFF\n", "COFF\n"), ParseCode::Malformed, 3, "colours");
+  ExpectRefused(replaced(plain, "OFF\n", "COFF\n"), ParseCode::Malformed, 3, "colors");
   ExpectRefused(replaced(plain, "OFF\n", "STOFF\n"), ParseCode::Malformed, 3, "coordinates");
 }
 

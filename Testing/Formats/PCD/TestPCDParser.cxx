@@ -92,7 +92,7 @@ TEST(PCDParser, ReadsAsciiFilesHoweverTheyAreWritten)
   ExpectAscii(replaced(ascii, "WIDTH 3\nHEIGHT 1\n", ""));
   ExpectAscii(replaced(ascii, "POINTS 3\n", ""));
   ExpectAscii(replaced(ascii, "COUNT 1 1 1 1 1\n", "# " + std::string(1 << 20, '#') + "\n"));
-  // Colours that claim to be a float: their bits are the colour.
+  // Colors that claim to be a float: their bits are the color.
   ExpectAscii(
     replaced(replaced(replaced(ascii, "F F F U I", "F F F F I"), "66051", "9.2557137e-41"),
       "16711680", "2.3418051e-38"));
@@ -151,7 +151,7 @@ TEST(PCDParser, RefusesHeadersThatAreWrong)
   refuse("WIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n", "", 7, "POINTS");
   refuse("SIZE 4 4 4 4 2", "SIZE 4 4 4 4", 11, "SIZE");
   refuse("SIZE 4 4 4 4 2", "SIZE 4 4 4 4 3", 11, "types");
-  refuse("SIZE 4 4 4 4 2", "SIZE 4 4 4 4 -2", 4, "above 0");
+  refuse("SIZE 4 4 4 4 2", "SIZE 4 4 4 4 -2", 4, "greater than 0");
   refuse("TYPE F F F U I", "TYPE F F F U X", 11, "types");
   refuse("TYPE F F F U I", "TYPE F F F U II", 5, "types");
   refuse("COUNT 1 1 1 1 1", "COUNT 1 1 1 1 4000000000", 11, "100000");
@@ -172,7 +172,7 @@ TEST(PCDParser, NamesOfFieldsAreThereOnceButForPadding)
   const SurfaceResult padded = parse("FIELDS _ x y _ z _\nPOINTS 1\nDATA ascii\n9 1 2 9 3 9\n");
   EXPECT_EQ(values<float>(padded.Data.Points), (std::vector<float>{ 1, 2, 3 }));
   EXPECT_TRUE(padded.Data.PointArrays.empty());
-  // Colours become RGB, whatever else is called so.
+  // Colors become RGB, whatever else is called so.
   const SurfaceResult colors = parse(
     "FIELDS x y z RGB rgb\nTYPE F F F F U\nSIZE 4 4 4 4 4\nPOINTS 1\nDATA ascii\n1 2 3 4 66051\n");
   ASSERT_EQ(colors.Data.PointArrays.size(), 2u);
@@ -229,7 +229,7 @@ TEST(PCDParser, RefusesBodiesThatAreWrong)
   ExpectRefused(sizes(1, whole), ParseCode::Malformed, 0, "expected 160");
   ExpectRefused(sizes(size - 1, whole), ParseCode::Malformed, 0, "end before");
   ExpectRefused(sizes(size + 1, whole), ParseCode::PrematureEnd, 0, "bytes");
-  ExpectRefused(sizes(size + 1, whole) + "x", ParseCode::Malformed, 0, "go on");
+  ExpectRefused(sizes(size + 1, whole) + "x", ParseCode::Malformed, 0, "after the last point");
 }
 
 TEST(PCDParser, DecompressesWhatWasCompressed)

@@ -133,7 +133,7 @@ TEST(PLYParser, KeepsDoublesAndWidensWhatNoPointCanBe)
 
 TEST(PLYParser, GroupsOnlyWhatBelongsTogether)
 {
-  // Colours with alpha; colours that are no bytes and a lone pair stay single.
+  // Colors with alpha; colors that are no bytes and a lone pair stay single.
   const conformal::SurfaceResult rgba = parsePLY(cloudOf(XYZ +
       "property uchar alpha\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
       "property float u\nproperty float v\nproperty float nx\n",
@@ -162,7 +162,7 @@ TEST(PLYParser, ResolvesStripsIntoTrianglesOfOneWinding)
   EXPECT_EQ(result.Data.DroppedPolygons, 0u);
 }
 
-TEST(PLYParser, JoinsNeighboursOfARangeGrid)
+TEST(PLYParser, JoinsNeighborsOfARangeGrid)
 {
   const conformal::SurfaceResult result = parsePLY(samples::AsciiGrid());
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();

@@ -100,7 +100,7 @@ TEST(TextCloudParser, ReadsColumnsByTheirNames)
   EXPECT_EQ(namesOf("# made by me\n0 0 0 5\n"), (Names{ "Intensity" }));
   EXPECT_EQ(namesOf("x\ty\tz\tScalar field\n0\t0\t0\t5\n"), (Names{ "Scalar field" }));
   EXPECT_EQ(namesOf("Points:0,Points:1,Points:2,d\n0,0,0,5\n"), (Names{ "d" }));
-  // Colours that are no bytes keep their names, and so do single members.
+  // Colors that are no bytes keep their names, and so do single members.
   EXPECT_EQ(namesOf("x y z r g b\n0 0 0 0.5 0 1\n"), (Names{ "r", "g", "b" }));
   EXPECT_EQ(namesOf("x y z nx g\n0 0 0 0.5 1\n"), (Names{ "nx", "g" }));
 }
@@ -144,7 +144,7 @@ TEST(TextCloudParser, ReadsEveryPointOfCountedBlocks)
   ExpectPoints("0\n", {});
   ExpectPoints("0\n1\n1 2 3\n", { 1, 2, 3 });
   ExpectRefused("3\n0 0 0\n1 1 1\n", ParseCode::PrematureEnd, 1, "bytes");
-  ExpectRefused("3\n0.000 0.000 0.000\n1 1 1\n", ParseCode::PrematureEnd, 4, "1 points more");
+  ExpectRefused("3\n0.000 0.000 0.000\n1 1 1\n", ParseCode::PrematureEnd, 4, "1 more points");
   ExpectRefused("1\n0 0 0\n1 1 1\n", ParseCode::Malformed, 3, "one more point");
   ExpectRefused("2000000000\n0 0 0\n", ParseCode::Malformed, 1, "2000000000");
   ExpectRefused("-5\n0 0 0\n", ParseCode::UnrecognizedType, 1, "-5");
@@ -180,7 +180,7 @@ TEST(TextCloudParser, RefusesWhatIsNoPointWithItsLine)
   {
     colors += colors;
   }
-  ExpectRefused(colors + "0 0 0 1 2 256\n", ParseCode::Malformed, 129, "colours");
+  ExpectRefused(colors + "0 0 0 1 2 256\n", ParseCode::Malformed, 129, "colors");
 }
 
 TEST(TextCloudParser, CountsWhatItLeavesOut)
