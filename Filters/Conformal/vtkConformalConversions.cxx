@@ -24,6 +24,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -72,26 +73,30 @@ conformal::ParallelFor SMPFor()
 }
 
 //------------------------------------------------------------------------------
-conformal::Progress ProgressOf(vtkAlgorithm* self, double begin, double end)
+conformal::Progress ProgressOf(vtkAlgorithm* self)
 {
   // Observers may draw, and may abort: they hear of every step anybody can see, and of a slow
   // run every 50 ms, or every thousandth of its time so far, which bounds their number.
-  constexpr double LeastStep = 0.002;
+  constexpr double leastStep = 0.002;
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
-  Clock::time_point last = start;
-  double next = 0.0;
-  return [=](double fraction) mutable
+  struct State
   {
-    const double reached = begin + fraction * (end - begin);
+    Clock::time_point Start = Clock::now(), Last = Start;
+    double Reached = 0.0, Next = 0.0;
+  };
+  // One of all copies, which parts of the progress hold.
+  const auto state = std::make_shared<State>();
+  return [=](double reached)
+  {
     const Clock::time_point now = Clock::now();
     const Clock::duration longest =
-      std::max<Clock::duration>(std::chrono::milliseconds(50), (now - start) / 1000);
-    if (reached >= next || fraction == 1.0 || now - last >= longest)
+      std::max<Clock::duration>(std::chrono::milliseconds(50), (now - state->Start) / 1000);
+    if (reached >= state->Next || reached == 1.0 || now - state->Last >= longest)
     {
-      next = reached + LeastStep;
-      last = now;
-      self->UpdateProgress(reached);
+      state->Reached = std::max(state->Reached, reached);
+      state->Next = state->Reached + leastStep;
+      state->Last = now;
+      self->UpdateProgress(state->Reached);
     }
     return self->GetAbortExecute() == 0;
   };

@@ -31,8 +31,7 @@ inline const char* SpherePositionName()
 conformal::ParallelFor SMPFor();
 
 /// Reports to the filter's progress observers; stops when the filter is asked to abort.
-/// Maps [0, 1] to [begin, end] of the filter's own progress.
-conformal::Progress ProgressOf(vtkAlgorithm* self, double begin = 0.0, double end = 1.0);
+conformal::Progress ProgressOf(vtkAlgorithm* self);
 
 /// What an exception of the core says to the user.
 std::string MessageOf(const std::exception& error);

@@ -1,6 +1,7 @@
 #include "vtkConformalDistortion.h"
 
 #include "Distortion.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 
@@ -51,18 +52,24 @@ int vtkConformalDistortion::RequestData(
           this, "the surface is empty, nothing was measured");
         return;
       }
+      // For each triangle.
+      conformal::Steps steps(
+        vtkConformalConversions::ProgressOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
+      steps.next();
       std::vector<vtkIdType> cellIds;
       conformal::Points copy;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      steps.next();
+      const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::Distortion distortion =
         conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(), copy),
-          triangles, vtkConformalConversions::ToSpherePositions(input),
-          vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
+          triangles, map, vtkConformalConversions::SMPFor(), steps.next());
 
       output->ShallowCopy(input);
       const auto addCellArray = [&](
                                   const char* name, const std::vector<double>& values, double none)
       {
+        steps.next();
         vtkConformalConversions::AddNumbers(
           output->GetCellData(), name, OfCells(input->GetNumberOfCells(), cellIds, values, none));
       };

@@ -1,6 +1,7 @@
 #include "vtkConformalSOM.h"
 
 #include "ConformalSOM.h"
+#include "Steps.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
@@ -231,9 +232,17 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable =
         CountUnusable(priorities, this->PriorityArrayName, processes.reduce());
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
+      const auto size = static_cast<double>(input->GetNumberOfPoints());
+      const double neurons = 10.0 * this->Frequency * this->Frequency;
+      const bool online = this->TrainingMode == ONLINE;
+      // Reading, learning (the middle of what the shapes of objects make of it), errors, the
+      // output.
+      conformal::Steps steps(processes.progress(),
+        { 40.0 * size,
+          online ? 5000.0 * this->NumberOfEpochs * this->SamplesPerEpoch : 150000.0 * neurons,
+          this->GenerateErrorScalars ? 450.0 * size : 0.0, 10.0 * neurons });
       const conformal::TrainingSamples samples(points, priorities,
-        vtkConformalConversions::GhostTest(input), threads, processes.reduce(),
-        processes.progress(0.0, 0.02));
+        vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
@@ -248,7 +257,7 @@ int vtkConformalSOM::RequestData(
         mesh = vtkConformalConversions::ToSharedMesh(this, start, processes);
       }
       const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
-        samples, OptionsOf(this), start ? &mesh : nullptr, threads, processes.progress(0.02, 1.0));
+        samples, OptionsOf(this), start ? &mesh : nullptr, threads, steps.next());
       if (processes.isFirst())
       {
         WarnAbout(this, result, samples.totalSize());
@@ -256,11 +265,13 @@ int vtkConformalSOM::RequestData(
       vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
       vtkConformalConversions::AddVectors(output->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.Network.Positions);
+      const conformal::Progress measuring = steps.next();
       if (this->GenerateErrorScalars)
       {
         vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",
-          conformal::quantizationErrors(samples, result, threads));
+          conformal::quantizationErrors(samples, result, threads, measuring));
       }
+      steps.next();
       const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
       AddFigures(output->GetFieldData(), samples, result, polished);
       vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);

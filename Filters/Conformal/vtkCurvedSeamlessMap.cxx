@@ -2,6 +2,7 @@
 
 #include "AcrossProcesses.h"
 #include "CurvedSeamlessSurface.h"
+#include "Steps.h"
 #include "TrainingSamples.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
@@ -76,15 +77,16 @@ struct Model
 };
 
 // That of the first process that has a surface, on all of them.
-Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
-  vtkConformalConversions::Processes& processes)
+Model ModelOf(const conformal::CurvedSeamlessSurfaceOptions& options, vtkObject* self,
+  vtkPolyData* surface, vtkConformalConversions::Processes& processes,
+  const conformal::Progress& progress)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
-  model.Options = OptionsOf(map, surface);
+  model.Options = options;
   if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
   {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface);
+    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, progress);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Points = std::move(mesh.Points);
     model.Triangles = std::move(mesh.Triangles);
@@ -102,11 +104,11 @@ Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
 }
 
 conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy,
-  vtkConformalConversions::Processes& processes)
+  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
 {
   conformal::TrainingSamples samples(vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy),
     {}, vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
-    processes.reduce());
+    processes.reduce(), progress);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
@@ -174,15 +176,24 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes)
 {
   this->Surface.reset();
-  const Model model = ModelOf(this, self, surface, processes);
+  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this, surface);
+  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
+  const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
+  conformal::Steps steps(progress,
+    { 750.0 * size, 80.0 * cloudSize,
+      (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
+        (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
+  const Model model = ModelOf(options, self, surface, processes, steps.next());
   conformal::Points copy;
-  const bool fits = cloud && model.Options.DomeHeight == conformal::DomeHeight::Fitted;
+  const conformal::Progress reading = steps.next();
   const conformal::TrainingSamples samples = fits
-    ? SamplesOf(self, cloud, copy, processes)
+    ? SamplesOf(self, cloud, copy, processes, reading)
     : conformal::TrainingSamples(conformal::PointView());
   this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model.SpherePositions,
     model.Points, model.Triangles, model.Options, fits ? &samples : nullptr,
-    vtkConformalConversions::SMPFor(), progress);
+    vtkConformalConversions::SMPFor(), steps.next());
   const conformal::Index degenerate = this->Surface->numberOfDegenerateTriangles();
   if (degenerate > 0 && processes.isFirst())
   {

@@ -2,6 +2,7 @@
 
 #include "CurvedSeamlessSurface.h"
 #include "GeodesicSphere.h"
+#include "Steps.h"
 #include "VertexNormals.h"
 #include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessMap.h"
@@ -32,11 +33,12 @@ namespace
 constexpr conformal::Index BlockSize = 4096;
 
 // Directions and triangles in which the surface is wanted.
-conformal::GeodesicSphere DenseSphere(vtkPolyData* sphere, int frequency)
+conformal::GeodesicSphere DenseSphere(
+  vtkPolyData* sphere, int frequency, const conformal::Progress& progress)
 {
   if (!sphere)
   {
-    return conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor());
+    return conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor(), progress);
   }
   conformal::GeodesicSphere dense;
   dense.Faces = vtkConformalConversions::ToTriangles(sphere);
@@ -178,15 +180,32 @@ int vtkCurvedSeamlessSurface::RequestData(
                                             : "the dense sphere is empty, and so is the result");
         return;
       }
-      const double shareOfMap = fits ? 0.9 : 0.5;
-      this->Map->BuildCore(this, surface, vtkPointSet::GetData(inputVector[2]),
-        processes.progress(0.0, shareOfMap), processes);
+      vtkPointSet* cloud = vtkPointSet::GetData(inputVector[2]);
+      const bool domes = this->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE;
+      const bool matched = this->GetSeamMode() == vtkCurvedSeamlessMap::EDGE_MATCHED;
+      const auto meshSize = static_cast<double>(surface->GetNumberOfPoints());
+      const double cloudSize =
+        fits && cloud ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
+      const double rounds = 1.0 + this->GetNumberOfFitRounds();
+      const double denseSize = sphere ? static_cast<double>(sphere->GetNumberOfPoints())
+                                      : 10.0 * this->Frequency * this->Frequency + 2.0;
+      // The map, as BuildCore() has it; then, for each direction, the sphere, its triangles, its
+      // directions, the surface, and what is left.
+      conformal::Steps steps(processes.progress(),
+        { (matched ? 5300.0 : 3300.0) * meshSize +
+            (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0),
+          40.0 * denseSize, 20.0 * denseSize, 30.0 * denseSize, 900.0 * denseSize,
+          (domes ? 150.0 : 10.0) * denseSize, 30.0 * denseSize });
+      this->Map->BuildCore(this, surface, cloud, steps.next(), processes);
       // What is large is let go as soon as the output has it.
+      const conformal::Progress making = steps.next();
       conformal::GeodesicSphere dense = processes.rank() == owner
-        ? DenseSphere(sphere, this->Frequency)
+        ? DenseSphere(sphere, this->Frequency, making)
         : conformal::GeodesicSphere();
+      steps.next();
       output->Initialize();
       vtkConformalConversions::SetTriangles(output, dense.Faces);
+      steps.next();
       const vtkNew<vtkDoubleArray> directions =
         Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
       conformal::copyUnitVectors(
@@ -202,11 +221,13 @@ int vtkCurvedSeamlessSurface::RequestData(
       samples.Normals = normals->GetPointer(0);
       samples.Degenerate = degenerate.data();
       conformal::evaluate(this->Map->Built(), { directions->GetPointer(0), size }, samples,
-        vtkConformalConversions::SMPFor(), processes.progress(shareOfMap, 1.0));
-      if (this->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE)
+        vtkConformalConversions::SMPFor(), steps.next());
+      steps.next();
+      if (domes)
       {
         SmoothNormals(ViewOf(positions), dense.Faces, ViewOf(normals));
       }
+      steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
 
       vtkNew<vtkPoints> points;

@@ -1,6 +1,7 @@
 #include "vtkGenusZeroCheck.h"
 
 #include "GenusZeroCheck.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 
@@ -74,11 +75,15 @@ int vtkGenusZeroCheck::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      conformal::Steps steps(
+        vtkConformalConversions::ProgressOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
+      steps.next();
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      steps.next();
       const conformal::Points points = vtkConformalConversions::ToPoints(input->GetPoints());
-      const conformal::GenusZeroReport report = conformal::checkGenusZero(
-        triangles, points.rows(), points, vtkConformalConversions::ProgressOf(this));
+      const conformal::GenusZeroReport report =
+        conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
 
       output->ShallowCopy(input);
       vtkFieldData* data = output->GetFieldData();

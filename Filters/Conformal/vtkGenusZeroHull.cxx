@@ -1,6 +1,7 @@
 #include "vtkGenusZeroHull.h"
 
 #include "GenusZeroHull.h"
+#include "Steps.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
@@ -12,6 +13,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkGenusZeroHull);
 vtkCxxSetObjectMacro(vtkGenusZeroHull, Controller, vtkMultiProcessController);
@@ -134,15 +137,23 @@ int vtkGenusZeroHull::RequestData(
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
     {
+      // Reading; the hull, on a lattice that a usual object has so many nodes on, of samples that
+      // are no more than are worth the spacing; the output.
+      const auto size = static_cast<double>(input->GetNumberOfPoints());
+      const double perSquare = 1.0 / (this->Spacing * this->Spacing);
+      const double nodes = 4.7 * perSquare / this->Spacing;
+      conformal::Steps steps(processes.progress(),
+        { 40.0 * size, 220.0 * nodes + 40.0 * size + 1900.0 * std::min(size, 32.0 * perSquare),
+          3.0 * nodes });
       conformal::Points copy;
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const conformal::TrainingSamples samples(
         vtkConformalConversions::ViewPoints(input->GetPoints(), copy), {},
-        vtkConformalConversions::GhostTest(input), threads, processes.reduce());
+        vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {
-        hull = conformal::makeGenusZeroHull(samples, options, threads, processes.progress());
+        hull = conformal::makeGenusZeroHull(samples, options, threads, steps.next());
       }
       if (processes.isFirst())
       {
@@ -150,6 +161,7 @@ int vtkGenusZeroHull::RequestData(
       }
       if (!samples.empty())
       {
+        steps.next();
         vtkConformalConversions::SetSurface(output, Restore(samples, hull.Points), hull.Triangles);
         AddFigures(output->GetFieldData(), samples, hull);
         vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);

@@ -1,6 +1,7 @@
 #include "vtkGlobalConformalMap.h"
 
 #include "GlobalConformalMap.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 
@@ -95,15 +96,21 @@ int vtkGlobalConformalMap::RequestData(
         vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
         return;
       }
-      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface);
+      // Closing the mesh, mapping it, the output.
+      const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
+      const auto size = static_cast<double>(numberOfPoints);
+      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+        { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
+          40.0 * size });
+      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, steps.next());
       conformal::Triangles outward = mesh.Triangles;
       if (mesh.InsideOut)
       {
         outward.col(1).swap(outward.col(2));
       }
-      const conformal::GlobalConformalMapResult map =
-        conformal::globalConformalMap(mesh.Points, outward, options,
-          vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
+      const conformal::GlobalConformalMapResult map = conformal::globalConformalMap(
+        mesh.Points, outward, options, vtkConformalConversions::SMPFor(), steps.next());
+      steps.next();
       PassSurface(surface, mesh, output);
       vtkConformalConversions::AddVectors(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);

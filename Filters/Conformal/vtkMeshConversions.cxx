@@ -2,6 +2,7 @@
 
 #include "GenusZeroCheck.h"
 #include "PolygonTriangulation.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 
@@ -172,11 +173,14 @@ conformal::Triangles ToTriangles(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface)
+ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress)
 {
+  conformal::Steps steps(progress, { 32.0, 5.0, 310.0, 20.0 }); // for each triangle
+  steps.next();
   ClosedMesh mesh;
   conformal::Triangles& triangles = mesh.Triangles;
   triangles = ToTriangles(surface);
+  steps.next();
   const conformal::Points points = ToPoints(surface->GetPoints());
   if (!points.allFinite())
   {
@@ -185,7 +189,8 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface)
       " points of the surface are not finite");
   }
 
-  conformal::GenusZeroReport report = conformal::checkGenusZero(triangles, points.rows(), points);
+  conformal::GenusZeroReport report =
+    conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
   conformal::Index merged = 0;
   if (!report.BoundaryEdges.empty())
   {
@@ -216,6 +221,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface)
     vtkWarningWithObjectMacro(
       self, << turned << " triangles were turned, since they disagreed with their neighbors");
   }
+  steps.next();
   mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
 
   const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
@@ -235,9 +241,10 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface)
+conformal::MappedMesh ToMappedMesh(
+  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress)
 {
-  const ClosedMesh closed = ToClosedMesh(self, surface);
+  const ClosedMesh closed = ToClosedMesh(self, surface, progress);
   const conformal::Points map = ToSpherePositions(surface);
   conformal::MappedMesh mesh;
   mesh.Positions = closed.Points;

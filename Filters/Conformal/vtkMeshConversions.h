@@ -37,12 +37,14 @@ struct ClosedMesh
 /// isolated points dropped.
 /// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
 ///   open, not manifold, in several pieces, or of another genus
-ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface);
+ClosedMesh ToClosedMesh(
+  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress = {});
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".
 /// @throws std::invalid_argument also if that array cannot be used
-conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface);
+conformal::MappedMesh ToMappedMesh(
+  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress = {});
 }
 
 #endif

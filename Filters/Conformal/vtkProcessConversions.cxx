@@ -144,9 +144,9 @@ conformal::Reduce Processes::reduce()
 }
 
 //------------------------------------------------------------------------------
-conformal::Progress Processes::progress(double begin, double end)
+conformal::Progress Processes::progress()
 {
-  conformal::Progress report = ProgressOf(this->Self, begin, end);
+  conformal::Progress report = ProgressOf(this->Self);
   if (this->Size == 1)
   {
     return report;

@@ -46,7 +46,7 @@ public:
   std::string textOf(int rank, const std::string& text);
 
   /// As ProgressOf; also stops when another process does.
-  conformal::Progress progress(double begin = 0.0, double end = 1.0);
+  conformal::Progress progress();
 
   /// Hear of all. An error is that of the first process that has one.
   /// @param[in] error  what went wrong on this process, null for nothing

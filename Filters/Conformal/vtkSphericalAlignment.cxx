@@ -2,6 +2,7 @@
 
 #include "EdgeWeights.h"
 #include "SphericalAlignment.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
@@ -50,13 +51,20 @@ Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landm
   return pairs;
 }
 
-Pairs PairsOfSurfaces(
-  vtkAlgorithm* self, vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference)
+Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference,
+  const conformal::Progress& progress)
 {
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
+  // Conversions, then what is expected of carryMap().
+  conformal::Steps steps(
+    progress, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
+  steps.next();
   conformal::MappedMesh other;
   other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints());
   other.Faces = vtkConformalConversions::ToTriangles(reference);
   other.SpherePositions = vtkConformalConversions::ToSpherePositions(reference);
+  steps.next();
   const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints());
   const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
   if (triangles.rows() == 0 || other.Faces.rows() == 0)
@@ -67,9 +75,7 @@ Pairs PairsOfSurfaces(
   {
     throw std::invalid_argument("some points are not finite");
   }
-  return { map,
-    conformal::carryMap(
-      points, other, vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(self)),
+  return { map, conformal::carryMap(points, other, vtkConformalConversions::SMPFor(), steps.next()),
     conformal::vertexAreas(points, triangles) };
 }
 
@@ -136,15 +142,26 @@ int vtkSphericalAlignment::RequestData(
         return;
       }
       vtkInputChecks::RequireCellIds(surface); // which landmarks need not, but the output has
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
+      const bool landmarks = !this->Landmarks.empty();
+      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+        { 20.0 * size, landmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
+          landmarks ? 0.0 : (this->Transform == MOEBIUS ? 1700.0 : 20.0) * size, 10.0 * size,
+          40.0 * size });
+      steps.next();
       conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
-      const Pairs pairs = this->Landmarks.empty()
-        ? PairsOfSurfaces(this, surface, map, reference)
-        : PairsOfLandmarks(
-            this->Landmarks, map, vtkConformalConversions::ToSpherePositions(reference));
-      const conformal::SphericalAlignmentResult result = conformal::alignSpheres(pairs.From,
-        pairs.To, pairs.Weights, static_cast<conformal::AlignmentKind>(this->Transform));
+      const conformal::Progress pairing = steps.next();
+      const Pairs pairs = landmarks ? PairsOfLandmarks(this->Landmarks, map,
+                                        vtkConformalConversions::ToSpherePositions(reference))
+                                    : PairsOfSurfaces(surface, map, reference, pairing);
+      const conformal::SphericalAlignmentResult result =
+        conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights,
+          static_cast<conformal::AlignmentKind>(this->Transform), steps.next());
+      steps.next();
       result.Transform.applyTo(map);
 
+      steps.next();
       output->ShallowCopy(surface);
       vtkConformalConversions::AddVectors(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map);

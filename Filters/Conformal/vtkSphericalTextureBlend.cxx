@@ -2,6 +2,7 @@
 
 #include "SphereViewChoice.h"
 #include "SphericalTextureBlend.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkSphereImageConversions.h"
@@ -159,9 +160,16 @@ int vtkSphericalTextureBlend::RequestData(
       backView.FieldOfView = this->FieldOfView;
       conformal::TwoPictures pictures;
       pictures.Front.View = image.View;
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const double numberOfPixels = 1.0 * this->ImageSize[0] * this->ImageSize[1];
+      conformal::Steps steps(
+        ProgressOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
+      steps.next();
       conformal::Points copy;
-      pictures.Back.View = conformal::chooseSphereView(ViewPoints(surface->GetPoints(), copy),
-        ToTriangles(surface), ToSpherePositions(surface), backView, ProgressOf(this, 0.0, 0.2));
+      const conformal::PointView points = ViewPoints(surface->GetPoints(), copy);
+      const conformal::Triangles triangles = ToTriangles(surface);
+      pictures.Back.View = conformal::chooseSphereView(
+        points, triangles, ToSpherePositions(surface), backView, steps.next());
       pictures.Front.FieldOfView = pictures.Back.FieldOfView = this->FieldOfView;
       pictures.FrontGrid = GridOf(front);
       pictures.BackGrid = GridOf(back);
@@ -170,7 +178,7 @@ int vtkSphericalTextureBlend::RequestData(
       vtkDataArray* pixels =
         AllocatePixels(output, outputVector->GetInformationObject(0), PixelsOf(front));
       conformal::blendPictures(pictures, image, { this->ImageSize[0], this->ImageSize[1] },
-        Painter(PixelsOf(front), PixelsOf(back), pixels), SMPFor(), ProgressOf(this, 0.2, 1.0));
+        Painter(PixelsOf(front), PixelsOf(back), pixels), SMPFor(), steps.next());
     });
 }
 

@@ -1,6 +1,7 @@
 #include "vtkSphericalTextureImage.h"
 
 #include "SphericalTextureImage.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"
@@ -235,6 +236,15 @@ int vtkSphericalTextureImage::RequestData(
       holes->SetNumberOfValues(output->GetNumberOfPoints());
 
       conformal::Points copy, sourceCopy;
+      auto* sourceSurface = vtkPolyData::SafeDownCast(source);
+      const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
+      conformal::Steps steps(processes.progress(),
+        { 100.0 * static_cast<double>(surface->GetNumberOfPoints()) +
+            (sourceSurface ? 100.0 : 10.0) * sourceSize,
+          900.0 * static_cast<double>(surface->GetNumberOfPoints()) +
+            (sourceSurface ? 600.0 : 250.0) * sourceSize +
+            (source ? 1000.0 : 350.0) * static_cast<double>(output->GetNumberOfPoints()) });
+      steps.next();
       conformal::SphereMappedSurface mapped;
       conformal::SphereImage image;
       if (processes.rank() == owner)
@@ -247,14 +257,15 @@ int vtkSphericalTextureImage::RequestData(
       const conformal::PixelSink sink = Painter(values, pixels, holes);
       if (source)
       {
-        auto* sourceSurface = vtkPolyData::SafeDownCast(source);
-        conformal::paintSphericalTexture(mapped, ViewPoints(source->GetPoints(), sourceCopy),
-          sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3), image, grid,
-          sink, processes.reduce(), SMPFor(), processes.progress());
+        const conformal::PointView points = ViewPoints(source->GetPoints(), sourceCopy);
+        const conformal::Triangles faces =
+          sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3);
+        conformal::paintSphericalTexture(
+          mapped, points, faces, image, grid, sink, processes.reduce(), SMPFor(), steps.next());
       }
       else
       {
-        conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), processes.progress());
+        conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), steps.next());
       }
       if (isShared)
       {

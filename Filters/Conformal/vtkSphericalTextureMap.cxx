@@ -1,6 +1,7 @@
 #include "vtkSphericalTextureMap.h"
 
 #include "SphericalTexture.h"
+#include "Steps.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkSphereImageConversions.h"
@@ -152,13 +153,20 @@ int vtkSphericalTextureMap::RequestData(
           this, "the surface is empty, there is nothing to lay an image on");
         return;
       }
+      // For each vertex.
+      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+        { 35.0, 17.0, (this->UseViewPoint ? 1360.0 : 210.0) + (this->SplitSeam ? 350.0 : 0.0),
+          this->SplitSeam ? 110.0 : 3.0 });
+      steps.next();
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      steps.next();
+      const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), triangles,
-        vtkConformalConversions::ToSpherePositions(input), options,
-        vtkConformalConversions::SMPFor(), vtkConformalConversions::ProgressOf(this));
+        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), triangles, map, options,
+        vtkConformalConversions::SMPFor(), steps.next());
+      steps.next();
       if (this->SplitSeam)
       {
         AddSplitPoints(output, input, texture.AddedPlaces);

@@ -1,6 +1,7 @@
 #include "vtkSurfaceMismatch.h"
 
 #include "AcrossProcesses.h"
+#include "Steps.h"
 #include "SurfaceMismatch.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
@@ -91,6 +92,12 @@ int vtkSurfaceMismatch::RequestData(
         return;
       }
       const conformal::Reduce reduce = processes.reduce();
+      const auto modelSize = static_cast<double>(model->GetNumberOfPoints());
+      const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
+      const double sizes = modelSize + referenceSize;
+      conformal::Steps steps(processes.progress(),
+        { 80.0 * sizes, 1500.0 * sizes + 500.0 * this->NumberOfSamples, 10.0 * sizes });
+      steps.next();
       conformal::Points modelCopy, referenceCopy;
       conformal::PointView modelPoints =
         vtkConformalConversions::ViewPoints(model->GetPoints(), modelCopy);
@@ -104,11 +111,15 @@ int vtkSurfaceMismatch::RequestData(
           conformal::gatherRows(reduce, vtkConformalConversions::ToPoints(model->GetPoints()));
         modelPoints = modelCopy;
       }
-      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(modelPoints,
-        modelTriangles, vtkConformalConversions::ViewPoints(reference->GetPoints(), referenceCopy),
-        vtkConformalConversions::ToTriangles(reference), options, vtkConformalConversions::SMPFor(),
-        processes.progress(), reduce);
+      const conformal::PointView referencePoints =
+        vtkConformalConversions::ViewPoints(reference->GetPoints(), referenceCopy);
+      const conformal::Triangles referenceTriangles =
+        vtkConformalConversions::ToTriangles(reference);
+      const conformal::SurfaceMismatch mismatch =
+        conformal::measureSurfaceMismatch(modelPoints, modelTriangles, referencePoints,
+          referenceTriangles, options, vtkConformalConversions::SMPFor(), steps.next(), reduce);
 
+      steps.next();
       const auto own = mismatch.ModelDistances.begin() + firstOwn;
       PassWithDistances(model, output, { own, own + model->GetNumberOfPoints() });
       PassWithDistances(reference, referenceOutput, mismatch.ReferenceDistances);

@@ -7,6 +7,7 @@
 #include "MeshTopology.h"
 #include "Resampling.h"
 #include "SampleRotation.h"
+#include "Steps.h"
 #include "SurfaceSupport.h"
 #include "TriangleTree.h"
 
@@ -123,42 +124,75 @@ PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
   return polish;
 }
 
+/// What steps of learning take, in nanoseconds as in Steps.
+double workOfFeet(const TrainingSamples& samples, Index wanted)
+{
+  return 650.0 * static_cast<double>(std::min(wanted, samples.totalSize()));
+}
+
+double numberOfNeurons(int frequency)
+{
+  return 10.0 * frequency * frequency + 2.0;
+}
+
+double workOfLattice(int frequency)
+{
+  return 1400.0 * numberOfNeurons(frequency);
+}
+
+double workOfPass(const TrainingSamples& samples, const ConformalSOMOptions& options, int frequency)
+{
+  const double neurons = numberOfNeurons(frequency);
+  return workOfFeet(samples, static_cast<Index>(options.SamplesPerNeuron * neurons)) +
+    500.0 * neurons;
+}
+
+double workOfLearning(const TrainingSamples& samples, const ConformalSOMOptions& options)
+{
+  double work = 0.0;
+  for (int f : frequencies(options.Frequency))
+  {
+    work += workOfLattice(f) + options.PassesPerLevel * workOfPass(samples, options, f);
+  }
+  return work;
+}
+
 /// Learning passes from the unit sphere, coarse to fine.
 ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
-  const auto passWork = [](int f) { return static_cast<double>(f) * f; };
-  double work = 0.0, done = 0.0;
+  std::vector<double> work;
   for (int f : levels)
   {
-    work += passWork(f) * options.PassesPerLevel;
+    work.push_back(workOfLattice(f));
+    work.insert(work.end(), options.PassesPerLevel, workOfPass(samples, options, f));
   }
-
+  Steps steps(progress, work);
   ConformalSOMResult result;
   double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
   SampleRotation rotation(samples, options.RandomSeed);
   for (int f : levels)
   {
+    Steps preparing(steps.next(), { 25.0, 700.0, 65.0, 620.0 }); // for each neuron
     {
       const GeodesicSphere coarse =
-        std::exchange(result.Network, makeGeodesicSphere(f, parallelFor));
-      report(progress, done / work);
+        std::exchange(result.Network, makeGeodesicSphere(f, parallelFor, preparing.next()));
       const Points& positions = result.Network.Positions;
-      result.Weights = f == levels.front()
-        ? positions
-        : resample(coarse.Positions, result.Weights, coarse.Faces, positions, parallelFor,
-            partOf(progress, done / work, done / work));
+      const Progress resampling = preparing.next();
+      result.Weights = f == levels.front() ? positions
+                                           : resample(coarse.Positions, result.Weights,
+                                               coarse.Faces, positions, parallelFor, resampling);
     }
+    preparing.next();
     const Points& positions = result.Network.Positions;
     const Triangles& faces = result.Network.Faces;
     const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
-    report(progress, done / work);
-    TriangleTree surface(result.Weights, faces, parallelFor,
-      partOf(progress, done / work, (done + 0.1 * passWork(f)) / work));
+    TriangleTree surface(result.Weights, faces, parallelFor, preparing.next());
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
+      const Progress passing = steps.next();
       rotation.turn(options.SamplesPerNeuron * positions.rows());
       FixedPointSums sums(4 * positions.rows());
       constexpr double LogUnit = 64.0; // no logarithm of a square distance is larger
@@ -180,9 +214,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
             }
           }
         },
-        parallelFor,
-        partOf(progress, (done + (pass == 0 ? 0.1 : 0.0) * passWork(f)) / work,
-          (done + 0.9 * passWork(f)) / work));
+        parallelFor, partOf(passing, 0.0, 0.9));
       sums.reduce(samples.reduce());
       errors.reduce(samples.reduce());
       const double count = static_cast<double>(rotation.totalCount());
@@ -196,7 +228,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       for (int step = 0; step < steps; ++step)
       {
         diffuse(neighbors, shares, parallelFor);
-        report(progress, (done + 0.9 * passWork(f)) / work);
+        report(passing, 0.9);
       }
       const Points moved = means(shares, neighbors, result.Weights, parallelFor);
 
@@ -209,8 +241,6 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       result.History.push_back(record);
       result.Weights = moved;
       surface.refit(result.Weights, faces, parallelFor);
-      done += passWork(f);
-      report(progress, done / work);
       // The geometric mean, which a few outliers do not change.
       typicalErrors[1] = std::exp(LogUnit * errors[1] / count);
     }
@@ -242,12 +272,13 @@ Points selection(const TrainingSamples& samples, Index wanted)
 void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
 {
-  const std::vector<double> masses = polish(samples, options, parallelFor, progress, result);
+  Steps steps(progress, { 0.97, 0.01, 0.02 });
+  const std::vector<double> masses = polish(samples, options, parallelFor, steps.next(), result);
+  steps.next();
   const Triangles& faces = result.Network.Faces;
   const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
-  report(progress, 1.0);
   const std::vector<bool> bare = bareVertices(result.Weights, faces, neighbors, masses);
-  report(progress, 1.0);
+  steps.next();
   if (std::find(bare.begin(), bare.end(), true) != bare.end())
   {
     result.UnsupportedFraction = areaFraction(result.Weights, faces,
@@ -292,26 +323,44 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
 
   const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
   const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
+  // Whether the hull is needed shows when all has been learned from the sphere, which takes the
+  // smaller part of the time then. Progress does not wait for that: until the passes have been
+  // made it goes the middle way, then the way that their mesh makes likely. Where it is mistaken,
+  // the progress jumps at the end, or is slow for the hull.
+  const double work = workOfLearning(samples, options);
+  PolishOptions polishing = polishFor(options, 0.0);
+  const double ownPolish =
+    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency)));
+  polishing.NumberOfRounds *= 2;
+  const double hulling = workOfHullStart(samples) +
+    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency)));
+  constexpr double inReserve = 0.12;
   ConformalSOMResult fromSphere;
+  Steps steps(progress, {});
   if (!mustHull)
   {
-    const double share = mayHull ? 0.4 : 1.0;
-    fromSphere = learnFromSphere(samples, options, parallelFor, partOf(progress, 0.0, 0.5 * share));
-    polishAndCheck(samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor,
-      partOf(progress, 0.5 * share, share), fromSphere);
+    steps.replan({ work,
+      mayHull ? std::sqrt((work + ownPolish) * (work + ownPolish + hulling)) - work : ownPolish });
+    fromSphere = learnFromSphere(samples, options, parallelFor, steps.next());
+    const bool likely = mayHull && stretched(fromSphere) > ToleratedTriangles;
+    const double rest = likely ? hulling : (mayHull ? inReserve * (work + ownPolish) : 0.0);
+    steps.replan({ ownPolish, rest });
+    polishAndCheck(
+      samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor, steps.next(), fromSphere);
   }
   const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
   if (!mayHull || (!mustHull && !webs && stretched(fromSphere) <= ToleratedTriangles))
   {
     return fromSphere;
   }
-  const HullStart start =
-    startFromHull(samples, makeGeodesicSphere(options.Frequency, parallelFor).Positions,
-      parallelFor, partOf(progress, mustHull ? 0.0 : 0.4, 0.7));
+  steps.replan({ workOfHullStart(samples),
+    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency))) });
+  const HullStart start = startFromHull(samples,
+    makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
   ConformalSOMResult fromHull = polishFrom(
     start.Weights, fromSphere.NoiseToDetail,
     [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,
-    partOf(progress, 0.7, 1.0));
+    steps.next());
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;

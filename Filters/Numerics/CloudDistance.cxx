@@ -1,6 +1,7 @@
 #include "CloudDistance.h"
 
 #include "BoxTree.h"
+#include "Steps.h"
 #include "StrayPoints.h"
 
 #include <algorithm>
@@ -17,6 +18,20 @@ namespace
 {
 constexpr Index SamplesPerBlock = 1 << 12;
 constexpr int PlanesPerReport = 16;
+constexpr double SamplesPerSquare = 32.0; // of the lattice's spacing
+
+// A second round brings seeds round corners that the first could not turn.
+constexpr int NumberOfSweeps = 6;
+
+// For each sample and each node, in nanoseconds as in Steps.
+constexpr double WorkOfStray = 1700.0, WorkOfIsolated = 3.0, WorkOfSweep = 9.0;
+
+// How many samples count, of all processes.
+double numberOfSelected(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+{
+  return std::min(static_cast<double>(samples.totalSize()),
+    SamplesPerSquare / (lattice.Spacing * lattice.Spacing));
+}
 
 // A square distance above, an id below: as integers, these compare by distance, then by id.
 using Entry = std::uint64_t;
@@ -41,8 +56,7 @@ float squareDistanceOf(Entry entry)
 // have rhythms of their own. All processes get the same ones.
 Points select(const TrainingSamples& samples, double spacing)
 {
-  constexpr double samplesPerSquare = 32.0;
-  const double most = samplesPerSquare / (spacing * spacing);
+  const double most = SamplesPerSquare / (spacing * spacing);
   const Index stretch =
     std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / most));
   const Index first = samples.firstOfTotal(), last = first + samples.size();
@@ -349,6 +363,14 @@ private:
 }
 
 //------------------------------------------------------------------------------
+double workOfDistances(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+{
+  return (8.0 + WorkOfIsolated + NumberOfSweeps * WorkOfSweep) *
+    static_cast<double>(lattice.numberOfNodes()) +
+    (WorkOfStray + 95.0) * numberOfSelected(lattice, samples);
+}
+
+//------------------------------------------------------------------------------
 FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
   const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -400,24 +422,24 @@ FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing,
 std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
   const TrainingSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
 {
-  const auto part = [&](double begin, double end) -> Progress
-  {
-    return [&progress, begin, end](double fraction)
-    {
-      report(progress, begin + fraction * (end - begin));
-      return true;
-    };
-  };
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const double size = numberOfSelected(lattice, samples);
+  std::vector<double> work = { 3.0 * nodes + 10.0 * size, WorkOfStray * size, 85.0 * size,
+    WorkOfIsolated * nodes, 3.0 * nodes };
+  work.insert(work.end(), NumberOfSweeps, WorkOfSweep * nodes);
+  work.push_back(2.0 * nodes);
+  Steps steps(progress, work);
+  steps.next();
   NearestSamples nearest(lattice, samples, parallelFor);
-  nearest.dropStray(part(0.0, 0.1));
-  nearest.scatter(part(0.1, 0.2));
-  nearest.dropIsolated(part(0.2, 0.3));
-  nearest.gatherSeeds(part(0.3, 0.4));
-  // A second round brings seeds round corners that the first could not turn.
-  for (int i = 0; i < 6; ++i)
+  nearest.dropStray(steps.next());
+  nearest.scatter(steps.next());
+  nearest.dropIsolated(steps.next());
+  nearest.gatherSeeds(steps.next());
+  for (int i = 0; i < NumberOfSweeps; ++i)
   {
-    nearest.sweep(i % 3, part(0.4 + 0.1 * i, 0.5 + 0.1 * i));
+    nearest.sweep(i % 3, steps.next());
   }
+  steps.next();
   return nearest.distances();
 }
 }

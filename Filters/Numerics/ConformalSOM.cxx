@@ -5,6 +5,7 @@
 #include "FootPoints.h"
 #include "OnlineTraining.h"
 #include "Resampling.h"
+#include "Steps.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -64,19 +65,22 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   }
   else
   {
+    Steps steps(progress, { 1.0, 40.0 }); // parts of the polish
     const GeodesicSphere network = makeGeodesicSphere(options.Frequency, parallelFor);
+    const Progress starting = steps.next();
     Points weights = network.Positions; // step 1
     if (start)
     {
-      weights =
-        resample(start->SpherePositions, start->Positions, start->Faces, weights, parallelFor);
+      weights = resample(
+        start->SpherePositions, start->Positions, start->Faces, weights, parallelFor, starting);
       for (Index i = 0; i < weights.rows(); ++i)
       {
         weights.row(i) = samples.normalize(weights.row(i));
       }
     }
-    result = online ? trainOnline(samples, network, weights, options, progress)
-                    : trainBatchFrom(std::move(weights), samples, options, parallelFor, progress);
+    result = online
+      ? trainOnline(samples, network, weights, options, steps.next())
+      : trainBatchFrom(std::move(weights), samples, options, parallelFor, steps.next());
   }
   for (Index i = 0; i < result.Weights.rows(); ++i)
   {
@@ -86,17 +90,21 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   return result;
 }
 
-std::vector<double> quantizationErrors(
-  const TrainingSamples& samples, const ConformalSOMResult& result, const ParallelFor& parallelFor)
+std::vector<double> quantizationErrors(const TrainingSamples& samples,
+  const ConformalSOMResult& result, const ParallelFor& parallelFor, const Progress& progress)
 {
+  Steps steps(progress,
+    { 1000.0 * static_cast<double>(result.Weights.rows()),
+      1000.0 * static_cast<double>(samples.size()) });
   Points weights(result.Weights.rows(), 3);
   for (Index i = 0; i < weights.rows(); ++i)
   {
     weights.row(i) = samples.normalize(result.Weights.row(i));
   }
   FixedPointSums squares(weights.rows()), counts(weights.rows());
+  const TriangleTree tree(weights, result.Network.Faces, parallelFor, steps.next());
   forEachFoot(
-    samples, TriangleTree(weights, result.Network.Faces, parallelFor), samples.size(), {},
+    samples, tree, samples.size(), {},
     [&](Index, const Vector3& x, const FootPoint& foot)
     {
       int corner = 0;
@@ -105,7 +113,7 @@ std::vector<double> quantizationErrors(
       squares.add(neuron, (x - Vector3(weights.row(neuron))).squaredNorm());
       counts.add(neuron, 1.0);
     },
-    parallelFor);
+    parallelFor, steps.next());
   squares.reduce(samples.reduce());
   counts.reduce(samples.reduce());
   std::vector<double> errors(weights.rows(), 0.0);

@@ -37,7 +37,8 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 /// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
 /// @return #N values
 std::vector<double> quantizationErrors(const TrainingSamples& samples,
-  const ConformalSOMResult& result, const ParallelFor& parallelFor = {});
+  const ConformalSOMResult& result, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "GenusZeroCheck.h"
 #include "MeshTopology.h"
 #include "SphereCoverage.h"
+#include "Steps.h"
 #include "VertexNormals.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
+constexpr double WorkOfLocator = 400.0; // for each triangle
 
 void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* what)
 {
@@ -102,6 +104,16 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   , Model(model)
   , Faces(facesOfMap(this->Sphere, faces, parallelFor))
 {
+  const auto size = static_cast<double>(faces.rows());
+  const double cloudSize = cloud ? static_cast<double>(cloud->size()) : 0.0;
+  const bool fits = options.DomeHeight == DomeHeight::Fitted;
+  Steps steps(progress,
+    { 20.0 * size, 60.0 * size, WorkOfLocator * size,
+      (options.SeamMode == SeamMode::EdgeMatched ? 1500.0 : 500.0) * size,
+      fits ? (1.0 + options.Fit.NumberOfFitRounds) * (2500.0 * cloudSize + 5000.0 * size)
+           : 300.0 * size,
+      50.0 * size });
+  steps.next();
   if (sphere.rows() != model.rows() || !model.allFinite())
   {
     throw std::invalid_argument("the model needs one finite position for each sphere position");
@@ -119,24 +131,25 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   }
   const double rounding = 1e-12;
   this->InsideOut = signedVolume(centered, this->Faces) < -rounding;
-  report(progress, 0.2);
+  steps.next();
   const Adjacency around = vertexTriangles(this->Faces, model.rows());
   this->Neighbors = triangleNeighbors(this->Faces, around, parallelFor);
-  this->Locator = SphereLocator(this->Sphere, this->Faces, this->Neighbors, parallelFor);
-  report(progress, 0.4);
-  this->Flat =
-    FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode, parallelFor);
-  report(progress, 0.5);
+  this->Locator =
+    SphereLocator(this->Sphere, this->Faces, this->Neighbors, parallelFor, steps.next());
+  this->Flat = FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode,
+    parallelFor, steps.next());
+  const Progress curving = steps.next();
   if (this->differentiable())
   {
-    this->curve(around, cloud, parallelFor, partOf(progress, 0.5, 1.0));
+    this->curve(around, cloud, parallelFor, curving);
   }
   else
   {
     this->Domes = SphereDomes(this->Sphere, this->Model, this->Faces, this->Neighbors, this->Flat,
-      this->InsideOut, parallelFor);
+      this->InsideOut, parallelFor, curving);
     this->scaleDomes();
   }
+  steps.next();
   this->Degenerate.resize(faces.rows(), 0);
   for (Index r = 0; r < faces.rows(); ++r)
   {

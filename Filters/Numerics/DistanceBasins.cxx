@@ -1,10 +1,12 @@
 #include "DistanceBasins.h"
 
 #include "GeodesicSphere.h"
+#include "Steps.h"
 
 #include <algorithm>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 namespace conformal
 {
@@ -301,14 +303,7 @@ int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& d
 OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
   double offset, double persistence, const ParallelFor& parallelFor, const Progress& progress)
 {
-  const auto part = [&](double begin, double end) -> Progress
-  {
-    return [&progress, begin, end](double fraction)
-    {
-      report(progress, begin + fraction * (end - begin));
-      return true;
-    };
-  };
+  Steps steps(progress, { 25.0, 12.0, 14.0, 4.0 }); // for each node
   const std::array<int, 3>& size = lattice.Size;
   for (int z = 0; z < size[2]; ++z)
   {
@@ -321,10 +316,11 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
       }
     }
   }
-  const Basins basins = numberBasins(
-    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, part(0.0, 0.4)),
-    distances, part(0.4, 0.6));
-  const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, part(0.6, 1.0));
+  std::vector<int> above =
+    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, steps.next());
+  const Basins basins = numberBasins(std::move(above), distances, steps.next());
+  const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, steps.next());
+  steps.next();
 
   OutsideNodes result;
   Division division = divide(saddles, basins, persistence, -1);

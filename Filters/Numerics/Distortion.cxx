@@ -1,6 +1,7 @@
 #include "Distortion.h"
 
 #include "SphereOrientation.h"
+#include "Steps.h"
 #include "UnitBox.h"
 
 #include <algorithm>
@@ -160,10 +161,12 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
   result.AngleDistortion.resize(size);
   result.AreaDistortion.resize(size);
   result.QuasiConformalError.resize(size);
+  Steps steps(progress, { 20.0, 225.0, 21.0 }); // for each triangle
+  steps.next();
   const Points mesh = inUnitBox(points);
   Measured measured(size);
   constexpr Index blockSize = 1 << 10;
-  forBlocks(parallelFor, size, blockSize, progress,
+  forBlocks(parallelFor, size, blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       const auto corners = [&](const Points& from, Index r)
@@ -182,6 +185,7 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
         result.QuasiConformalError[r] = dilatation(a, b);
       }
     });
+  steps.next();
   summarize(result, measured);
   return result;
 }

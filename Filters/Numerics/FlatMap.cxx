@@ -82,7 +82,8 @@ FlatMap::Edge FlatMap::own(int edge, TriangleMap& network, TriangleMap& model)
 
 //------------------------------------------------------------------------------
 FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& faces,
-  const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor)
+  const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor,
+  const Progress& progress)
   : Slides(seamMode == SeamMode::EdgeMatched)
   , Network(sphere, faces, parallelFor)
   , Model(faces.rows())
@@ -90,7 +91,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& fac
   , Order(faces.rows())
 {
   std::vector<std::array<Edge, 3>> own(this->Slides ? faces.rows() : 0);
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  forBlocks(parallelFor, faces.rows(), BlockSize, progress,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -51,7 +51,8 @@ public:
   /// @param[in] faces      #R by 3 ids of a closed surface
   /// @param[in] neighbors  triangleNeighbors of the faces
   FlatMap(const Points& sphere, const Points& model, const Triangles& faces,
-    const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor = {});
+    const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor = {},
+    const Progress& progress = {});
 
   /// Whether the triangle has no shape, on the sphere or in the model.
   bool degenerate(Index triangle) const

@@ -1,6 +1,7 @@
 #include "GenusZeroCheck.h"
 
 #include "MeshTopology.h"
+#include "Steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,10 @@ struct Side
 using Sides = std::vector<Side>;
 
 // Sides of one edge lie next to each other. First put together by their smaller id, then sorted.
-Sides sortedSides(const Triangles& triangles)
+Sides sortedSides(const Triangles& triangles, const Progress& progress = {})
 {
+  Steps steps(progress, { 11.0, 36.0, 22.0 }); // for each triangle
+  steps.next();
   const int size = triangles.rows() > 0 ? triangles.maxCoeff() + 1 : 0;
   std::vector<int> ends(size + 1, 0);
   const auto forEachSide = [&](const auto& body)
@@ -58,14 +61,19 @@ Sides sortedSides(const Triangles& triangles)
   };
   forEachSide([&](const Side& side) { ++ends[side.Low + 1]; });
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  steps.next();
   Sides sides(ends.back());
   forEachSide([&](const Side& side) { sides[ends[side.Low]++] = side; });
   int begin = 0;
-  for (int v = 0; v < size; ++v)
-  {
-    std::sort(sides.begin() + begin, sides.begin() + ends[v]);
-    begin = ends[v];
-  }
+  forBlocks({}, size, 1 << 8, steps.next(),
+    [&](Index first, Index last)
+    {
+      for (Index v = first; v < last; ++v)
+      {
+        std::sort(sides.begin() + begin, sides.begin() + ends[v]);
+        begin = ends[v];
+      }
+    });
   return sides;
 }
 
@@ -256,6 +264,10 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
   const PointView& points, const Progress& progress)
 {
   requireIds(triangles, numberOfVertices);
+  const double withPoints = points.size() > 0 ? 1.0 : 0.0;
+  Steps steps(progress,
+    { 4.0 + 8.0 * withPoints, 70.0, 15.0, 15.0, 150.0, 40.0 + 8.0 * withPoints }); // a triangle
+  steps.next();
   GenusZeroReport result;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
@@ -273,10 +285,9 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
       result.NonFinitePoints.push_back(static_cast<int>(v));
     }
   }
-  report(progress, 0.1);
 
-  const Sides sides = sortedSides(triangles);
-  report(progress, 0.4);
+  const Sides sides = sortedSides(triangles, steps.next());
+  steps.next();
   DisjointSets connected(numberOfVertices), loops(numberOfVertices);
   std::vector<char> used(numberOfVertices, 0), onBoundary(numberOfVertices, 0);
   forEachEdge(sides,
@@ -303,24 +314,28 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
     });
   result.NumberOfComponents = countSets(connected, used);
   result.NumberOfBoundaryLoops = countSets(loops, onBoundary);
-  report(progress, 0.6);
 
+  steps.next();
   const Adjacency around = vertexTriangles(triangles, numberOfVertices);
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    if (!used[v])
+  forBlocks({}, numberOfVertices, 1 << 8, steps.next(),
+    [&](Index begin, Index end)
     {
-      result.IsolatedPoints.push_back(v);
-    }
-    else if (hasSeveralFans(triangles, around, v))
-    {
-      result.NonManifoldVertices.push_back(v);
-    }
-  }
+      for (int v = static_cast<int>(begin); v < end; ++v)
+      {
+        if (!used[v])
+        {
+          result.IsolatedPoints.push_back(v);
+        }
+        else if (hasSeveralFans(triangles, around, v))
+        {
+          result.NonManifoldVertices.push_back(v);
+        }
+      }
+    });
   result.NumberOfVertices = numberOfVertices - static_cast<Index>(result.IsolatedPoints.size());
   result.EulerNumber = result.NumberOfVertices - result.NumberOfEdges + result.NumberOfTriangles;
-  report(progress, 0.8);
 
+  steps.next();
   result.Orientable = spreadOrientation(triangles, sides).Consistent;
   result.InsideOut = points.size() > 0 && result.closed() && result.InconsistentEdges.empty() &&
     signedVolume(points, triangles) < 0.0;

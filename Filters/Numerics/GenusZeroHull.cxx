@@ -3,6 +3,7 @@
 #include "CloudDistance.h"
 #include "LatticeSolid.h"
 #include "LevelSetSurface.h"
+#include "Steps.h"
 
 #include <algorithm>
 #include <array>
@@ -85,25 +86,26 @@ Index countInside(
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
-  const auto part = [&](double begin, double end) -> Progress
-  {
-    return [&progress, begin, end](double fraction)
-    {
-      report(progress, begin + fraction * (end - begin));
-      return true;
-    };
-  };
   const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
+  const auto size = static_cast<double>(samples.size());
+  Steps steps(progress, { 1.0, 20.0 }); // until the lattice is known
   const FreudenthalLattice lattice =
-    latticeAround(samples, spacing, margin, parallelFor, part(0.0, 0.02));
-  std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, part(0.02, 0.4));
+    latticeAround(samples, spacing, margin, parallelFor, steps.next());
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
+  // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
+  // samples outside, data hidden inside, the surface and its smoothing.
+  steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
+    15.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes, 12.0 * nodes + 1800.0 * surfaceNodes,
+    options.SmoothingPasses * 450.0 * surfaceNodes });
+  std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, steps.next());
 
   GenusZeroHullResult result;
   result.Spacing = spacing;
   std::vector<std::uint8_t> inside;
   {
     OutsideNodes outside = findOutside(
-      lattice, distances, options.Offset, options.Persistence, parallelFor, part(0.4, 0.65));
+      lattice, distances, options.Offset, options.Persistence, parallelFor, steps.next());
     result.Leaks = outside.Leaks;
     result.LargestHole = { outside.LargestHole.Saddle * spacing,
       outside.LargestHole.Peak * spacing };
@@ -113,29 +115,31 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   {
     mark = !mark;
   }
-  keepLargestPiece(lattice, inside, part(0.65, 0.7));
+  keepLargestPiece(lattice, inside, steps.next());
+  const Progress counting = steps.next();
   result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
-  result.EulerNumber = eulerNumber(lattice, inside, part(0.7, 0.72));
+  result.EulerNumber = eulerNumber(lattice, inside, counting);
+  const Progress cutting = steps.next();
   if (result.EulerNumber != 1)
   {
-    result.NumberOfCutNodes =
-      cutHandles(lattice, inside, distances, options.Offset, part(0.72, 0.8));
+    result.NumberOfCutNodes = cutHandles(lattice, inside, distances, options.Offset, cutting);
     result.NumberOfCutInsideNodes =
       result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
   }
+  steps.next();
   {
-    std::vector<std::uint8_t> nodes(inside.size());
+    std::vector<std::uint8_t> data(inside.size());
     for (std::size_t node = 0; node < inside.size(); ++node)
     {
-      nodes[node] = inside[node] && distances[node] <= options.Offset;
+      data[node] = inside[node] && distances[node] <= options.Offset;
     }
-    result.Data = HullData(lattice, nodes);
-    const Index all = countSamples(samples, result.Data, parallelFor, part(0.8, 0.81));
+    result.Data = HullData(lattice, data);
+    const Index all = countSamples(samples, result.Data, parallelFor, steps.next());
     result.NumberOfSamplesOutside = samples.totalSize() - all;
-    if (keepSurface(lattice, inside, nodes, part(0.81, 0.82)) > 0)
+    if (keepSurface(lattice, inside, data, steps.next()) > 0)
     {
       result.NumberOfSamplesInside =
-        all - countSamples(samples, HullData(lattice, nodes), parallelFor, part(0.82, 0.82));
+        all - countSamples(samples, HullData(lattice, data), parallelFor, {});
     }
   }
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
@@ -144,9 +148,9 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     return result; // too coarse a cloud: no surface is asked for
   }
   LevelSetSurface surface =
-    makeLevelSetSurface(lattice, inside, distances, options.Offset, part(0.82, 0.9));
+    makeLevelSetSurface(lattice, inside, distances, options.Offset, steps.next());
   smoothSurface(
-    surface.Positions, surface.Faces, options.SmoothingPasses, parallelFor, part(0.9, 1.0));
+    surface.Positions, surface.Faces, options.SmoothingPasses, parallelFor, steps.next());
   result.Points.swap(surface.Positions);
   result.Triangles.swap(surface.Faces);
   return result;
@@ -210,20 +214,26 @@ GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   requireRange(
     options.SmoothingPasses, 0, Limits::LargestSmoothingPasses, "number of smoothing passes");
 
-  // Never falling, though attempts are repeated.
+  // An attempt that has to be repeated has come far; the next ones, quick on a lattice of an eighth
+  // of the nodes, share what is left.
   double reached = 0.0;
-  const Progress rising = [&](double fraction)
+  const auto attempt = [&](double spacing)
   {
-    reached = std::max(reached, fraction);
-    report(progress, reached);
-    return true;
+    const double begin = reached;
+    return makeHull(samples, spacing, options, parallelFor,
+      [&, begin](double fraction)
+      {
+        reached = begin + fraction * (1.0 - begin);
+        report(progress, reached);
+        return true;
+      });
   };
   double spacing = options.Spacing;
-  GenusZeroHullResult result = makeHull(samples, spacing, options, parallelFor, rising);
+  GenusZeroHullResult result = attempt(spacing);
   while (result.Triangles.rows() == 0)
   {
     spacing *= 2.0;
-    result = makeHull(samples, spacing, options, parallelFor, rising);
+    result = attempt(spacing);
   }
   return result;
 }

@@ -48,7 +48,7 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
 }
 }
 
-GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor)
+GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& progress)
 {
   if (f < 1 || f > MaximumFrequency)
   {
@@ -87,49 +87,66 @@ GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor)
     return first + (from < to ? step : f - step) - 1;
   };
 
-  // Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite.
+  // Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite, and the
+  // triangles between them and the row above.
   const int firstInside = nextId, numberInside = (f - 1) * (f - 2) / 2;
-  forBlocks(parallelFor, NumberOfSides, 1,
-    [&](Index side, Index)
+  const auto idAt = [&](int side, int i, int j)
+  {
+    const auto [a, b, c] = sides[side];
+    if (i == 0)
     {
-      const auto [a, b, c] = sides[side];
-      int id = firstInside + static_cast<int>(side) * numberInside;
-      Index face = side * f * f;
-      std::vector<int> above{ a }, row;
-      for (int i = 1; i <= f; ++i)
+      return a;
+    }
+    if (i == f && (j == 0 || j == f))
+    {
+      return j == 0 ? b : c;
+    }
+    if (j == 0 || j == i)
+    {
+      return onEdge(a, j == 0 ? b : c, i);
+    }
+    return i == f ? onEdge(b, c, j)
+                  : firstInside + side * numberInside + (i - 1) * (i - 2) / 2 + j - 1;
+  };
+  const auto makeRow = [&](int side, int i, std::vector<int>& above, std::vector<int>& row)
+  {
+    const auto [a, b, c] = sides[side];
+    row.resize(i + 1);
+    for (int j = 0; j <= i; ++j)
+    {
+      row[j] = idAt(side, i, j);
+      if (i < f && j > 0 && j < i)
       {
-        row.resize(i + 1);
-        for (int j = 0; j <= i; ++j)
-        {
-          if (j == 0)
-          {
-            row[j] = i == f ? b : onEdge(a, b, i);
-          }
-          else if (j == i)
-          {
-            row[j] = i == f ? c : onEdge(a, c, i);
-          }
-          else if (i == f)
-          {
-            row[j] = onEdge(b, c, j);
-          }
-          else
-          {
-            sphere.Positions.row(id) =
-              ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c))
-                .normalized();
-            row[j] = id++;
-          }
-        }
-        for (int j = 0; j < i; ++j)
-        {
-          sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
-          if (j + 1 < i)
-          {
-            sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
-          }
-        }
-        above.swap(row);
+        sphere.Positions.row(row[j]) =
+          ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c)).normalized();
+      }
+    }
+    Index face = Index(side) * f * f + Index(i - 1) * (i - 1);
+    for (int j = 0; j < i; ++j)
+    {
+      sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
+      if (j + 1 < i)
+      {
+        sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
+      }
+    }
+    above.swap(row);
+  };
+  constexpr Index rowsAtATime = 8;
+  const Index blocksOfSide = (f + rowsAtATime - 1) / rowsAtATime;
+  forBlocks(parallelFor, NumberOfSides * blocksOfSide, 1, progress,
+    [&](Index block, Index)
+    {
+      const int side = static_cast<int>(block / blocksOfSide);
+      const int first = static_cast<int>(block % blocksOfSide * rowsAtATime);
+      std::vector<int> above, row;
+      for (int j = 0; j <= first; ++j)
+      {
+        above.push_back(idAt(side, first, j));
+      }
+      for (int i = first + 1; i <= std::min<int>(f, first + rowsAtATime); ++i)
+      {
+        makeRow(side, i, above, row);
       }
     });
   return sphere;

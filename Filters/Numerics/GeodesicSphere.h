@@ -24,7 +24,8 @@ constexpr int MaximumFrequency = 10000;
 ///
 /// @param[in] frequency  f, in [1, MaximumFrequency]
 /// @throws std::invalid_argument if f is out of range
-GeodesicSphere makeGeodesicSphere(int frequency, const ParallelFor& parallelFor = {});
+GeodesicSphere makeGeodesicSphere(
+  int frequency, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "MoebiusTransform.h"
 #include "ProgressiveSphereMap.h"
 #include "SphereOrientation.h"
+#include "Steps.h"
 #include "UnitBox.h"
 
 #include <limits>
@@ -30,6 +31,15 @@ void check(const GlobalConformalMapOptions& options)
   {
     throw std::invalid_argument("Tolerance must be a number, at least 0");
   }
+}
+
+double workOfMap(const GlobalConformalMapOptions& options, Index numberOfVertices)
+{
+  constexpr double ofProgressiveMap = 65000.0, ofDescents = 60000.0; // for each vertex
+  const auto size = static_cast<double>(numberOfVertices);
+  return options.Method == GlobalConformalMethod::GuYau ? ofDescents * size
+    : options.AreaBalance > 0.0                         ? ofProgressiveMap * size
+                                                        : workOfHarmonicMap(numberOfVertices);
 }
 
 Points balanced(const Points& places, const Triangles& triangles, double balance,
@@ -89,7 +99,7 @@ void mapRobustly(const Points& places, const Triangles& triangles, double areaBa
   if (conformal)
   {
     HarmonicSphereMap map =
-      mapHarmonically(places, triangles, parallelFor, partOf(progress, 0.0, 0.7));
+      mapHarmonically(places, triangles, parallelFor, partOf(progress, 0.0, 0.95));
     result.NumberOfIterations = map.NumberOfSolves;
     result.Converged = map.OneToOne;
     result.Tier = map.Repaired ? GlobalConformalTier::Repaired : GlobalConformalTier::Harmonic;
@@ -99,7 +109,7 @@ void mapRobustly(const Points& places, const Triangles& triangles, double areaBa
   {
     result.Tier = GlobalConformalTier::Progressive;
     result.Positions =
-      progressive(places, triangles, areaBalance, partOf(progress, conformal ? 0.7 : 0.0, 1.0));
+      progressive(places, triangles, areaBalance, partOf(progress, conformal ? 0.95 : 0.0, 1.0));
     result.Converged = true;
   }
   turn(result.Positions, places, triangles);
@@ -112,16 +122,21 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
   const Progress& progress)
 {
   check(options);
-  requireGenusZero(triangles, points.rows(), partOf(progress, 0.0, 0.02));
+  const bool published = options.Method == GlobalConformalMethod::GuYau;
+  // The check, the box and the strings, the map, its figures.
+  const auto size = static_cast<double>(points.rows());
+  Steps steps(
+    progress, { 465.0 * size, 190.0 * size, workOfMap(options, points.rows()), 15.0 * size });
+  requireGenusZero(triangles, points.rows(), steps.next());
+  steps.next();
   const Points places = inUnitBox(points);
   GlobalConformalMapResult result;
-  if (options.Method == GlobalConformalMethod::GuYau)
+  if (published)
   {
-    GuYauOptions steps;
-    steps.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
-    steps.Tolerance = options.Tolerance;
-    GuYauResult map =
-      mapByGuYau(places, triangles, steps, parallelFor, partOf(progress, 0.02, 1.0));
+    GuYauOptions guYau;
+    guYau.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
+    guYau.Tolerance = options.Tolerance;
+    GuYauResult map = mapByGuYau(places, triangles, guYau, parallelFor, steps.next());
     result.Positions = std::move(map.Positions);
     result.Energy = map.Energy;
     result.NumberOfIterations = map.NumberOfIterations;
@@ -134,14 +149,19 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
     const StringConstants strings = harmonicStrings(places, triangles);
     result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
     result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
-    report(progress, 0.04);
-    mapRobustly(
-      places, triangles, options.AreaBalance, result, parallelFor, partOf(progress, 0.04, 1.0));
+    mapRobustly(places, triangles, options.AreaBalance, result, parallelFor, steps.next());
     result.Energy = stringEnergy(strings.Strings, result.Positions);
   }
+  steps.next();
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
   result.Converged = result.Converged && result.NumberOfFlippedTriangles == 0;
   report(progress, 1.0);
   return result;
+}
+
+//------------------------------------------------------------------------------
+double workOfGlobalConformalMap(const GlobalConformalMapOptions& options, Index numberOfVertices)
+{
+  return 670.0 * static_cast<double>(numberOfVertices) + workOfMap(options, numberOfVertices);
 }
 }

@@ -1,6 +1,7 @@
 #include "HarmonicExtension.h"
 
 #include "MultifrontalCholesky.h"
+#include "Steps.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -50,6 +51,9 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
   {
     return;
   }
+  const double root = std::sqrt(static_cast<double>(size));
+  Steps steps(progress, { 35.0, 350.0 + 7.5 * root, 370.0 }); // for each unknown
+  steps.next();
   std::vector<int> unknowns(places.rows(), -1);
   for (Index i = 0; i < size; ++i)
   {
@@ -86,7 +90,8 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
   }
   else
   {
-    const MultifrontalCholesky factor(inner, diagonal, innerPlaces, parallelFor, progress);
+    const MultifrontalCholesky factor(inner, diagonal, innerPlaces, parallelFor, steps.next());
+    steps.next();
     factor.solve(solution);
   }
   for (Index i = 0; i < size; ++i)

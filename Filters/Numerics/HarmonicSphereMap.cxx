@@ -4,8 +4,10 @@
 #include "FlipRepair.h"
 #include "MoebiusTransform.h"
 #include "PuncturedSphereMap.h"
+#include "Steps.h"
 #include "SurfaceShapes.h"
 
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -42,6 +44,22 @@ Points toPoints(const std::vector<Vector3>& vectors)
   return result;
 }
 
+// What steps of an attempt take for each vertex, in nanoseconds as in Steps.
+double workOfPuncture(Index size)
+{
+  return 1700.0 + 9.0 * std::sqrt(static_cast<double>(size));
+}
+
+double workOfRelaxing(Index size)
+{
+  return size < SmallMesh ? 230.0 * SweepsOfSmallMesh : 55.0;
+}
+
+double workOfAttempt(Index size)
+{
+  return workOfPuncture(size) + workOfRelaxing(size) + 180.0;
+}
+
 class Mapper
 {
 public:
@@ -63,15 +81,15 @@ public:
     this->Strings = cotangentWeights(triangles, places.rows(), cotangents);
   }
 
-  HarmonicSphereMap run(const Progress& progress) const
+  HarmonicSphereMap run(Steps& steps) const
   {
     const Index puncture = choosePuncture(this->Places, this->Faces);
-    HarmonicSphereMap map = this->attempt(puncture, partOf(progress, 0.1, 0.6));
+    HarmonicSphereMap map = this->attempt(puncture, steps.next());
     const bool solved = map.Positions.rows() > 0;
     if (solved && (!map.OneToOne || this->areaRatioAround(map.Positions, puncture) < LimbShare))
     {
       const Index better = choosePuncture(this->Places, this->Faces, map.Positions);
-      HarmonicSphereMap other = this->attempt(better, partOf(progress, 0.6, 1.0));
+      HarmonicSphereMap other = this->attempt(better, steps.next());
       if (other.OneToOne &&
         (!map.OneToOne ||
           stringEnergy(this->Strings, other.Positions) <
@@ -93,15 +111,19 @@ private:
   // Without positions if the equations have no solution in floating point.
   HarmonicSphereMap attempt(Index puncture, const Progress& progress) const
   {
+    Steps steps(progress,
+      { workOfPuncture(this->Places.rows()), 105.0, workOfRelaxing(this->Places.rows()), 75.0 });
     HarmonicSphereMap map;
     map.NumberOfSolves = 1;
     try
     {
-      map.Positions = punctureToSphere(this->Places, this->Faces, this->Strings, puncture,
-        this->Threads, partOf(progress, 0.0, 0.8));
+      map.Positions = punctureToSphere(
+        this->Places, this->Faces, this->Strings, puncture, this->Threads, steps.next());
+      steps.next();
       centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
-      if (this->improve(map, partOf(progress, 0.8, 1.0)))
+      if (this->improve(map, steps.next()))
       {
+        steps.next();
         centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
         map.OneToOne = badTriangles(toVector(map.Positions), this->Faces).empty();
       }
@@ -132,13 +154,16 @@ private:
       }
     }
     const bool all = this->Places.rows() < SmallMesh;
-    relaxVertices(positions, all ? this->allVertices() : this->misshapenVertices(positions),
-      this->Rings, this->Angles, AnglesOnly, all ? SweepsOfSmallMesh : SweepsOfMisshapen,
+    const std::vector<int> ids = all ? this->allVertices() : this->misshapenVertices(positions);
+    const int sweeps = all ? SweepsOfSmallMesh : SweepsOfMisshapen;
+    const double total = static_cast<double>(ids.size()) * sweeps;
+    const double begin = bad > 0.0 ? 0.8 : 0.0;
+    relaxVertices(positions, ids, this->Rings, this->Angles, AnglesOnly, sweeps,
       [&, count = Index(0)]() mutable
       {
         if (++count % 1024 == 0)
         {
-          report(progress, 1.0);
+          report(progress, begin + (1.0 - begin) * static_cast<double>(count) / total);
         }
       });
     map.Positions = toPoints(positions);
@@ -228,8 +253,18 @@ private:
 HarmonicSphereMap mapHarmonically(const Points& points, const Triangles& triangles,
   const ParallelFor& parallelFor, const Progress& progress)
 {
+  // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
+  // kept back for it, so that the progress jumps by that at the end of all others.
+  const double work = workOfAttempt(points.rows());
+  Steps steps(progress, { 340.0, work, 0.2 * work });
+  steps.next();
   const Mapper mapper(points, triangles, parallelFor);
-  report(progress, 0.1);
-  return mapper.run(progress);
+  return mapper.run(steps);
+}
+
+//------------------------------------------------------------------------------
+double workOfHarmonicMap(Index numberOfVertices)
+{
+  return static_cast<double>(numberOfVertices) * (340.0 + 1.2 * workOfAttempt(numberOfVertices));
 }
 }

@@ -6,6 +6,7 @@
 #include "MeshTopology.h"
 #include "PointTree.h"
 #include "SampleRotation.h"
+#include "Steps.h"
 #include "SurfaceEquations.h"
 #include "SurfaceSupport.h"
 #include "TriangleTree.h"
@@ -35,6 +36,18 @@ constexpr Index TargetsPerNeuron = 1; // patterns kept for them to look for
 double automaticPriority(double squareDistance, double meanSquare)
 {
   return meanSquare > 0.0 ? std::sqrt(std::clamp(squareDistance / meanSquare, 0.1, 8.0)) : 1.0;
+}
+
+// What parts of the polish take, in nanoseconds as in Steps.
+double workOfFeet(const TrainingSamples& samples, const PolishOptions& options)
+{
+  return 800.0 * static_cast<double>(std::min(options.SamplesPerRound, samples.totalSize()));
+}
+
+double workOfRound(
+  const TrainingSamples& samples, const PolishOptions& options, Index numberOfNeurons)
+{
+  return workOfFeet(samples, options) + 4700.0 * static_cast<double>(numberOfNeurons);
 }
 
 class Polish
@@ -70,13 +83,16 @@ public:
 
   TrainingRecord round(int number, const Progress& progress)
   {
+    const auto neurons = static_cast<double>(this->Weights.rows());
+    Steps steps(progress,
+      { workOfFeet(this->Samples, this->Options), 60.0 * neurons, 4400.0 * neurons, 70.0 * neurons,
+        100.0 * neurons });
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
-    this->draw(number + 1 == firstIdle, partOf(progress, 0.0, 0.7));
-    report(progress, 0.7);
+    this->draw(number + 1 == firstIdle, steps.next());
+    steps.next();
     if (this->Options.AutomaticPriority && number >= firstIdle)
     {
       this->drawIdle();
-      report(progress, 0.7);
     }
     const double way = static_cast<double>(number) / std::max(1, this->Options.NumberOfRounds - 1);
     const double smoothness = std::pow(this->Options.FirstSmoothness, 1.0 - way) *
@@ -84,11 +100,11 @@ public:
     const Eigen::VectorXd stiffness =
       smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
     const Points moved = this->Equations.solve(
-      this->Weights, stiffness, this->Options.Evenness, this->Threads, partOf(progress, 0.7, 0.95));
+      this->Weights, stiffness, this->Options.Evenness, this->Threads, steps.next());
     this->Weights += moved;
-    report(progress, 0.96);
+    steps.next();
     this->Surface.refit(this->Weights, this->Faces, this->Threads);
-    report(progress, 0.97);
+    steps.next();
 
     const std::vector<bool> bare =
       bareVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
@@ -96,7 +112,6 @@ public:
     {
       this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
     }
-    report(progress, 0.98);
     if (number >= this->Options.NumberOfRounds - FoldRounds)
     {
       this->stiffenFolds();
@@ -264,14 +279,26 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
   {
     return std::vector<double>(result.Network.Faces.rows(), 0.0);
   }
-  Polish polish(samples, options, parallelFor, partOf(progress, 0.0, 0.02), result);
-  polish.measureScale(partOf(progress, 0.02, 0.05));
+  const double ofFeet = workOfFeet(samples, options);
+  const double ofRound = workOfRound(samples, options, result.Weights.rows());
+  std::vector<double> work = { 650.0 * static_cast<double>(result.Weights.rows()), ofFeet };
+  work.insert(work.end(), options.NumberOfRounds, ofRound);
+  Steps steps(progress, work);
+  Polish polish(samples, options, parallelFor, steps.next(), result);
+  polish.measureScale(steps.next());
   for (int number = 0; number < options.NumberOfRounds; ++number)
   {
-    const double begin = 0.05 + 0.95 * number / options.NumberOfRounds;
-    result.History.push_back(
-      polish.round(number, partOf(progress, begin, begin + 0.95 / options.NumberOfRounds)));
+    result.History.push_back(polish.round(number, steps.next()));
   }
   return polish.masses();
+}
+
+double workOfPolish(
+  const TrainingSamples& samples, const PolishOptions& options, Index numberOfNeurons)
+{
+  return options.NumberOfRounds == 0
+    ? 0.0
+    : 650.0 * static_cast<double>(numberOfNeurons) + workOfFeet(samples, options) +
+      options.NumberOfRounds * workOfRound(samples, options, numberOfNeurons);
 }
 }

@@ -45,6 +45,10 @@ struct PolishOptions
 /// @throws Aborted
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result);
+
+/// What polish() takes, in nanoseconds as in Steps.
+double workOfPolish(
+  const TrainingSamples& samples, const PolishOptions& options, Index numberOfNeurons);
 }
 
 #endif

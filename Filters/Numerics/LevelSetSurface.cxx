@@ -1,6 +1,7 @@
 #include "LevelSetSurface.h"
 
 #include "MeshTopology.h"
+#include "Steps.h"
 
 #include <algorithm>
 
@@ -129,16 +130,9 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
   const std::vector<std::uint8_t>& inside, const std::vector<float>& values, double level,
   const Progress& progress)
 {
-  const auto part = [&](double begin, double end) -> Progress
-  {
-    return [&progress, begin, end](double fraction)
-    {
-      report(progress, begin + fraction * (end - begin));
-      return true;
-    };
-  };
   // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
   // next row, but no node near a face is in the set.
+  Steps steps(progress, { 11.0, 20.0, 1.5 }); // for each node
   const CutEdges edges(lattice, inside);
   const Index cubes = lattice.numberOfNodes() - edges.Steps[7];
   std::vector<int> firstEdge(cubes, -1);
@@ -151,7 +145,7 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
     const Vector3 a = lattice.position(node), b = lattice.position(other);
     return Vector3(from ? a + t * (b - a) : b + t * (a - b));
   };
-  forBlocks({}, cubes, 1 << 10, part(0.0, 0.5),
+  forBlocks({}, cubes, 1 << 10, steps.next(),
     [&](Index begin, Index end)
     {
       for (int node = static_cast<int>(begin); node < end; ++node)
@@ -185,7 +179,7 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
   }
   std::vector<std::array<int, 3>> faces;
   faces.reserve(2 * positions.size());
-  forBlocks({}, cubes, 1 << 10, part(0.5, 0.9),
+  forBlocks({}, cubes, 1 << 10, steps.next(),
     [&](Index begin, Index end)
     {
       for (int node = static_cast<int>(begin); node < end; ++node)
@@ -221,6 +215,7 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
       }
     });
 
+  steps.next();
   LevelSetSurface surface;
   surface.Positions.resize(static_cast<Index>(positions.size()), 3);
   for (std::size_t i = 0; i < positions.size(); ++i)

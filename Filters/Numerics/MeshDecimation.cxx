@@ -2,6 +2,7 @@
 
 #include "GenusZeroCheck.h"
 #include "QuadricCollapse.h"
+#include "Steps.h"
 #include "UnitBox.h"
 
 #include <algorithm>
@@ -16,11 +17,16 @@ DecimatedMesh decimate(const Points& points, const Triangles& triangles, Index n
   {
     throw std::invalid_argument("a closed surface has at least 4 vertices");
   }
-  requireGenusZero(triangles, points.rows());
+  // For each vertex, but collapsing.
+  const auto size = static_cast<double>(points.rows());
+  const double collapsed = std::max(0.0, size - static_cast<double>(numberOfVertices));
+  Steps steps(progress, { 580.0 * size, 600.0 * size, 9000.0 * collapsed, 50.0 * size });
+  requireGenusZero(triangles, points.rows(), steps.next());
+  steps.next();
   const Points places = inUnitBox(points);
-  report(progress, 0.1);
   VertexRings rings(triangles, points.rows());
   QuadricCollapse collapses(places, rings);
+  const Progress collapsing = steps.next();
   const Index used = triangles.rows() / 2 + 2;
   constexpr Index stride = 1 << 10;
   for (Index count = used; count > numberOfVertices; --count)
@@ -28,12 +34,12 @@ DecimatedMesh decimate(const Points& points, const Triangles& triangles, Index n
     collapses.next();
     if (count % stride == 0)
     {
-      report(progress,
-        0.2 +
-          0.8 * static_cast<double>(used - count) / static_cast<double>(used - numberOfVertices));
+      report(collapsing,
+        static_cast<double>(used - count) / static_cast<double>(used - numberOfVertices));
     }
   }
 
+  steps.next();
   DecimatedMesh result;
   result.Triangles = rings.triangles();
   result.PointIds = dropIsolatedPoints(result.Triangles, points.rows());

@@ -134,15 +134,18 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
 // Levenberg's and Marquardt's method from the closest rotation; six unknowns: a small center and a
 // small rotation after the transform so far.
 MoebiusTransform closestMoebiusTransform(
-  const Points& from, const Points& to, const Eigen::VectorXd& weights)
+  const Points& from, const Points& to, const Eigen::VectorXd& weights, const Progress& progress)
 {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   MoebiusTransform best;
   best.Rotation = closestRotation(from, to, weights);
   double least = squaredDistance(best, from, to, weights), damping = 1e-3;
-  for (int i = 0; i < MostSteps && damping < 1e9; ++i)
+  constexpr double mostDamping = 1e9;
+  for (int i = 0; i < MostSteps && damping < mostDamping; ++i)
   {
+    // As many steps as are left if no more of them succeeds.
+    report(progress, i / (i + std::log10(mostDamping / damping)));
     Matrix6 normal = Matrix6::Zero();
     Vector6 right = Vector6::Zero();
     for (Index p = 0; p < from.rows(); ++p)

@@ -36,8 +36,8 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
 /// The transform that brings positions closest to others, in the sense of weighted least squares.
 /// @param[in] from, to  #P by 3 unit vectors, three or more of them different
 /// @param[in] weights   #P, not negative
-MoebiusTransform closestMoebiusTransform(
-  const Points& from, const Points& to, const Eigen::VectorXd& weights);
+MoebiusTransform closestMoebiusTransform(const Points& from, const Points& to,
+  const Eigen::VectorXd& weights, const Progress& progress = {});
 }
 
 #endif

@@ -91,12 +91,13 @@ inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSiz
   }
 }
 
-/// The same with a report now and then, always from the calling thread.
+/// The same with a report now and then, always from the calling thread: after a sixteenth of the
+/// blocks, but no more than 256 and no less than 64, which keep many threads busy.
 /// @throws Aborted if the progress says stop
 inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSize,
   const Progress& progress, const std::function<void(Index, Index)>& body)
 {
-  const Index chunkSize = 256 * blockSize;
+  const Index chunkSize = blockSize * std::clamp<Index>(size / blockSize / 16, 64, 256);
   for (Index start = 0; start < size; start += chunkSize)
   {
     const Index length = std::min(chunkSize, size - start);

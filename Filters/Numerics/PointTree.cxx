@@ -44,7 +44,7 @@ struct NearestOnes
 }
 
 //------------------------------------------------------------------------------
-PointTree::PointTree(const PointView& points)
+PointTree::PointTree(const PointView& points, const Progress& progress)
   : Places(points.size())
 {
   Index bad = 0;
@@ -66,12 +66,13 @@ PointTree::PointTree(const PointView& points)
     count *= 2;
   }
   this->Axes.resize(nodes);
-  this->split(0, 0, this->size());
+  this->split(0, 0, this->size(), progress);
 }
 
 //------------------------------------------------------------------------------
-void PointTree::split(Index node, Index first, Index last)
+void PointTree::split(Index node, Index first, Index last, const Progress& progress)
 {
+  constexpr Index sizeToReport = 1 << 12; // large enough to take a while
   if (last - first <= LeafSize)
   {
     return;
@@ -92,8 +93,12 @@ void PointTree::split(Index node, Index first, Index last)
         (a.Position[axis] == b.Position[axis] && a.Id < b.Id);
     });
   this->Axes[node] = static_cast<unsigned char>(axis);
-  this->split(2 * node + 1, first, middle);
-  this->split(2 * node + 2, middle + 1, last);
+  this->split(2 * node + 1, first, middle, progress);
+  this->split(2 * node + 2, middle + 1, last, progress);
+  if (last - first >= sizeToReport)
+  {
+    report(progress, static_cast<double>(last) / static_cast<double>(this->size()));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,7 @@ public:
 
   /// @param[in] points  #P by 3
   /// @throws std::invalid_argument if points are not finite
-  explicit PointTree(const PointView& points);
+  explicit PointTree(const PointView& points, const Progress& progress = {});
 
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
@@ -55,7 +55,7 @@ private:
     Vector3 Position;
     int Id;
   };
-  void split(Index node, Index first, Index last);
+  void split(Index node, Index first, Index last, const Progress& progress);
   template <typename Found>
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;

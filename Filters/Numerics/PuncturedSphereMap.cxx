@@ -2,6 +2,7 @@
 
 #include "HarmonicExtension.h"
 #include "MeshTopology.h"
+#include "Steps.h"
 
 #include <Eigen/Cholesky>
 
@@ -270,6 +271,9 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   const Progress& progress)
 {
   const Index size = points.rows();
+  const double root = std::sqrt(static_cast<double>(size));
+  // For each vertex; the second system has about a third of them.
+  Steps steps(progress, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));
@@ -284,7 +288,8 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
       free.push_back(v);
     }
   }
-  extendHarmonically(strings, points, free, values, parallelFor, partOf(progress, 0.0, 0.75));
+  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
+  const Progress correcting = steps.next();
 
   Plane map = values.col(0).cast<Complex>() + Complex(0.0, 1.0) * values.col(1).cast<Complex>();
   PlaneMap plane(points, triangles, parallelFor, map);
@@ -295,8 +300,9 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   {
     plane.correct<1>(everywhere, i >= roundsForAll);
     plane.normalize();
-    report(progress, 0.75 + 0.02 * i);
+    report(correcting, (i + 1.0) / rounds);
   }
+  steps.next();
   const double radius = capRadius(map);
   free.clear();
   for (int v = 0; v < size; ++v)
@@ -312,7 +318,8 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
     const Complex w = 1.0 / map[v];
     values.row(v) << w.real(), w.imag();
   }
-  extendHarmonically(strings, points, free, values, parallelFor, partOf(progress, 0.9, 1.0));
+  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
+  steps.next();
 
   Points positions(size, 3);
   for (Index v = 0; v < size; ++v)

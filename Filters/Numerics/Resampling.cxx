@@ -2,6 +2,7 @@
 
 #include "SphereCoverage.h"
 #include "SphereLocator.h"
+#include "Steps.h"
 
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,10 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
   const Points& directions, const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr Index BlockSize = 512;
+  const auto size = static_cast<double>(faces.rows());
+  Steps steps(
+    progress, { 70.0 * size, 500.0 * size, 300.0 * static_cast<double>(directions.rows()) });
+  steps.next();
   Points sphere = spherePositions;
   SphereCoverage coverage = measureSphereCoverage(sphere, faces, parallelFor);
   if (coverage.Degree == -1)
@@ -25,10 +30,9 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " folded triangles, but must cover it once without folds");
   }
-  const SphereLocator locator(sphere, faces, parallelFor);
-  report(progress, 0.5);
+  const SphereLocator locator(sphere, faces, parallelFor, steps.next());
   Points resampled(directions.rows(), 3);
-  forBlocks(parallelFor, directions.rows(), BlockSize, partOf(progress, 0.5, 1.0),
+  forBlocks(parallelFor, directions.rows(), BlockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -264,7 +264,7 @@ public:
 
   void run(const Progress& progress)
   {
-    constexpr Index chunk = 1 << 16;
+    constexpr Index chunk = 1 << 14;
     for (Index r = 0; r < this->Faces.rows(); ++r)
     {
       if (r % chunk == 0)

@@ -7,7 +7,8 @@ namespace conformal
 {
 //------------------------------------------------------------------------------
 SphereDomes::SphereDomes(const Points& sphere, const Points& model, const Triangles& faces,
-  const Triangles& neighbors, const FlatMap& map, bool insideOut, const ParallelFor& parallelFor)
+  const Triangles& neighbors, const FlatMap& map, bool insideOut, const ParallelFor& parallelFor,
+  const Progress& progress)
   : Sphere(&sphere)
   , Model(&model)
   , Faces(&faces)
@@ -16,7 +17,7 @@ SphereDomes::SphereDomes(const Points& sphere, const Points& model, const Triang
   , Normals(Points::Zero(faces.rows(), 3))
 {
   const Index blockSize = 256;
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  forBlocks(parallelFor, faces.rows(), blockSize, progress,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

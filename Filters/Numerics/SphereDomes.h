@@ -29,7 +29,8 @@ public:
   /// @param[in] insideOut  whether the model's triangles run clockwise seen from outside
   /// All but the map must outlive this.
   SphereDomes(const Points& sphere, const Points& model, const Triangles& faces,
-    const Triangles& neighbors, const FlatMap& map, bool insideOut, const ParallelFor& parallelFor);
+    const Triangles& neighbors, const FlatMap& map, bool insideOut,
+    const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// |p - p'|, with p' in barycentric coordinates.
   double height(Index triangle, const Vector3& barycentric) const;

@@ -1,6 +1,7 @@
 #include "SphereLocator.h"
 
 #include "MeshTopology.h"
+#include "Steps.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -10,22 +11,23 @@
 
 namespace conformal
 {
-SphereLocator::SphereLocator(
-  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
-  : SphereLocator(
-      positions, faces, triangleNeighbors(faces, positions.rows(), parallelFor), parallelFor)
+SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
+  const ParallelFor& parallelFor, const Progress& progress)
+  : SphereLocator(positions, faces, triangleNeighbors(faces, positions.rows(), parallelFor),
+      parallelFor, progress)
 {
 }
 
 SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
-  const Triangles& neighbors, const ParallelFor& parallelFor)
+  const Triangles& neighbors, const ParallelFor& parallelFor, const Progress& progress)
 {
+  Steps steps(progress, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
   // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;
   std::vector<Box> boxes(faces.rows());
   const Index blockSize = 1024;
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  forBlocks(parallelFor, faces.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -43,14 +45,15 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
         boxes[r].Upper.array() += rise;
       }
     });
-  this->Tree = buildBoxTree(boxes, parallelFor);
+  this->Tree = buildBoxTree(boxes, parallelFor, steps.next());
+  steps.next();
   this->Placed.resize(faces.rows());
   this->PlaceOf.resize(faces.rows());
   for (int place = 0; place < faces.rows(); ++place)
   {
     this->PlaceOf[this->Tree.Items[place]] = place;
   }
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  forBlocks(parallelFor, faces.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)

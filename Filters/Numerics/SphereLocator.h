@@ -34,11 +34,11 @@ public:
 
   /// @param[in] positions  #N by 3 unit vectors
   /// @param[in] faces      #R by 3 ids, counter-clockwise seen from outside
-  SphereLocator(
-    const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
+  SphereLocator(const Points& positions, const Triangles& faces,
+    const ParallelFor& parallelFor = {}, const Progress& progress = {});
   /// @param[in] neighbors  triangleNeighbors of the faces, where they are at hand
   SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors,
-    const ParallelFor& parallelFor = {});
+    const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// @param[in] direction  p, a unit vector
   /// @param[in] hint       a triangle that may be near, or -1: saves time, and changes nothing

@@ -1,6 +1,8 @@
 #include "SphereViewChoice.h"
 
+#include "Parallel.h"
 #include "SphereProjection.h"
+#include "Steps.h"
 #include "TriangleTree.h"
 #include "UnitBox.h"
 
@@ -176,13 +178,13 @@ Vector3 meanNormal(const Points& points, const Triangles& triangles, const Point
 // sees it, both seen from the pole, the mean of conj(z) Z over a disk is the derivative dZ/dz at
 // its middle, if Z depends analytically on z.
 void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
-  const Points& spherePositions, const Place& place, double capAngle)
+  const Points& spherePositions, const Place& place, double capAngle, const Progress& progress)
 {
   using Complex = std::complex<double>;
   const Vector3 origin = interpolated(seen, triangles, place);
   const double capRadius = std::tan(0.5 * capAngle);
   Complex upright = 0.0, mirrored = 0.0;
-  for (Index r = 0; r < triangles.rows(); ++r)
+  const auto add = [&](Index r)
   {
     std::array<Vector3, 3> n;
     std::array<Complex, 3> z, Z;
@@ -205,7 +207,15 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
         mirrored += area * z[k] * Z[k];
       }
     }
-  }
+  };
+  forBlocks({}, triangles.rows(), 1 << 8, progress,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        add(r);
+      }
+    });
   const bool isMirrored = std::abs(mirrored) > std::abs(upright);
   const Complex derivative = isMirrored ? mirrored : upright;
   if (!(std::abs(derivative) > 0.0) || !std::isfinite(std::abs(derivative)))
@@ -266,6 +276,9 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   check(points, triangles, spherePositions, options);
   Vector3 toViewer = unitVector(options.ViewDirection, "ViewDirection");
   const Vector3 upward = unitVector(options.ViewUp, "ViewUp");
+  const double withPoint = options.UseViewPoint ? 1.0 : 0.0;
+  Steps steps(progress, { 12.0, 575.0 * withPoint, 9.0 * withPoint, 15.0, 53.0 }); // a triangle
+  steps.next();
   const UnitBox box = unitBoxOf(points);
   Points model(points.size(), 3);
   for (Index i = 0; i < points.size(); ++i)
@@ -275,20 +288,26 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   const Vector3 centroid = areaCentroid(model, triangles);
   model.rowwise() -= centroid.transpose();
   const double capAngle = options.FieldOfView / 8.0 * Radians;
-  report(progress, 0.3);
 
+  const Progress treeProgress = steps.next();
   Place place;
   SphereView view;
   if (options.UseViewPoint)
   {
-    const FootPoint foot =
-      TriangleTree(model, triangles).closestPoint(box(options.ViewPoint) - centroid);
+    const FootPoint foot = TriangleTree(model, triangles, {}, treeProgress)
+                             .closestPoint(box(options.ViewPoint) - centroid);
     place = { foot.Triangle, foot.Barycentric };
     view.Pole = poleAt(spherePositions, triangles, place);
+    steps.next();
     const Vector3 normal =
       meanNormal(model, triangles, spherePositions, view.Pole, place, capAngle);
     toViewer = normal.norm() > 0.0 ? normal : toViewer;
   }
+  else
+  {
+    steps.next();
+  }
+  steps.next();
   const SphereView axes = viewerAxes(toViewer, upward);
   const Points seen = inViewer(model, axes);
   if (!options.UseViewPoint)
@@ -297,10 +316,9 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
     place = place.Triangle < 0 ? nearestCorner(seen, triangles) : place;
     view.Pole = poleAt(spherePositions, triangles, place);
   }
-  report(progress, 0.6);
   view.Right = view.Pole.unitOrthogonal();
   view.Up = view.Pole.cross(view.Right);
-  alignAxes(view, seen, triangles, spherePositions, place, capAngle);
+  alignAxes(view, seen, triangles, spherePositions, place, capAngle, steps.next());
   report(progress, 1.0);
   return turned(view, options.Rotation);
 }

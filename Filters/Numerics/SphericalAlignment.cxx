@@ -1,5 +1,6 @@
 #include "SphericalAlignment.h"
 
+#include "Steps.h"
 #include "TriangleTree.h"
 
 #include <cmath>
@@ -9,8 +10,8 @@
 namespace conformal
 {
 //------------------------------------------------------------------------------
-SphericalAlignmentResult alignSpheres(
-  const Points& from, const Points& to, const Eigen::VectorXd& weights, AlignmentKind kind)
+SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
+  const Eigen::VectorXd& weights, AlignmentKind kind, const Progress& progress)
 {
   const bool rotation = kind == AlignmentKind::Rotation;
   const Index needed = rotation ? 2 : 3;
@@ -26,7 +27,7 @@ SphericalAlignmentResult alignSpheres(
   }
   else
   {
-    result.Transform = closestMoebiusTransform(from, to, weights);
+    result.Transform = closestMoebiusTransform(from, to, weights, progress);
   }
   for (Index i = 0; i < from.rows(); ++i)
   {
@@ -41,10 +42,13 @@ SphericalAlignmentResult alignSpheres(
 Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor& parallelFor,
   const Progress& progress)
 {
-  const TriangleTree tree(other.Positions, other.Faces, parallelFor);
+  Steps steps(progress,
+    { 500.0 * static_cast<double>(other.Faces.rows()),
+      1000.0 * static_cast<double>(points.rows()) });
+  const TriangleTree tree(other.Positions, other.Faces, parallelFor, steps.next());
   Points result(points.rows(), 3);
   constexpr Index blockSize = 256;
-  forBlocks(parallelFor, points.rows(), blockSize, progress,
+  forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

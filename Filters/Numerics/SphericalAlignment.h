@@ -28,7 +28,8 @@ struct SphericalAlignmentResult
 /// @throws std::invalid_argument if there are too few places to fix the transform: two for a
 ///         rotation, three for a Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
-  const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation);
+  const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
+  const Progress& progress = {});
 
 /// Where the points of one surface lie on the sphere according to another one's map: each takes the
 /// place of the nearest point of the other surface, both being laid over each other.

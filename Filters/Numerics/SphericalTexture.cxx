@@ -1,6 +1,7 @@
 #include "SphericalTexture.h"
 
 #include "SeamSplit.h"
+#include "Steps.h"
 
 #include <stdexcept>
 
@@ -30,14 +31,19 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
   const ParallelFor& parallelFor, const Progress& progress)
 {
   check(options);
+  const auto size = static_cast<double>(spherePositions.rows());
+  // The view, for each vertex, as chooseSphereView() has it; the coordinates; the seams.
+  Steps steps(progress,
+    { (options.UseViewPoint ? 1310.0 : 160.0) * size, 50.0 * size,
+      options.SplitSeam ? 350.0 * size : 0.0 });
   SphericalTexture texture;
   texture.Image = { options.Projection,
-    chooseSphereView(points, triangles, spherePositions, options, partOf(progress, 0.0, 0.5)),
+    chooseSphereView(points, triangles, spherePositions, options, steps.next()),
     options.FieldOfView, options.Scale, options.Margin };
   texture.Coordinates.resize(spherePositions.rows(), 2);
   texture.OutsideImage.resize(spherePositions.rows());
   constexpr Index blockSize = 1 << 12;
-  forBlocks(parallelFor, spherePositions.rows(), blockSize, partOf(progress, 0.5, 0.7),
+  forBlocks(parallelFor, spherePositions.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -50,8 +56,7 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
     });
   if (options.SplitSeam)
   {
-    splitAtSeams(
-      texture, triangles, spherePositions, options.Wrap, parallelFor, partOf(progress, 0.7, 1.0));
+    splitAtSeams(texture, triangles, spherePositions, options.Wrap, parallelFor, steps.next());
   }
   return texture;
 }

@@ -3,6 +3,7 @@
 #include "AcrossProcesses.h"
 #include "PointTree.h"
 #include "SphereLocator.h"
+#include "Steps.h"
 #include "TriangleTree.h"
 #include "UnitBox.h"
 
@@ -16,6 +17,8 @@ namespace conformal
 {
 namespace
 {
+constexpr double WorkOfLocator = 400.0, WorkOfPixel = 350.0; // for each triangle, for each pixel
+
 // The locator wants triangles counter-clockwise on the sphere; a mirrored map has them turned.
 Triangles turnedOutwards(const Triangles& faces, const Points& spherePositions)
 {
@@ -53,7 +56,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const SphereMappedSurface& surface, const SphereImage& image, const PixelGrid& grid,
-  const Replace& replace, const PixelSink& sink, const ParallelFor& parallelFor,
+  const Replace& replace, double pixelWork, const PixelSink& sink, const ParallelFor& parallelFor,
   const Progress& progress)
 {
   if (grid.Width < 1 || grid.Height < 1)
@@ -64,11 +67,15 @@ void paint(const SphereMappedSurface& surface, const SphereImage& image, const P
   {
     throw std::invalid_argument("the surface has no triangles");
   }
+  Steps steps(progress,
+    { 20.0 * static_cast<double>(surface.Faces.rows()),
+      WorkOfLocator * static_cast<double>(surface.Faces.rows()),
+      pixelWork * static_cast<double>(grid.size()) });
+  steps.next();
   const Triangles faces = turnedOutwards(surface.Faces, surface.SpherePositions);
-  const SphereLocator locator(surface.SpherePositions, faces);
-  report(progress, 0.1);
+  const SphereLocator locator(surface.SpherePositions, faces, {}, steps.next());
   constexpr Index blockSize = 1 << 10;
-  forBlocks(parallelFor, grid.size(), blockSize, partOf(progress, 0.1, 1.0),
+  forBlocks(parallelFor, grid.size(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       std::vector<SurfacePlace> places(end - begin);
@@ -97,7 +104,7 @@ public:
   };
 
   ClosestPlaces(const PointView& cloud, const Triangles& faces, const Reduce& reduce,
-    const ParallelFor& parallelFor)
+    const ParallelFor& parallelFor, const Progress& progress)
     : NumberOfOwn(cloud.size())
   {
     std::int64_t sizes[] = { cloud.size(), faces.rows() };
@@ -109,7 +116,7 @@ public:
     this->HasTriangles = sizes[1] > 0;
     if (!this->HasTriangles)
     {
-      this->Near = PointTree(cloud);
+      this->Near = PointTree(cloud, progress);
       return;
     }
     Points positions(cloud.size(), 3);
@@ -124,7 +131,7 @@ public:
     {
       throw std::invalid_argument("points to take values from are not finite");
     }
-    this->Surface = TriangleTree(positions, this->Faces, parallelFor);
+    this->Surface = TriangleTree(positions, this->Faces, parallelFor, progress);
   }
 
   // Whether places are closest of all processes' and not only of this one's.
@@ -200,8 +207,8 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage
   const Progress& progress)
 {
   paint(
-    surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, sink, parallelFor,
-    progress);
+    surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel, sink,
+    parallelFor, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -209,13 +216,20 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
   const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const ParallelFor& parallelFor, const Progress& progress)
 {
-  const ClosestPlaces closest(cloud, cloudFaces, {}, parallelFor);
+  constexpr double pixelWork = WorkOfPixel + 700.0; // with a query
+  const auto cloudSize = static_cast<double>(cloud.size());
+  const auto numberOfFaces = static_cast<double>(cloudFaces.rows());
+  Steps steps(progress,
+    { 20.0 * cloudSize + (cloudFaces.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
+      WorkOfLocator * static_cast<double>(surface.Faces.rows()) +
+        pixelWork * static_cast<double>(grid.size()) });
+  const ClosestPlaces closest(cloud, cloudFaces, {}, parallelFor, steps.next());
   unitBoxOf(surface.Positions); // throws where they are not finite
   paint(
     surface, image, grid,
     [&](const SurfacePlace& place, int& hint)
     { return closest(positionOf(place, surface.Positions), hint).Place; },
-    sink, parallelFor, progress);
+    pixelWork, sink, parallelFor, steps.next());
 }
 
 //------------------------------------------------------------------------------
@@ -229,9 +243,11 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
     paintSphericalTexture(surface, cloud, cloudFaces, image, grid, sink, parallelFor, progress);
     return;
   }
-  const ClosestPlaces closest(cloud, cloudFaces, reduce, parallelFor);
+  constexpr double begin = 0.3; // of the search, after its tree and the pixels' positions
+  const ClosestPlaces closest(
+    cloud, cloudFaces, reduce, parallelFor, partOf(progress, 0.0, 0.5 * begin));
   const Points wanted =
-    pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.0, 0.3));
+    pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.5 * begin, begin));
   // So many at a time: all pixels are sent to all processes, and the distances back.
   constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
   for (Index first = 0; first < grid.size(); first += ChunkSize)
@@ -246,14 +262,15 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
     }
     std::vector<SurfacePlace> places(size);
     std::vector<double> squares(size, std::numeric_limits<double>::infinity());
-    const auto fraction = [&](Index done)
-    { return 0.3 + 0.7 * static_cast<double>(done) / static_cast<double>(grid.size()); };
+    const auto fraction = [&](Index done) {
+      return begin + (1.0 - begin) * static_cast<double>(done) / static_cast<double>(grid.size());
+    };
     forBlocks(parallelFor, size, BlockSize,
       partOf(progress, fraction(first), fraction(first + size)),
-      [&](Index begin, Index end)
+      [&](Index firstOf, Index lastOf)
       {
         int hint = -1;
-        for (Index i = begin; i < end; ++i)
+        for (Index i = firstOf; i < lastOf; ++i)
         {
           if (positions.row(i).allFinite()) // else it is a hole
           {

@@ -1,6 +1,7 @@
 #include "StrayPoints.h"
 
 #include "PointTree.h"
+#include "Steps.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -17,8 +18,9 @@ std::vector<std::uint8_t> strayPoints(
   {
     return stray;
   }
-  const PointTree tree(points);
-  forBlocks(parallelFor, points.rows(), BlockSize, progress,
+  Steps steps(progress, { 160.0, 1550.0 }); // for each point
+  const PointTree tree(points, steps.next());
+  forBlocks(parallelFor, points.rows(), BlockSize, steps.next(),
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;

@@ -1,6 +1,7 @@
 #include "SurfaceEquations.h"
 
 #include "HingeBending.h"
+#include "Steps.h"
 #include "VertexNormals.h"
 
 #include <algorithm>
@@ -271,9 +272,10 @@ void SurfaceEquations::pull(int vertex, const Vector3& direction, double distanc
 Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& stiffness,
   double evenness, const ParallelFor& parallelFor, const Progress& progress)
 {
+  Steps steps(progress, { 240.0, 8.0, 430.0, 40.0, 100.0, 3300.0 }); // for each vertex
   const Index size = weights.rows();
   Attraction attraction(this->Neighbors);
-  forBlocks(parallelFor, size, BlockSize, partOf(progress, 0.0, 0.1),
+  forBlocks(parallelFor, size, BlockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (int i = static_cast<int>(begin); i < end; ++i)
@@ -302,13 +304,13 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
         }
       }
     });
+  steps.next();
   for (const Pull& pull : this->Pulls)
   {
     attraction.block(pull.Vertex, pull.Vertex).add(0.0, pull.Weight, pull.Direction);
     attraction.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
   }
   this->Sums = FixedPointSums(); // room for what follows
-  report(progress, 0.11);
   for (Symmetric& block : attraction.Diagonal)
   {
     // A direction that neither patterns nor stiffness hold is left as it is.
@@ -316,12 +318,13 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
     block.add(smallest + share * block.trace(), 0.0, Vector3::Zero());
   }
 
+  steps.next();
   HingeBending hinges(this->Faces, this->Around, weights, stiffness, parallelFor);
-  report(progress, 0.13);
+  steps.next();
   Resistance resistance(this->Neighbors, std::move(hinges),
     vertexNormals(weights, this->Faces, this->Around, parallelFor), stiffness, evenness,
     parallelFor);
-  report(progress, 0.15);
+  steps.next();
   resistance.bend(weights);
   forBlocks(parallelFor, size, BlockSize,
     [&](Index begin, Index end)
@@ -331,6 +334,6 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
         attraction.Right.row(i) -= resistance.forceAt(i);
       }
     });
-  return solveSystem(attraction, resistance, parallelFor, partOf(progress, 0.2, 1.0));
+  return solveSystem(attraction, resistance, parallelFor, steps.next());
 }
 }

@@ -1,6 +1,7 @@
 #include "SurfaceMismatch.h"
 
 #include "AcrossProcesses.h"
+#include "Steps.h"
 #include "TriangleTree.h"
 
 #include <algorithm>
@@ -123,19 +124,19 @@ std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices
   return vertices;
 }
 
-TriangleTree treeOf(
-  const Points& points, const Triangles& triangles, const ParallelFor& parallelFor)
+TriangleTree treeOf(const Points& points, const Triangles& triangles,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   if (triangles.rows() > 0)
   {
-    return TriangleTree(points, triangles, parallelFor);
+    return TriangleTree(points, triangles, parallelFor, progress);
   }
   std::vector<int> all(points.rows());
   for (int v = 0; v < points.rows(); ++v)
   {
     all[v] = v;
   }
-  return TriangleTree(points, asTriangles(all), parallelFor);
+  return TriangleTree(points, asTriangles(all), parallelFor, progress);
 }
 
 // Points spread evenly over the area of a mesh (over its triangles, where it has no area).
@@ -185,48 +186,26 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
   return samples;
 }
 
-// Square distances to a mesh, with its share of the progress.
-class DistanceMeter
+// Square distances of so many points to a mesh.
+template <typename Query>
+std::vector<double> squareDistances(const TriangleTree& tree, Index size, const Query& query,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
-public:
-  DistanceMeter(const ParallelFor& parallelFor, const Progress& progress, Index total)
-    : Threads(parallelFor)
-    , Report(progress)
-    , Total(total)
-  {
-  }
-
-  template <typename Query>
-  std::vector<double> operator()(const TriangleTree& tree, Index size, const Query& query)
-  {
-    constexpr Index blockSize = 1 << 9;
-    std::vector<double> squares(size);
-    const auto progress = [&](double fraction)
+  constexpr Index blockSize = 1 << 9;
+  std::vector<double> squares(size);
+  forBlocks(parallelFor, size, blockSize, progress,
+    [&](Index begin, Index end)
     {
-      report(this->Report, (this->Done + fraction * size) / static_cast<double>(this->Total));
-      return true;
-    };
-    forBlocks(this->Threads, size, blockSize, progress,
-      [&](Index begin, Index end)
+      int hint = -1; // neighbors in the list are often neighbors in space
+      for (Index i = begin; i < end; ++i)
       {
-        int hint = -1; // neighbors in the list are often neighbors in space
-        for (Index i = begin; i < end; ++i)
-        {
-          const FootPoint foot = tree.closestPoint(query(i), hint);
-          hint = foot.Triangle;
-          squares[i] = foot.SquareDistance;
-        }
-      });
-    this->Done += size;
-    return squares;
-  }
-
-private:
-  const ParallelFor& Threads;
-  const Progress& Report;
-  Index Total;
-  Index Done = 0;
-};
+        const FootPoint foot = tree.closestPoint(query(i), hint);
+        hint = foot.Triangle;
+        squares[i] = foot.SquareDistance;
+      }
+    });
+  return squares;
+}
 
 // Of values that are spread over processes, or that there are once.
 double meanOf(const std::vector<double>& values, Index total, const Reduce& reduce = {})
@@ -295,24 +274,37 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   {
     throw std::invalid_argument("the number of samples must be positive");
   }
+  const Index size = referencePoints.size();
+  const auto modelSize = static_cast<double>(modelPoints.size());
+  const auto modelFaces = static_cast<double>(modelTriangles.rows());
+  const auto dataSize = static_cast<double>(size);
+  const double referenceFaces =
+    referenceTriangles.rows() > 0 ? static_cast<double>(referenceTriangles.rows()) : dataSize;
+  constexpr double ofTree = 450.0, ofQuery = 500.0;
+  Steps steps(progress,
+    { 30.0 * (modelSize + dataSize), ofTree * modelFaces, ofQuery * dataSize, ofTree * modelSize,
+      ofQuery * dataSize, ofTree * referenceFaces,
+      20.0 * modelFaces + 60.0 * options.NumberOfSamples, ofQuery * options.NumberOfSamples,
+      ofQuery * modelSize, 20.0 * (modelSize + dataSize + modelFaces) });
+  steps.next();
   requireFinite(modelPoints, "model", {});
   requireFinite(referencePoints, "reference", reduce);
 
   const Frame frame = frameOf(referencePoints, total, options.LengthUnit, reduce);
   const Points model = frame(modelPoints);
-  const Index size = referencePoints.size();
-  DistanceMeter measure(
-    parallelFor, progress, 2 * size + options.NumberOfSamples + modelPoints.size());
   const auto data = [&](Index i) { return frame(referencePoints[i]); };
 
   SurfaceMismatch result;
   result.LengthUnit = frame.Unit;
+  const auto measure = [&](const TriangleTree& tree, Index count, const auto& query)
+  { return squareDistances(tree, count, query, parallelFor, steps.next()); };
   const std::vector<double> forward =
-    measure(TriangleTree(model, modelTriangles, parallelFor), size, data);
+    measure(TriangleTree(model, modelTriangles, parallelFor, steps.next()), size, data);
   result.MeanSquarePointToSurface = meanOf(forward, total, reduce);
   const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
   result.MeanSquarePointToVertex = meanOf(
-    measure(TriangleTree(model, asTriangles(vertices), parallelFor), size, data), total, reduce);
+    measure(TriangleTree(model, asTriangles(vertices), parallelFor, steps.next()), size, data),
+    total, reduce);
 
   // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
   // some triangles finds; of points there is one nearest distance.
@@ -323,7 +315,8 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
     faces = gatherTriangles(reduce, faces, size);
     referenceFrame = gatherRows(reduce, referenceFrame);
   }
-  const TriangleTree reference = treeOf(referenceFrame, faces, parallelFor);
+  const TriangleTree reference = treeOf(referenceFrame, faces, parallelFor, steps.next());
+  steps.next();
   const Reduce overParts = isCloud ? reduce : Reduce();
   const Points samples =
     spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
@@ -331,6 +324,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
     measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); }));
   const std::vector<double> fromVertices = toNearestPart(
     overParts, measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); }));
+  steps.next();
   result.MeanSquareSurfaceToPoint = meanOf(back, samples.rows());
   result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
                          [](double square) { return square > WebDistance * WebDistance; })) /
@@ -348,6 +342,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   {
     throw std::overflow_error("the distances are too large to be squared");
   }
+  report(progress, 1.0);
   return result;
 }
 }

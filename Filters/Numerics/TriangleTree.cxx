@@ -1,5 +1,7 @@
 #include "TriangleTree.h"
 
+#include "Steps.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -85,6 +87,8 @@ FootPoint closestPointOfTriangle(
 TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
   const ParallelFor& parallelFor, const Progress& progress)
 {
+  Steps steps(progress, { 30.0, 300.0, 110.0, 55.0 }); // for each triangle
+  steps.next();
   std::vector<Box> boxes(faces.rows());
   for (Index r = 0; r < faces.rows(); ++r)
   {
@@ -93,7 +97,8 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
       boxes[r].extend(Vector3(positions.row(faces(r, k))));
     }
   }
-  BoxTree tree = buildBoxTree(boxes, parallelFor, progress);
+  BoxTree tree = buildBoxTree(boxes, parallelFor, steps.next());
+  steps.next();
   if (faces.rows() > 0)
   {
     this->addQuad(tree, 0);
@@ -105,8 +110,9 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
   {
     this->PlaceOf[this->Items[place]] = place;
   }
-  report(progress, 1.0);
+  steps.next();
   this->refit(positions, faces, parallelFor);
+  report(progress, 1.0);
 }
 
 int TriangleTree::addQuad(const BoxTree& tree, int node)

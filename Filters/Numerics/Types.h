@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry> // cross products
 
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <vector>
@@ -46,7 +47,8 @@ inline Progress partOf(const Progress& whole, double begin, double end)
   {
     return {};
   }
-  return [=](double fraction) { return whole(begin + fraction * (end - begin)); };
+  return [=](double fraction)
+  { return whole(fraction < 1.0 ? std::min(begin + fraction * (end - begin), end) : end); };
 }
 
 /// Points that somebody else owns, as packed floats or doubles, so that ten million of them

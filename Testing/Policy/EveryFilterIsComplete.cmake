@@ -53,6 +53,15 @@ function (require_input_case class header)
   endif ()
 endfunction ()
 
+# A filter that makes objects for a pipeline has its progress measured.
+function (require_measured_progress class header)
+  file(READ "${SOURCE_DIR}/${header}" text)
+  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n"
+      AND NOT class MATCHES "(Reader|Writer)$")
+    require_line(${class} Testing/Cxx/TestProgress.cxx "[<= ]${class}[>;]" "a run of ${class}")
+  endif ()
+endfunction ()
+
 function (check_module folder core_folder document)
   file(READ "${SOURCE_DIR}/${folder}/CMakeLists.txt" lists)
   if (NOT lists MATCHES "set\\(classes([^)]*)\\)")
@@ -74,6 +83,7 @@ function (check_module folder core_folder document)
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
     require_proxy(${class} "${folder}/${class}.h" ${unit})
     require_input_case(${class} "${folder}/${class}.h")
+    require_measured_progress(${class} "${folder}/${class}.h")
   endforeach ()
 endfunction ()
 

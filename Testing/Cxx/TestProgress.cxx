@@ -1,0 +1,539 @@
+// What users may take a progress bar for: an estimate of the time that is left.
+//
+// Progress is even within a factor of 3. Cut a run anywhere into a tenth of its time, and the
+// progress moves by three tenths at most; cut it anywhere into a tenth of the progress, and that
+// takes three tenths of the time at most. So there is neither a jump nor a stop that a user would
+// see, and what has been done and what is left can be read from the bar within that factor.
+//
+// Time is the processor's, on one thread, so that neither other programs nor the number of cores
+// make a difference; of up to three runs the most even one counts, and no time is a limit. Inputs
+// are as large as is needed for a run to take some tenths of a second: below, nobody sees a bar.
+//
+// Not even yet, so not here: where vtkConformalSOM takes a hull after all, though the network drawn
+// from the sphere did not look stretched before its polish (the bunny, the cortex), or makes no
+// polish; where GuYau converges long before its largest number of iterations; where
+// vtkGlobalConformalMap has to fall back on a progressive map; vtkSphericalTextureMap of a chosen
+// point or with a split seam (slowest tenth 3.1 and 3.3).
+#include "FilterContract.h"
+#include "MeshFixtures.h"
+
+#include "../TemporaryFolder.h"
+#include "vtkConformalDistortion.h"
+#include "vtkConformalOFFReader.h"
+#include "vtkConformalPLYReader.h"
+#include "vtkConformalSOM.h"
+#include "vtkCurvedSeamlessMap.h"
+#include "vtkCurvedSeamlessSurface.h"
+#include "vtkGenusZeroCheck.h"
+#include "vtkGenusZeroHull.h"
+#include "vtkGeodesicSphereSource.h"
+#include "vtkGlobalConformalMap.h"
+#include "vtkSphericalAlignment.h"
+#include "vtkSphericalTextureBlend.h"
+#include "vtkSphericalTextureImage.h"
+#include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceMismatch.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+constexpr double Factor = 3.0;
+
+// What a filter has told, and when.
+class Watch
+{
+public:
+  // Watches, and asks the filter to stop when a report reaches stopAt.
+  explicit Watch(vtkAlgorithm* filter, double stopAt = 2.0)
+    : StopAt(stopAt)
+  {
+    for (const unsigned long event :
+      { vtkCommand::StartEvent, vtkCommand::ProgressEvent, vtkCommand::EndEvent })
+    {
+      filter->AddObserver(event, this, &Watch::Hear);
+    }
+  }
+
+  // In shares of the time from start to end; the last one at the end.
+  std::vector<double> Times() const
+  {
+    std::vector<double> times;
+    for (const std::clock_t at : this->Clocks)
+    {
+      times.push_back(static_cast<double>(at - this->Start) / (this->End - this->Start));
+    }
+    return times;
+  }
+  double Seconds() const { return static_cast<double>(this->End - this->Start) / CLOCKS_PER_SEC; }
+
+  std::vector<double> Reports;
+  int ReportsAfterStop = 0;
+  bool SameThread = true;
+
+private:
+  void Hear(vtkObject* caller, unsigned long event, void*)
+  {
+    const std::clock_t now = std::clock();
+    auto* filter = static_cast<vtkAlgorithm*>(caller);
+    this->SameThread = this->SameThread && std::this_thread::get_id() == this->Thread;
+    if (event == vtkCommand::StartEvent)
+    {
+      this->Start = now;
+      return;
+    }
+    this->End = now;
+    if (event == vtkCommand::ProgressEvent)
+    {
+      this->ReportsAfterStop += filter->GetAbortExecute() != 0;
+      this->Reports.push_back(filter->GetProgress());
+      this->Clocks.push_back(now);
+      if (filter->GetProgress() >= this->StopAt)
+      {
+        filter->SetAbortExecute(1);
+      }
+    }
+  }
+
+  double StopAt;
+  std::clock_t Start = 0, End = 0;
+  std::vector<std::clock_t> Clocks;
+  std::thread::id Thread = std::this_thread::get_id();
+};
+
+struct Evenness
+{
+  double Slowest = 0.0; // a tenth of the progress, in tenths of the time
+  double Fastest = 0.0; // a tenth of the time, in tenths of the progress
+  double Silence = 0.0; // the longest, in shares of the time
+  double Worst() const { return std::max(this->Slowest, this->Fastest); }
+};
+
+Evenness MeasureEvenness(const Watch& watch)
+{
+  constexpr double tenth = 0.1;
+  std::vector<double> q = watch.Reports, t = watch.Times();
+  q.insert(q.begin(), 0.0);
+  t.insert(t.begin(), 0.0);
+  q.push_back(q.back());
+  t.push_back(1.0);
+  Evenness result;
+  for (std::size_t i = 0; i < q.size(); ++i)
+  {
+    for (std::size_t j = i; j < q.size(); ++j)
+    {
+      if (t[j] - t[i] <= tenth)
+      {
+        result.Fastest = std::max(result.Fastest, (q[j] - (i > 0 ? q[i - 1] : 0.0)) / tenth);
+      }
+      if (j > i && q[j - 1] - q[i] < tenth)
+      {
+        result.Slowest = std::max(result.Slowest, (t[j] - t[i]) / tenth);
+      }
+    }
+    result.Silence = std::max(result.Silence, i > 0 ? t[i] - t[i - 1] : 0.0);
+  }
+  return result;
+}
+
+using Make = std::function<vtkSmartPointer<vtkAlgorithm>()>;
+
+// On one thread as long as it lives.
+class OneThread
+{
+public:
+  OneThread() { vtkSMPTools::SetBackend("Sequential"); }
+  ~OneThread() { vtkSMPTools::SetBackend(this->Before.c_str()); }
+
+private:
+  std::string Before = vtkSMPTools::GetBackend();
+};
+
+void ExpectEven(const std::string& name, const Make& make)
+{
+  SCOPED_TRACE(name);
+  const OneThread oneThread;
+  constexpr int runs = 3;
+  Evenness best;
+  double seconds = 0.0;
+  for (int run = 0; run < runs && (run == 0 || best.Worst() > Factor); ++run)
+  {
+    const vtkSmartPointer<vtkAlgorithm> filter = make();
+    const Watch watch(filter);
+    const contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_FALSE(observed.Error()) << observed.ErrorMessage();
+    EXPECT_TRUE(watch.SameThread);
+    ASSERT_FALSE(watch.Reports.empty());
+    EXPECT_TRUE(std::is_sorted(watch.Reports.begin(), watch.Reports.end()));
+    EXPECT_EQ(watch.Reports.back(), 1.0);
+    const Evenness own = MeasureEvenness(watch);
+    if (run == 0 || own.Worst() < best.Worst())
+    {
+      best = own;
+      seconds = watch.Seconds();
+    }
+  }
+  std::printf("%-44s %7.2f s   slowest %5.2f   fastest %5.2f   silence %5.1f ms\n", name.c_str(),
+    seconds, best.Slowest, best.Fastest, 1000.0 * best.Silence * seconds);
+  EXPECT_LE(best.Slowest, Factor) << "a tenth of the progress, in tenths of the time";
+  EXPECT_LE(best.Fastest, Factor) << "a tenth of the time, in tenths of the progress";
+
+  const vtkSmartPointer<vtkAlgorithm> filter = make();
+  const Watch watch(filter, 0.3);
+  const contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  EXPECT_LE(watch.ReportsAfterStop, 1);
+  EXPECT_LT(watch.Reports.back(), 1.0);
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    EXPECT_EQ(filter->GetOutputDataObject(port)->GetNumberOfElements(vtkDataObject::POINT), 0)
+      << port;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Surfaces, mapped to the sphere by their directions, away from the origin.
+
+template <typename Radius>
+vtkSmartPointer<vtkPolyData> Star(int frequency, Radius radius)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(frequency);
+  source->Update();
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->DeepCopy(source->GetOutput());
+  surface->GetPointData()->SetNormals(nullptr);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    surface->GetPoint(i, n);
+    const double r = radius(n);
+    surface->GetPoints()->SetPoint(i, 10.0 + r * n[0], r * n[1], r * n[2]);
+  }
+  return surface;
+}
+
+// Like a head: no part of it needs a hull.
+vtkSmartPointer<vtkPolyData> Head(int frequency)
+{
+  return Star(frequency,
+    [](const double* n)
+    { return 1.0 + 0.1 * std::sin(5.0 * n[0]) * std::cos(4.0 * n[1] + n[2]) + 0.2 * n[2]; });
+}
+
+// Six long limbs: drawn from the sphere, the network would stretch.
+vtkSmartPointer<vtkPolyData> Limbs(int frequency)
+{
+  return Star(frequency,
+    [](const double* n)
+    {
+      double r = 0.3;
+      for (int c = 0; c < 3; ++c)
+      {
+        r += std::exp(-(1.0 - std::abs(n[c])) / 0.03);
+      }
+      return r;
+    });
+}
+
+vtkSmartPointer<vtkPolyData> Scan(const std::string& name)
+{
+  const std::string path = std::string(CONFORMALSOM_SCAN_DIR) + "/" + name;
+  if (!std::filesystem::exists(path))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkConformalPLYReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+// A filter of this class with its properties and inputs set.
+template <typename Filter, typename SetUp>
+Make Of(vtkDataObject* input, SetUp setUp)
+{
+  vtkSmartPointer<vtkDataObject> held = input;
+  return [=]()
+  {
+    auto filter = vtkSmartPointer<Filter>::New();
+    filter->SetInputDataObject(held);
+    setUp(filter.Get());
+    return filter;
+  };
+}
+
+template <typename Filter>
+Make Of(vtkDataObject* input)
+{
+  return Of<Filter>(input, [](Filter*) {});
+}
+
+template <typename Filter>
+void ExpectEvenOnScans(const std::vector<std::string>& names)
+{
+  int found = 0;
+  for (const std::string& name : names)
+  {
+    if (const auto scan = Scan(name))
+    {
+      ExpectEven(name, Of<Filter>(scan));
+      ++found;
+    }
+  }
+  if (found == 0)
+  {
+    GTEST_SKIP() << "no scans in CONFORMALSOM_SCAN_DIR";
+  }
+}
+
+vtkSmartPointer<vtkImageData> Picture()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(512, 512, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 3 * 512 * 512, 100);
+  return image;
+}
+
+vtkSmartPointer<vtkPolyData> WithTexture(vtkPolyData* surface)
+{
+  vtkNew<vtkSphericalTextureMap> map;
+  map->SetInputData(surface);
+  map->SetProjectionToLongitudeLatitude();
+  map->Update();
+  return map->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> Colored(vtkPolyData* surface)
+{
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Heights");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    heights->InsertNextValue(surface->GetPoint(i)[2]);
+  }
+  surface->GetPointData()->SetScalars(heights);
+  return surface;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(Progress, OfTheSphereSource)
+{
+  ExpectEven("GeodesicSphereSource",
+    []()
+    {
+      auto source = vtkSmartPointer<vtkGeodesicSphereSource>::New();
+      source->SetFrequency(600);
+      return source;
+    });
+}
+
+TEST(Progress, OfTheLearner)
+{
+  using SOM = vtkConformalSOM;
+  const auto head = Head(60), limbs = Limbs(60);
+  ExpectEven("ConformalSOM head", Of<SOM>(head));
+  ExpectEven(
+    "ConformalSOM head, frequency 100", Of<SOM>(head, [](SOM* som) { som->SetFrequency(100); }));
+  ExpectEven("ConformalSOM limbs", Of<SOM>(limbs));
+  ExpectEven("ConformalSOM head, from the sphere",
+    Of<SOM>(head, [](SOM* som) { som->SetStartingShape(SOM::SPHERE); }));
+  ExpectEven("ConformalSOM head, from the hull",
+    Of<SOM>(head, [](SOM* som) { som->SetStartingShape(SOM::HULL); }));
+  const auto start = Head(40);
+  ExpectEven("ConformalSOM head, from a mesh",
+    Of<SOM>(head, [=](SOM* som) { som->SetInputDataObject(1, start); }));
+  ExpectEven("ConformalSOM head, Online",
+    Of<SOM>(head,
+      [](SOM* som)
+      {
+        som->SetTrainingMode(SOM::ONLINE);
+        som->SetNumberOfEpochs(20);
+      }));
+  const auto large = Head(300);
+  ExpectEven("ConformalSOM large head, error scalars",
+    Of<SOM>(large,
+      [](SOM* som)
+      {
+        som->SetFrequency(20);
+        som->SetGenerateErrorScalars(true);
+      }));
+}
+
+TEST(Progress, OfTheLearnerOnScans)
+{
+  ExpectEvenOnScans<vtkConformalSOM>({ "igea-closed.ply", "spot.ply", "armadillo.ply" });
+}
+
+TEST(Progress, OfTheGlobalConformalMap)
+{
+  using GCM = vtkGlobalConformalMap;
+  const auto balanced = [](GCM* map) { map->SetAreaBalance(0.3); };
+  ExpectEven("GlobalConformalMap head", Of<GCM>(Head(90)));
+  ExpectEven("GlobalConformalMap limbs", Of<GCM>(Limbs(60)));
+  ExpectEven("GlobalConformalMap head, AreaBalance", Of<GCM>(Head(30), balanced));
+  ExpectEven("GlobalConformalMap limbs, AreaBalance", Of<GCM>(Limbs(30), balanced));
+}
+
+TEST(Progress, OfTheGlobalConformalMapOnScans)
+{
+  ExpectEvenOnScans<vtkGlobalConformalMap>({ "igea-closed.ply", "stanford-bunny-closed.ply" });
+}
+
+TEST(Progress, OfTheCurvedSurface)
+{
+  using CSS = vtkCurvedSeamlessSurface;
+  const auto mesh = Head(36), fine = Head(150);
+  const auto cloud = Head(80);
+  const auto frequency = [](int f) { return [f](CSS* css) { css->SetFrequency(f); }; };
+  ExpectEven("CurvedSeamlessSurface", Of<CSS>(mesh, frequency(200)));
+  ExpectEven("CurvedSeamlessSurface of a fine mesh", Of<CSS>(fine, frequency(60)));
+  ExpectEven("CurvedSeamlessSurface, EdgeMatched",
+    Of<CSS>(mesh,
+      [](CSS* css)
+      {
+        css->SetFrequency(150);
+        css->SetSeamModeToEdgeMatched();
+      }));
+  for (int height = vtkCurvedSeamlessMap::NONE; height <= vtkCurvedSeamlessMap::CURVATURE; ++height)
+  {
+    const auto domes = [height](int f)
+    {
+      return [=](CSS* css)
+      {
+        css->SetFrequency(f);
+        css->SetDomeHeight(height);
+        css->SetSeamModeToPerTriangle();
+      };
+    };
+    const std::string name = "CurvedSeamlessSurface, PerTriangle " + std::to_string(height);
+    ExpectEven(name, Of<CSS>(mesh, domes(250)));
+    ExpectEven(name + " of a fine mesh", Of<CSS>(fine, domes(60)));
+  }
+  const auto fitted = [cloud](CSS* css)
+  {
+    css->SetFrequency(100);
+    css->SetDomeHeightToFitted();
+    css->SetCloudData(cloud);
+  };
+  ExpectEven("CurvedSeamlessSurface, Fitted", Of<CSS>(Head(20), fitted));
+}
+
+TEST(Progress, OfTheHull)
+{
+  using Hull = vtkGenusZeroHull;
+  ExpectEven("GenusZeroHull head", Of<Hull>(Head(60)));
+  ExpectEven("GenusZeroHull limbs", Of<Hull>(Limbs(60)));
+  ExpectEven(
+    "GenusZeroHull large head", Of<Hull>(Head(300), [](Hull* hull) { hull->SetSpacing(0.05); }));
+}
+
+TEST(Progress, OfTheHullOnScans)
+{
+  ExpectEvenOnScans<vtkGenusZeroHull>(
+    { "igea-closed.ply", "stanford-bunny-closed.ply", "spot.ply", "armadillo.ply", "cortex.ply" });
+}
+
+TEST(Progress, OfTheMismatch)
+{
+  using Mismatch = vtkSurfaceMismatch;
+  const auto fine = Head(120), coarse = Head(40);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(fine->GetPoints());
+  const auto reference = [](vtkPolyData* to)
+  {
+    vtkSmartPointer<vtkPolyData> held = to;
+    return [held](Mismatch* mismatch) { mismatch->SetReferenceData(held); };
+  };
+  ExpectEven("SurfaceMismatch to a cloud", Of<Mismatch>(coarse, reference(cloud)));
+  ExpectEven("SurfaceMismatch to a mesh", Of<Mismatch>(coarse, reference(fine)));
+  ExpectEven("SurfaceMismatch of a fine mesh", Of<Mismatch>(fine, reference(coarse)));
+  ExpectEven("SurfaceMismatch, few samples",
+    Of<Mismatch>(Head(250),
+      [=](Mismatch* mismatch)
+      {
+        mismatch->SetReferenceData(coarse);
+        mismatch->SetNumberOfSamples(1000);
+      }));
+}
+
+TEST(Progress, OfTextures)
+{
+  using Map = vtkSphericalTextureMap;
+  using Image = vtkSphericalTextureImage;
+  using Blend = vtkSphericalTextureBlend;
+  const auto fine = Head(200);
+  ExpectEven("SphericalTextureMap", Of<Map>(fine));
+  const auto surface = WithTexture(Head(100)), source = Colored(Head(150));
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(source->GetPoints());
+  cloud->GetPointData()->SetScalars(source->GetPointData()->GetScalars());
+  const auto baked = [](vtkPolyData* from, int width)
+  {
+    vtkSmartPointer<vtkPolyData> held = from;
+    return [=](Image* image)
+    {
+      image->SetImageSize(width, width / 2);
+      image->SetArrayName("Heights");
+      if (held)
+      {
+        image->SetInputDataObject(1, held);
+      }
+    };
+  };
+  ExpectEven("SphericalTextureImage", Of<Image>(Colored(surface), baked(nullptr, 1024)));
+  ExpectEven("SphericalTextureImage of a fine mesh",
+    Of<Image>(Colored(WithTexture(fine)), baked(nullptr, 256)));
+  ExpectEven("SphericalTextureImage from a mesh", Of<Image>(surface, baked(source, 512)));
+  ExpectEven("SphericalTextureImage from a cloud", Of<Image>(surface, baked(cloud, 512)));
+  const auto pictures = [](int width)
+  {
+    return [width](Blend* blend)
+    {
+      blend->SetInputDataObject(1, Picture());
+      blend->SetInputDataObject(2, Picture());
+      blend->SetImageSize(width, width / 2);
+    };
+  };
+  ExpectEven("SphericalTextureBlend", Of<Blend>(surface, pictures(1024)));
+  ExpectEven("SphericalTextureBlend on a fine mesh", Of<Blend>(WithTexture(fine), pictures(128)));
+}
+
+TEST(Progress, OfMeasures)
+{
+  using Alignment = vtkSphericalAlignment;
+  const auto fine = Head(250), surface = Head(100);
+  const auto reference = [](vtkPolyData* to)
+  {
+    vtkSmartPointer<vtkPolyData> held = to;
+    return [held](Alignment* alignment) { alignment->SetReferenceData(held); };
+  };
+  ExpectEven("ConformalDistortion", Of<vtkConformalDistortion>(fine));
+  ExpectEven("GenusZeroCheck", Of<vtkGenusZeroCheck>(fine));
+  ExpectEven("SphericalAlignment", Of<Alignment>(surface, reference(Head(60))));
+  ExpectEven("SphericalAlignment to a fine mesh", Of<Alignment>(surface, reference(fine)));
+  ExpectEven("SphericalAlignment, Moebius",
+    Of<Alignment>(surface,
+      [=](Alignment* alignment)
+      {
+        alignment->SetReferenceData(surface);
+        alignment->SetTransformToMoebius();
+      }));
+}
