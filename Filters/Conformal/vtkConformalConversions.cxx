@@ -52,6 +52,21 @@ void EmptyOutputs(vtkAlgorithm* self)
     }
   }
 }
+
+void Require(bool inRange, const std::string& what)
+{
+  if (!inRange)
+  {
+    throw std::overflow_error(what + " would leave the range of floating-point numbers: " +
+      "coordinates or properties are too large or too small");
+  }
+}
+
+// Whatever a filter writes passes here.
+void RequireFinite(const double* values, conformal::Index size, const std::string& what)
+{
+  Require(Eigen::Map<const Eigen::VectorXd>(values, size).allFinite(), what);
+}
 }
 
 namespace vtkConformalConversions
@@ -158,7 +173,8 @@ int RunRequest(vtkAlgorithm* self, const std::function<void()>& request)
 }
 
 //------------------------------------------------------------------------------
-conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy)
+conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy,
+  const conformal::CoordinateFrame& frame)
 {
   if (!array || array->GetNumberOfComponents() != 3)
   {
@@ -166,20 +182,37 @@ conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conforma
   }
   if (auto* floats = vtkFloatArray::SafeDownCast(array))
   {
-    return { floats->GetPointer(0), floats->GetNumberOfTuples() };
+    return { floats->GetPointer(0), floats->GetNumberOfTuples(), frame.Unit };
   }
   if (auto* doubles = vtkDoubleArray::SafeDownCast(array))
   {
-    return { doubles->GetPointer(0), doubles->GetNumberOfTuples() };
+    return { doubles->GetPointer(0), doubles->GetNumberOfTuples(), frame.Unit };
   }
   ToVectors(array, copy);
-  return copy;
+  return { copy.data(), copy.rows(), frame.Unit };
 }
 
 //------------------------------------------------------------------------------
-conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy)
+conformal::PointView ViewPoints(
+  vtkPoints* points, const conformal::CoordinateFrame& frame, conformal::Points& copy)
 {
-  return points ? ViewVectors(points->GetData(), "points", copy) : conformal::PointView();
+  return points ? ViewVectors(points->GetData(), "points", copy, frame) : conformal::PointView();
+}
+
+//------------------------------------------------------------------------------
+conformal::CoordinateFrame FrameOf(
+  std::initializer_list<vtkPointSet*> data, const conformal::Reduce& reduce)
+{
+  std::vector<conformal::Points> copies(data.size());
+  std::vector<conformal::PointView> views;
+  for (vtkPointSet* points : data)
+  {
+    if (points)
+    {
+      views.push_back(ViewPoints(points->GetPoints(), {}, copies[views.size()]));
+    }
+  }
+  return conformal::frameOf(views, SMPFor(), reduce);
 }
 
 //------------------------------------------------------------------------------
@@ -227,12 +260,14 @@ void WarnOfEmptyInput(vtkObject* self, const char* message)
 }
 
 //------------------------------------------------------------------------------
-conformal::Points ToPoints(vtkPoints* points)
+conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame)
 {
-  conformal::Points result(points ? points->GetNumberOfPoints() : 0, 3);
-  for (vtkIdType i = 0; i < result.rows(); ++i)
+  conformal::Points copy;
+  const conformal::PointView view = ViewPoints(points, frame, copy);
+  conformal::Points result(view.size(), 3);
+  for (conformal::Index i = 0; i < result.rows(); ++i)
   {
-    points->GetPoint(i, result.row(i).data());
+    result.row(i) = view[i];
   }
   return result;
 }
@@ -263,13 +298,7 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
   }
   conformal::Points positions;
   ReadSpherePositions(array, positions);
-  conformal::Index bad = 0;
-  for (conformal::Index i = 0; i < positions.rows(); ++i)
-  {
-    const double length = positions.row(i).stableNorm();
-    bad += !(length > 0.0 && std::isfinite(length));
-    positions.row(i) /= length;
-  }
+  const conformal::Index bad = conformal::normalizeRows(positions);
   if (bad > 0)
   {
     throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(positions.rows()) +
@@ -293,6 +322,7 @@ bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions)
 //------------------------------------------------------------------------------
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors)
 {
+  RequireFinite(vectors.data(), vectors.size(), name);
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
@@ -304,6 +334,7 @@ void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& v
 //------------------------------------------------------------------------------
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
 {
+  RequireFinite(values.data(), static_cast<conformal::Index>(values.size()), name);
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
@@ -312,12 +343,17 @@ void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>&
 }
 
 //------------------------------------------------------------------------------
+void AddLengths(vtkFieldData* data, const char* name, std::vector<double> lengths,
+  const conformal::CoordinateFrame& frame)
+{
+  LengthsFromFrame(lengths.data(), static_cast<conformal::Index>(lengths.size()), frame, name);
+  AddNumbers(data, name, lengths);
+}
+
+//------------------------------------------------------------------------------
 void AddNumber(vtkFieldData* data, const char* name, double value)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  data->AddArray(array);
+  AddNumbers(data, name, { value });
 }
 
 //------------------------------------------------------------------------------
@@ -330,22 +366,43 @@ void AddNumber(vtkFieldData* data, const char* name, long long value)
 }
 
 //------------------------------------------------------------------------------
-void SetPoints(vtkPolyData* surface, const conformal::Points& points)
+void LengthsFromFrame(
+  double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what)
+{
+  Eigen::Map<Eigen::VectorXd>(values, size) *= frame.Unit;
+  RequireFinite(values, size, what);
+}
+
+//------------------------------------------------------------------------------
+void AreasFromFrame(
+  double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what)
+{
+  constexpr double least = 0x1p-960; // smaller areas beside would lose digits
+  const double square = frame.Unit * frame.Unit;
+  Require(square >= least, what);
+  Eigen::Map<Eigen::VectorXd>(values, size) *= square;
+  RequireFinite(values, size, what);
+}
+
+//------------------------------------------------------------------------------
+void SetPoints(
+  vtkPolyData* surface, const conformal::Points& points, const conformal::CoordinateFrame& frame)
 {
   vtkNew<vtkPoints> copy;
   copy->SetDataTypeToDouble();
   copy->SetNumberOfPoints(points.rows());
-  std::copy_n(
-    points.data(), points.size(), vtkDoubleArray::SafeDownCast(copy->GetData())->GetPointer(0));
+  double* coordinates = vtkDoubleArray::SafeDownCast(copy->GetData())->GetPointer(0);
+  std::copy_n(points.data(), points.size(), coordinates);
+  LengthsFromFrame(coordinates, points.size(), frame, "coordinates of the result");
   surface->SetPoints(copy);
 }
 
 //------------------------------------------------------------------------------
-void SetSurface(
-  vtkPolyData* surface, const conformal::Points& points, const conformal::Triangles& triangles)
+void SetSurface(vtkPolyData* surface, const conformal::Points& points,
+  const conformal::Triangles& triangles, const conformal::CoordinateFrame& frame)
 {
   surface->Initialize();
-  SetPoints(surface, points);
+  SetPoints(surface, points, frame);
   SetTriangles(surface, triangles);
 }
 

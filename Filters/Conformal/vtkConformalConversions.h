@@ -2,13 +2,15 @@
 #ifndef vtkConformalConversions_h
 #define vtkConformalConversions_h
 
-#include "Parallel.h" // for ParallelFor
-#include "Types.h"    // for Points, Triangles, PointView, Progress
+#include "CoordinateFrame.h" // for points in a frame
+#include "Parallel.h"        // for ParallelFor, Reduce
+#include "Types.h"           // for Points, Triangles, PointView, Progress
 
-#include <exception>  // for MessageOf's argument
-#include <functional> // for RunCore's argument, GhostTest
-#include <string>     // for MessageOf
-#include <vector>     // for AddNumbers' argument
+#include <exception>        // for MessageOf's argument
+#include <functional>       // for RunCore's argument, GhostTest
+#include <initializer_list> // for FrameOf's argument
+#include <string>           // for MessageOf
+#include <vector>           // for AddNumbers' argument
 
 class vtkAlgorithm;
 class vtkCellArray;
@@ -52,11 +54,19 @@ int RunRequest(vtkAlgorithm* self, const std::function<void()>& request);
 /// it is normal, since the first gets the whole surface.
 void WarnOfEmptyInput(vtkObject* self, const char* message);
 
-/// Coordinates as doubles, #P by 3 (empty for a null pointer).
-conformal::Points ToPoints(vtkPoints* points);
+/// The frame of all points of these data sets; null pointers do not count. Data of one space have
+/// one frame.
+/// @param[in] reduce  adds up over the processes, where they hold parts of the points
+conformal::CoordinateFrame FrameOf(
+  std::initializer_list<vtkPointSet*> data, const conformal::Reduce& reduce = {});
 
-/// The coordinates where they lie, or else in the given copy, which must outlive the view.
-conformal::PointView ViewPoints(vtkPoints* points, conformal::Points& copy);
+/// Coordinates in a frame, #P by 3 (empty for a null pointer).
+conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame);
+
+/// The coordinates in a frame, where they lie, or else in the given copy, which must outlive the
+/// view.
+conformal::PointView ViewPoints(
+  vtkPoints* points, const conformal::CoordinateFrame& frame, conformal::Points& copy);
 
 /// The numbers of an array with one component, likewise.
 conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy);
@@ -68,7 +78,8 @@ std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 /// The vectors of an array of 3 components where they lie, or else in the given copy, which must
 /// outlive the view.
 /// @throws std::invalid_argument if the array is missing or not of 3 components; what names it
-conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy);
+conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy,
+  const conformal::CoordinateFrame& frame = {});
 
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
@@ -83,24 +94,42 @@ conformal::Points ToSpherePositions(vtkPolyData* surface);
 bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions);
 
 /// Add a point array of 3 doubles.
+/// @throws std::overflow_error if one is not finite, as do the functions below
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
 
 /// Add an array of 1 double for each point or cell.
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values);
 
+/// Add an array of 1 double for each point or cell, lengths in a frame.
+void AddLengths(vtkFieldData* data, const char* name, std::vector<double> lengths,
+  const conformal::CoordinateFrame& frame);
+
 /// Add an array of one number.
 void AddNumber(vtkFieldData* data, const char* name, double value);
 void AddNumber(vtkFieldData* data, const char* name, long long value);
 
-/// Points and triangles, replacing what the surface held.
-void SetSurface(
-  vtkPolyData* surface, const conformal::Points& points, const conformal::Triangles& triangles);
+/// Lengths and coordinates, or areas, in place, from a frame to the user's unit.
+/// @param[in] size  how many numbers
+/// @param[in] what  names them
+/// @throws std::overflow_error if they leave the range of doubles, areas also if they become too
+///   small for it
+void LengthsFromFrame(
+  double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
+void AreasFromFrame(
+  double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
+
+/// Points of a frame and triangles, replacing what the surface held.
+/// @throws std::overflow_error as SetPoints
+void SetSurface(vtkPolyData* surface, const conformal::Points& points,
+  const conformal::Triangles& triangles, const conformal::CoordinateFrame& frame);
 
 /// Triangles instead of the polygons a surface had.
 void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles);
 
-/// Replace a surface's points by doubles.
-void SetPoints(vtkPolyData* surface, const conformal::Points& points);
+/// Replace a surface's points by doubles, from a frame.
+/// @throws std::overflow_error if they leave the range of doubles
+void SetPoints(
+  vtkPolyData* surface, const conformal::Points& points, const conformal::CoordinateFrame& frame);
 }
 
 #endif

@@ -62,7 +62,8 @@ int vtkConformalDistortion::RequestData(
       steps.next();
       const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::Distortion distortion =
-        conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(), copy),
+        conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(),
+                                       vtkConformalConversions::FrameOf({ input }), copy),
           triangles, map, vtkConformalConversions::SMPFor(), steps.next());
 
       output->ShallowCopy(input);

@@ -223,9 +223,11 @@ int vtkConformalSOM::RequestData(
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
     {
+      const conformal::CoordinateFrame frame =
+        vtkConformalConversions::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
       const conformal::PointView points =
-        vtkConformalConversions::ViewPoints(input->GetPoints(), copy);
+        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy);
       std::vector<double> priorityCopy;
       const conformal::NumberView priorities =
         ViewPriorities(input, this->PriorityArrayName, priorityCopy);
@@ -254,7 +256,7 @@ int vtkConformalSOM::RequestData(
       conformal::MappedMesh mesh;
       if (start)
       {
-        mesh = vtkConformalConversions::ToSharedMesh(this, start, processes);
+        mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
       }
       const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
         samples, OptionsOf(this), start ? &mesh : nullptr, threads, steps.next());
@@ -262,14 +264,14 @@ int vtkConformalSOM::RequestData(
       {
         WarnAbout(this, result, samples.totalSize());
       }
-      vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces);
+      vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces, frame);
       vtkConformalConversions::AddVectors(output->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.Network.Positions);
       const conformal::Progress measuring = steps.next();
       if (this->GenerateErrorScalars)
       {
-        vtkConformalConversions::AddNumbers(output->GetPointData(), "QuantizationError",
-          conformal::quantizationErrors(samples, result, threads, measuring));
+        vtkConformalConversions::AddLengths(output->GetPointData(), "QuantizationError",
+          conformal::quantizationErrors(samples, result, threads, measuring), frame);
       }
       steps.next();
       const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;

@@ -6,7 +6,8 @@
  * finite are left out with a warning, hidden or duplicate ghost points silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
- * "SpherePosition", from which learning starts instead of the sphere or a hull.
+ * "SpherePosition", from which learning starts instead of the sphere or a hull. It must lie where
+ * the points do: reach no farther from their middle than 4 times as far as they do.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates:
  * 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency, double precision.

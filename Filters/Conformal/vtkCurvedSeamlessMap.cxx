@@ -1,6 +1,7 @@
 #include "vtkCurvedSeamlessMap.h"
 
 #include "AcrossProcesses.h"
+#include "CoordinateFrame.h"
 #include "CurvedSeamlessSurface.h"
 #include "Steps.h"
 #include "TrainingSamples.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <functional>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -78,15 +80,15 @@ struct Model
 
 // That of the first process that has a surface, on all of them.
 Model ModelOf(const conformal::CurvedSeamlessSurfaceOptions& options, vtkObject* self,
-  vtkPolyData* surface, vtkConformalConversions::Processes& processes,
-  const conformal::Progress& progress)
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame,
+  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
   model.Options = options;
   if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
   {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, progress);
+    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Points = std::move(mesh.Points);
     model.Triangles = std::move(mesh.Triangles);
@@ -103,11 +105,13 @@ Model ModelOf(const conformal::CurvedSeamlessSurfaceOptions& options, vtkObject*
   return model;
 }
 
-conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud, conformal::Points& copy,
+conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
+  const conformal::CoordinateFrame& frame, conformal::Points& copy,
   vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
 {
-  conformal::TrainingSamples samples(vtkConformalConversions::ViewPoints(cloud->GetPoints(), copy),
-    {}, vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
+  conformal::TrainingSamples samples(
+    vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
+    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
     processes.reduce(), progress);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
@@ -129,8 +133,8 @@ double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
   return array->GetPointer(0);
 }
 
-// Before any is filled: results of their own, none of them the array they are made from.
-void EmptyResults(vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays)
+// Results of their own, none of them the array they are made from.
+void RequireDifferent(vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays)
 {
   for (auto array = arrays.begin(); array != arrays.end(); ++array)
   {
@@ -139,12 +143,58 @@ void EmptyResults(vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arr
       throw std::invalid_argument("an array is given twice. Pass a new one for each result.");
     }
   }
+}
+
+void Empty(std::initializer_list<vtkDoubleArray*> arrays)
+{
   for (vtkDoubleArray* array : arrays)
   {
     if (array)
     {
       array->SetNumberOfTuples(0);
     }
+  }
+}
+
+// What fails leaves nothing behind.
+bool FillOrEmpty(vtkObject* self, vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays,
+  const std::function<void()>& fill)
+{
+  return vtkConformalConversions::ReportErrors(self,
+    [&]()
+    {
+      RequireDifferent(from, arrays);
+      Empty(arrays);
+      try
+      {
+        fill();
+      }
+      catch (...)
+      {
+        Empty(arrays);
+        throw;
+      }
+    });
+}
+
+// None for no array.
+void LengthsFromFrame(
+  vtkDoubleArray* array, const conformal::CoordinateFrame& frame, const char* what)
+{
+  if (array)
+  {
+    vtkConformalConversions::LengthsFromFrame(
+      array->GetPointer(0), array->GetNumberOfValues(), frame, what);
+  }
+}
+
+void AreasFromFrame(
+  vtkDoubleArray* array, const conformal::CoordinateFrame& frame, const char* what)
+{
+  if (array)
+  {
+    vtkConformalConversions::AreasFromFrame(
+      array->GetPointer(0), array->GetNumberOfValues(), frame, what);
   }
 }
 
@@ -178,6 +228,8 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   this->Surface.reset();
   const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this, surface);
   const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  this->Frame = std::make_unique<conformal::CoordinateFrame>(
+    vtkConformalConversions::FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce()));
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
   const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
@@ -185,11 +237,11 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
     { 750.0 * size, 80.0 * cloudSize,
       (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
         (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
-  const Model model = ModelOf(options, self, surface, processes, steps.next());
+  const Model model = ModelOf(options, self, surface, *this->Frame, processes, steps.next());
   conformal::Points copy;
   const conformal::Progress reading = steps.next();
   const conformal::TrainingSamples samples = fits
-    ? SamplesOf(self, cloud, copy, processes, reading)
+    ? SamplesOf(self, cloud, *this->Frame, copy, processes, reading)
     : conformal::TrainingSamples(conformal::PointView());
   this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model.SpherePositions,
     model.Points, model.Triangles, model.Options, fits ? &samples : nullptr,
@@ -226,16 +278,16 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
 bool vtkCurvedSeamlessMap::ToSurface(
   vtkDataArray* directions, vtkDoubleArray* positions, vtkDoubleArray* normals)
 {
-  return vtkConformalConversions::ReportErrors(this,
+  return FillOrEmpty(this, directions, { positions, normals },
     [&]()
     {
-      EmptyResults(directions, { positions, normals });
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
       samples.Positions = Sized(positions, 3, units.rows());
       samples.Normals = Sized(normals, 3, units.rows());
       conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+      LengthsFromFrame(positions, *this->Frame, "positions");
     });
 }
 
@@ -243,10 +295,9 @@ bool vtkCurvedSeamlessMap::ToSurface(
 bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArray* derivatives,
   vtkDoubleArray* metrics, vtkDoubleArray* areaElements)
 {
-  return vtkConformalConversions::ReportErrors(this,
+  return FillOrEmpty(this, directions, { derivatives, metrics, areaElements },
     [&]()
     {
-      EmptyResults(directions, { derivatives, metrics, areaElements });
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       const conformal::Points units = UnitDirections(directions);
       conformal::SurfaceSamples samples;
@@ -254,6 +305,9 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
       samples.Metrics = Sized(metrics, 9, units.rows());
       samples.AreaElements = Sized(areaElements, 1, units.rows());
       conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+      LengthsFromFrame(derivatives, *this->Frame, "derivatives");
+      AreasFromFrame(metrics, *this->Frame, "metrics");
+      AreasFromFrame(areaElements, *this->Frame, "area elements");
     });
 }
 
@@ -261,20 +315,26 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
 bool vtkCurvedSeamlessMap::ToSphere(
   vtkDataArray* points, vtkDoubleArray* directions, vtkDoubleArray* closestPoints)
 {
-  return vtkConformalConversions::ReportErrors(this,
+  return FillOrEmpty(this, points, { directions, closestPoints },
     [&]()
     {
-      EmptyResults(points, { directions, closestPoints });
       if (!directions)
       {
         throw std::invalid_argument("there is no array to put the directions in");
       }
       const conformal::CurvedSeamlessSurface& surface = this->Built();
-      conformal::Points copy;
-      const conformal::PointView view =
-        vtkConformalConversions::ViewVectors(points, "points", copy);
-      conformal::invert(surface, view, Sized(directions, 3, view.size()),
-        Sized(closestPoints, 3, view.size()), vtkConformalConversions::SMPFor());
+      conformal::Points inFrame;
+      if (!vtkConformalConversions::ToVectors(points, inFrame))
+      {
+        throw std::invalid_argument("points must be an array of 3 components");
+      }
+      for (conformal::Index i = 0; i < inFrame.rows(); ++i)
+      {
+        inFrame.row(i) = this->Frame->toFrameFromAfar(inFrame.row(i));
+      }
+      conformal::invert(surface, inFrame, Sized(directions, 3, inFrame.rows()),
+        Sized(closestPoints, 3, inFrame.rows()), vtkConformalConversions::SMPFor());
+      LengthsFromFrame(closestPoints, *this->Frame, "closest points");
     });
 }
 

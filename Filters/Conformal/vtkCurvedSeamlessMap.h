@@ -47,6 +47,7 @@ class vtkPolyData;
 namespace conformal
 {
 class CurvedSeamlessSurface;
+struct CoordinateFrame;
 }
 
 namespace vtkConformalConversions
@@ -203,6 +204,7 @@ private:
   int NumberOfFitRounds = 6;
   double FitSmoothness = 0.01;
   std::unique_ptr<conformal::CurvedSeamlessSurface> Surface;
+  std::unique_ptr<conformal::CoordinateFrame> Frame; // of its points
 };
 
 #endif

@@ -1,5 +1,6 @@
 #include "vtkCurvedSeamlessSurface.h"
 
+#include "CoordinateFrame.h"
 #include "CurvedSeamlessSurface.h"
 #include "GeodesicSphere.h"
 #include "Steps.h"
@@ -44,7 +45,7 @@ conformal::GeodesicSphere DenseSphere(
   dense.Faces = vtkConformalConversions::ToTriangles(sphere);
   if (!vtkConformalConversions::FindSpherePositions(sphere, dense.Positions))
   {
-    dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints());
+    dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints(), {}); // of any length
   }
   return dense;
 }
@@ -229,6 +230,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       }
       steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
+      vtkConformalConversions::LengthsFromFrame(
+        positions->GetPointer(0), 3 * size, *this->Map->Frame, "coordinates of the result");
 
       vtkNew<vtkPoints> points;
       points->SetData(positions);

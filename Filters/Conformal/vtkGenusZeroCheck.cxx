@@ -81,7 +81,8 @@ int vtkGenusZeroCheck::RequestData(
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
       steps.next();
-      const conformal::Points points = vtkConformalConversions::ToPoints(input->GetPoints());
+      const conformal::Points points = vtkConformalConversions::ToPoints(
+        input->GetPoints(), vtkConformalConversions::FrameOf({ input }));
       const conformal::GenusZeroReport report =
         conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
 

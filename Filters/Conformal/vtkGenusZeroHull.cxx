@@ -78,16 +78,18 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
-  const conformal::GenusZeroHullResult& hull)
+  const conformal::GenusZeroHullResult& hull, const conformal::CoordinateFrame& frame)
 {
   using vtkConformalConversions::AddNumber;
+  const auto addLength = [&](const char* name, double length)
+  { vtkConformalConversions::AddLengths(data, name, { length * samples.scale() }, frame); };
   AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
-  AddNumber(data, "LatticeSpacing", hull.Spacing * samples.scale());
+  addLength("LatticeSpacing", hull.Spacing);
   AddNumber(data, "NumberOfInsideNodes", static_cast<long long>(hull.NumberOfInsideNodes));
   AddNumber(data, "SolidEulerNumber", static_cast<long long>(hull.EulerNumber));
   AddNumber(data, "NumberOfCutNodes", static_cast<long long>(hull.NumberOfCutNodes));
-  AddNumber(data, "HoleWidth", hull.LargestHole.Saddle * samples.scale());
-  AddNumber(data, "HoleDepth", hull.LargestHole.Peak * samples.scale());
+  addLength("HoleWidth", hull.LargestHole.Saddle);
+  addLength("HoleDepth", hull.LargestHole.Peak);
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
   AddNumber(data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside));
   AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
@@ -145,10 +147,12 @@ int vtkGenusZeroHull::RequestData(
       conformal::Steps steps(processes.progress(),
         { 40.0 * size, 220.0 * nodes + 40.0 * size + 1900.0 * std::min(size, 32.0 * perSquare),
           3.0 * nodes });
+      const conformal::CoordinateFrame frame =
+        vtkConformalConversions::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const conformal::TrainingSamples samples(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), {},
+        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
         vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
@@ -162,8 +166,9 @@ int vtkGenusZeroHull::RequestData(
       if (!samples.empty())
       {
         steps.next();
-        vtkConformalConversions::SetSurface(output, Restore(samples, hull.Points), hull.Triangles);
-        AddFigures(output->GetFieldData(), samples, hull);
+        vtkConformalConversions::SetSurface(
+          output, Restore(samples, hull.Points), hull.Triangles, frame);
+        AddFigures(output->GetFieldData(), samples, hull, frame);
         vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
       }
     });

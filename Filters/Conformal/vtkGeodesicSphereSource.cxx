@@ -33,7 +33,7 @@ int vtkGeodesicSphereSource::RequestData(
       const conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(
         this->Frequency, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
-      vtkConformalConversions::SetPoints(output, sphere.Positions);
+      vtkConformalConversions::SetPoints(output, sphere.Positions, {});
       steps.next();
       vtkConformalConversions::SetTriangles(output, sphere.Faces);
       steps.next();

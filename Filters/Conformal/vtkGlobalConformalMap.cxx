@@ -17,8 +17,8 @@ vtkStandardNewMacro(vtkGlobalConformalMap);
 namespace
 {
 // The surface as it is, or the repaired one with the data of the points that are left.
-void PassSurface(
-  vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh, vtkPolyData* output)
+void PassSurface(vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh,
+  const conformal::CoordinateFrame& frame, vtkPolyData* output)
 {
   const conformal::Triangles before = vtkConformalConversions::ToTriangles(surface);
   if (mesh.Points.rows() == surface->GetNumberOfPoints() &&
@@ -27,7 +27,7 @@ void PassSurface(
     output->ShallowCopy(surface);
     return;
   }
-  vtkConformalConversions::SetSurface(output, mesh.Points, mesh.Triangles);
+  vtkConformalConversions::SetSurface(output, mesh.Points, mesh.Triangles, frame);
   vtkPointData* from = surface->GetPointData();
   vtkPointData* to = output->GetPointData();
   const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
@@ -96,13 +96,14 @@ int vtkGlobalConformalMap::RequestData(
         vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
         return;
       }
+      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface });
       // Closing the mesh, mapping it, the output.
       const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
       const auto size = static_cast<double>(numberOfPoints);
       conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
         { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
           40.0 * size });
-      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, steps.next());
+      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
       conformal::Triangles outward = mesh.Triangles;
       if (mesh.InsideOut)
       {
@@ -111,7 +112,7 @@ int vtkGlobalConformalMap::RequestData(
       const conformal::GlobalConformalMapResult map = conformal::globalConformalMap(
         mesh.Points, outward, options, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
-      PassSurface(surface, mesh, output);
+      PassSurface(surface, mesh, frame, output);
       vtkConformalConversions::AddVectors(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);
       AddFigures(output->GetFieldData(), map);

@@ -77,8 +77,9 @@ private:
   // border and keeps a closed surface closed.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
   {
-    const conformal::Triangles ears =
-      size > ManyCorners ? this->EarsOfMany(size, ids) : this->EarsOfFew(size, ids);
+    const conformal::Triangles ears = size > ManyCorners
+      ? conformal::triangulatePolygon(this->CornersInFrame(size, ids))
+      : this->EarsOfFew(size, ids);
     for (vtkIdType k = 0; k < size - 2; ++k)
     {
       if (ears.rows() == size - 2)
@@ -96,6 +97,11 @@ private:
   conformal::Triangles EarsOfFew(vtkIdType size, const vtkIdType* ids)
   {
     this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
+    const conformal::Points corners = this->CornersInFrame(size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      this->Polygon->GetPoints()->SetPoint(k, corners.row(k).data());
+    }
     const vtkIdType count =
       this->Polygon->Triangulate(this->Ears) != 0 ? this->Ears->GetNumberOfIds() : 0;
     conformal::Triangles ears(count / 3, 3);
@@ -103,14 +109,15 @@ private:
     return ears;
   }
 
-  conformal::Triangles EarsOfMany(vtkIdType size, const vtkIdType* ids) const
+  conformal::Points CornersInFrame(vtkIdType size, const vtkIdType* ids) const
   {
     conformal::Points corners(size, 3);
     for (vtkIdType k = 0; k < size; ++k)
     {
       this->Points->GetPoint(ids[k], corners.row(k).data());
     }
-    return conformal::triangulatePolygon(corners);
+    corners /= conformal::frameOf({ corners }).Unit;
+    return corners;
   }
 
   void Add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cellId)
@@ -173,7 +180,8 @@ conformal::Triangles ToTriangles(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
-ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress)
+ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, const conformal::Progress& progress)
 {
   conformal::Steps steps(progress, { 32.0, 5.0, 310.0, 20.0 }); // for each triangle
   steps.next();
@@ -181,7 +189,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface, const conformal::
   conformal::Triangles& triangles = mesh.Triangles;
   triangles = ToTriangles(surface);
   steps.next();
-  const conformal::Points points = ToPoints(surface->GetPoints());
+  const conformal::Points points = ToPoints(surface->GetPoints(), frame);
   if (!points.allFinite())
   {
     const auto bad = points.rows() - points.array().isFinite().rowwise().all().count();
@@ -242,20 +250,24 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface, const conformal::
 
 //------------------------------------------------------------------------------
 conformal::MappedMesh ToMappedMesh(
-  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress)
+  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame,
+  const conformal::Progress& progress)
 {
-  const ClosedMesh closed = ToClosedMesh(self, surface, progress);
+  const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), progress);
   const conformal::Points map = ToSpherePositions(surface);
   conformal::MappedMesh mesh;
-  mesh.Positions = closed.Points;
+  mesh.Positions.resize(closed.Points.rows(), 3);
   mesh.Faces = closed.Triangles;
   if (closed.InsideOut)
   {
     mesh.Faces.col(1).swap(mesh.Faces.col(2));
   }
   mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
+  conformal::Points copy;
+  const conformal::PointView points = ViewPoints(surface->GetPoints(), frame, copy);
   for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
   {
+    mesh.Positions.row(v) = points[closed.PointIds[v]];
     mesh.SpherePositions.row(v) = map.row(closed.PointIds[v]);
   }
   return mesh;

@@ -2,8 +2,9 @@
 #ifndef vtkMeshConversions_h
 #define vtkMeshConversions_h
 
-#include "MappedMesh.h" // for MappedMesh
-#include "Types.h"      // for Points, Triangles
+#include "CoordinateFrame.h" // for points in a frame
+#include "MappedMesh.h"      // for MappedMesh
+#include "Types.h"           // for Points, Triangles
 
 #include "vtkType.h" // for vtkIdType
 
@@ -25,7 +26,7 @@ conformal::Triangles ToTriangles(vtkPolyData* surface);
 /// A closed surface of genus zero, ready for the core.
 struct ClosedMesh
 {
-  conformal::Points Points;        ///< #V by 3, each used by a triangle, all finite
+  conformal::Points Points;        ///< #V by 3, in the frame, each used by a triangle, all finite
   conformal::Triangles Triangles;  ///< #F by 3, no vertex twice, consistently oriented
   std::vector<vtkIdType> PointIds; ///< for each vertex its point in the surface it was made from
   bool InsideOut = false;          ///< clockwise seen from outside; nothing was done about it
@@ -35,16 +36,20 @@ struct ClosedMesh
 /// each with one warning of the object: coincident points of open edges are merged (polygon
 /// soups), triangles of a repeated point dropped, triangles turned to agree with the most,
 /// isolated points dropped.
+/// @param[in] frame  of the surface, perhaps with other data
 /// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
 ///   open, not manifold, in several pieces, or of another genus
 ClosedMesh ToClosedMesh(
-  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress = {});
+  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame,
+  const conformal::Progress& progress = {});
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".
+/// @param[in] frame  in which its points are wanted; it need not be the surface's
 /// @throws std::invalid_argument also if that array cannot be used
 conformal::MappedMesh ToMappedMesh(
-  vtkObject* self, vtkPolyData* surface, const conformal::Progress& progress = {});
+  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame,
+  const conformal::Progress& progress = {});
 }
 
 #endif

@@ -323,13 +323,14 @@ void RequestOwnPieces(
 }
 
 //------------------------------------------------------------------------------
-conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh, Processes& processes)
+conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
+  const conformal::CoordinateFrame& frame, Processes& processes)
 {
   const conformal::Reduce reduce = processes.reduce();
   conformal::MappedMesh own;
   if (std::max(processes.firstWith(mesh->GetNumberOfPoints() > 0), 0) == processes.rank())
   {
-    own = ToMappedMesh(self, mesh);
+    own = ToMappedMesh(self, mesh, frame);
   }
   return { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Faces),
     gatherRows(reduce, own.SpherePositions) };

@@ -2,9 +2,10 @@
 #ifndef vtkProcessConversions_h
 #define vtkProcessConversions_h
 
-#include "MappedMesh.h" // for MappedMesh
-#include "Parallel.h"   // for Reduce
-#include "Types.h"      // for Progress
+#include "CoordinateFrame.h" // for ToSharedMesh's argument
+#include "MappedMesh.h"      // for MappedMesh
+#include "Parallel.h"        // for Reduce
+#include "Types.h"           // for Progress
 #include "vtkProcessSignals.h"
 
 #include <functional> // for RunCore's argument
@@ -77,8 +78,10 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
 
-/// A mesh with a map to the sphere, on all processes, from the first one that has points of it.
-conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh, Processes& processes);
+/// A mesh with a map to the sphere, on all processes, from the first one that has points of it, in
+/// a frame that all have alike.
+conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
+  const conformal::CoordinateFrame& frame, Processes& processes);
 
 /// Of a surface that all processes have alike: the first one keeps it, the others its empty
 /// arrays. Or, in pieces, each keeps a run of its triangles with their points, and global ids.

@@ -54,6 +54,7 @@ Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landm
 Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference,
   const conformal::Progress& progress)
 {
+  const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface, reference });
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
   // Conversions, then what is expected of carryMap().
@@ -61,11 +62,11 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
     progress, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
   steps.next();
   conformal::MappedMesh other;
-  other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints());
+  other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints(), frame);
   other.Faces = vtkConformalConversions::ToTriangles(reference);
   other.SpherePositions = vtkConformalConversions::ToSpherePositions(reference);
   steps.next();
-  const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints());
+  const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints(), frame);
   const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
   if (triangles.rows() == 0 || other.Faces.rows() == 0)
   {

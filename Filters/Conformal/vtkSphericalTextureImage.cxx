@@ -235,6 +235,7 @@ int vtkSphericalTextureImage::RequestData(
       holes->SetName("OutsideSurface");
       holes->SetNumberOfValues(output->GetNumberOfPoints());
 
+      const conformal::CoordinateFrame frame = FrameOf({ surface, source }, processes.reduce());
       conformal::Points copy, sourceCopy;
       auto* sourceSurface = vtkPolyData::SafeDownCast(source);
       const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
@@ -249,7 +250,7 @@ int vtkSphericalTextureImage::RequestData(
       conformal::SphereImage image;
       if (processes.rank() == owner)
       {
-        mapped = { ViewPoints(surface->GetPoints(), copy), ToTriangles(surface),
+        mapped = { ViewPoints(surface->GetPoints(), frame, copy), ToTriangles(surface),
           ToSpherePositions(surface) };
         image = ToSphereImage(surface->GetFieldData());
       }
@@ -257,7 +258,7 @@ int vtkSphericalTextureImage::RequestData(
       const conformal::PixelSink sink = Painter(values, pixels, holes);
       if (source)
       {
-        const conformal::PointView points = ViewPoints(source->GetPoints(), sourceCopy);
+        const conformal::PointView points = ViewPoints(source->GetPoints(), frame, sourceCopy);
         const conformal::Triangles faces =
           sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3);
         conformal::paintSphericalTexture(

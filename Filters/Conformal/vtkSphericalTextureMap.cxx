@@ -52,8 +52,10 @@ void Normalize(vtkDataArray* vectors, vtkIdType firstTuple)
   {
     double v[3];
     vectors->GetTuple(i, v);
-    vtkMath::Normalize(v);
-    vectors->SetTuple(i, v);
+    const conformal::PointView view(v, 1);
+    conformal::Vector3 inFrame = conformal::frameOf({ view }).toFrame(view[0]);
+    vtkMath::Normalize(inFrame.data());
+    vectors->SetTuple(i, inFrame.data());
   }
 }
 
@@ -136,7 +138,8 @@ int vtkSphericalTextureMap::RequestData(
   options.ViewDirection = conformal::Vector3(this->ViewDirection);
   options.ViewUp = conformal::Vector3(this->ViewUp);
   options.UseViewPoint = this->UseViewPoint;
-  options.ViewPoint = conformal::Vector3(this->ViewPoint);
+  const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });
+  options.ViewPoint = frame.toFrameFromAfar(conformal::Vector3(this->ViewPoint));
   options.Projection = static_cast<conformal::SphereProjection>(this->Projection);
   options.FieldOfView = this->FieldOfView;
   options.Rotation = this->Rotation;
@@ -164,7 +167,7 @@ int vtkSphericalTextureMap::RequestData(
       steps.next();
       const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), copy), triangles, map, options,
+        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map, options,
         vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
       if (this->SplitSeam)

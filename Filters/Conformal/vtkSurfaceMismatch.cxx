@@ -92,6 +92,9 @@ int vtkSurfaceMismatch::RequestData(
         return;
       }
       const conformal::Reduce reduce = processes.reduce();
+      const conformal::CoordinateFrame frame =
+        vtkConformalConversions::FrameOf({ model, reference }, reduce);
+      options.CoordinateUnit = frame.Unit;
       const auto modelSize = static_cast<double>(model->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const double sizes = modelSize + referenceSize;
@@ -100,19 +103,19 @@ int vtkSurfaceMismatch::RequestData(
       steps.next();
       conformal::Points modelCopy, referenceCopy;
       conformal::PointView modelPoints =
-        vtkConformalConversions::ViewPoints(model->GetPoints(), modelCopy);
+        vtkConformalConversions::ViewPoints(model->GetPoints(), frame, modelCopy);
       conformal::Triangles modelTriangles = vtkConformalConversions::ToTriangles(model);
       vtkIdType firstOwn = 0;
       if (processes.size() > 1)
       {
         firstOwn = conformal::rowsBefore(reduce, modelPoints.size());
         modelTriangles = conformal::gatherTriangles(reduce, modelTriangles, modelPoints.size());
-        modelCopy =
-          conformal::gatherRows(reduce, vtkConformalConversions::ToPoints(model->GetPoints()));
+        modelCopy = conformal::gatherRows(
+          reduce, vtkConformalConversions::ToPoints(model->GetPoints(), frame));
         modelPoints = modelCopy;
       }
       const conformal::PointView referencePoints =
-        vtkConformalConversions::ViewPoints(reference->GetPoints(), referenceCopy);
+        vtkConformalConversions::ViewPoints(reference->GetPoints(), frame, referenceCopy);
       const conformal::Triangles referenceTriangles =
         vtkConformalConversions::ToTriangles(reference);
       const conformal::SurfaceMismatch mismatch =

@@ -9,6 +9,7 @@
 #include "TriangleTree.h"
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,6 +29,17 @@ void require(bool good, const std::string& what)
 bool positive(double value)
 {
   return std::isfinite(value) && value > 0.0;
+}
+
+/// From farther away all patterns would be drawn to one or two neurons.
+void requireNear(const Points& start)
+{
+  constexpr double farthest = 4.0;
+  const double reached = start.cwiseAbs().maxCoeff();
+  std::ostringstream text;
+  text << "the mesh to start from must lie near the points and be of their size, but reaches "
+       << reached << " times as far from their middle as they do";
+  require(reached <= farthest, text.str());
 }
 
 void check(const ConformalSOMOptions& options)
@@ -77,6 +89,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
       {
         weights.row(i) = samples.normalize(weights.row(i));
       }
+      requireNear(weights);
     }
     result = online
       ? trainOnline(samples, network, weights, options, steps.next())

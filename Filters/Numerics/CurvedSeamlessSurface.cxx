@@ -1,5 +1,6 @@
 #include "CurvedSeamlessSurface.h"
 
+#include "CoordinateFrame.h"
 #include "GenusZeroCheck.h"
 #include "MeshTopology.h"
 #include "SphereCoverage.h"
@@ -67,10 +68,9 @@ void copyUnitVectors(
     {
       for (Index i = begin; i < end; ++i)
       {
-        const Vector3 x = vectors[i];
-        const double length = x.stableNorm();
-        Eigen::Map<Vector3>(units + 3 * i) = x / length;
-        if (!(length > 0.0) || !std::isfinite(length))
+        const Vector3 unit = unitVector(vectors[i]);
+        Eigen::Map<Vector3>(units + 3 * i) = unit;
+        if (!unit.allFinite())
         {
           Index first = bad;
           while (i < first && !bad.compare_exchange_weak(first, i))

@@ -335,6 +335,19 @@ void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames,
   }
 }
 
+/// A cloud may cover a part of the surface, or more than it, but not be of another unit.
+void requireOneSize(const Points& positions)
+{
+  constexpr double largest = 0x1p16, smallest = 0x1p-16;
+  const double extent =
+    (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
+  if (!(positions.cwiseAbs().maxCoeff() <= largest && extent >= smallest))
+  {
+    throw std::invalid_argument(
+      "the cloud must be of the surface's size and place for the surface to be fitted to it");
+  }
+}
+
 /// Vertices where normals cancel take any direction across.
 CurvedTriangles withNormals(const CurvedTriangles& surface)
 {
@@ -360,6 +373,7 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
     throw std::invalid_argument("NumberOfFitRounds and FitSmoothness must not be negative");
   }
   CurvedTriangles surface = withNormals(inUnit(start, samples, false));
+  requireOneSize(surface.positions());
   const Triangles& faces = start.faces();
   const Index size = surface.positions().rows();
   const Adjacency neighbors = vertexNeighbors(faces, size);

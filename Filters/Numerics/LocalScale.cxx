@@ -12,6 +12,10 @@ constexpr int Rings = 2;
 /// patterns together raise the scale from round to round until they are in.
 constexpr double LargestRatio = 6.0;
 
+/// Squares of larger distances, in units of the largest radius, would not fit into the sums.
+/// Nothing lies as far apart as this.
+constexpr double LargestSquare = 16.0;
+
 /// Nothing is an outlier that lies as close as this, in units of the largest radius.
 constexpr double LeastSquareScale = 1e-12;
 }
@@ -44,8 +48,8 @@ double LocalScale::squareAt(const FootPoint& foot, const Triangles& faces) const
 
 void LocalScale::add(const FootPoint& foot, const Triangles& faces, double weight)
 {
-  const double square =
-    std::min(foot.SquareDistance, LargestRatio * LargestRatio * this->squareAt(foot, faces));
+  const double square = std::min({ foot.SquareDistance, LargestSquare,
+    LargestRatio * LargestRatio * this->squareAt(foot, faces) });
   for (int k = 0; k < 3; ++k)
   {
     const Index neuron = 2 * Index(faces(foot.Triangle, k));

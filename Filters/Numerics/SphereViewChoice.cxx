@@ -1,5 +1,6 @@
 #include "SphereViewChoice.h"
 
+#include "CoordinateFrame.h"
 #include "Parallel.h"
 #include "SphereProjection.h"
 #include "Steps.h"
@@ -19,14 +20,14 @@ namespace
 {
 const double Radians = std::acos(-1.0) / 180.0;
 
-Vector3 unitVector(const Vector3& v, const char* name)
+Vector3 directionOf(const Vector3& v, const char* name)
 {
-  const double length = v.stableNorm();
-  if (!(length > 0.0) || !std::isfinite(length))
+  const Vector3 unit = unitVector(v);
+  if (!unit.allFinite())
   {
     throw std::invalid_argument(std::string(name) + " must be finite and not zero");
   }
-  return v / length;
+  return unit;
 }
 
 // Axes of a viewer: Pole towards the viewer, Up and Right as seen.
@@ -274,8 +275,8 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const SphereViewOptions& options, const Progress& progress)
 {
   check(points, triangles, spherePositions, options);
-  Vector3 toViewer = unitVector(options.ViewDirection, "ViewDirection");
-  const Vector3 upward = unitVector(options.ViewUp, "ViewUp");
+  Vector3 toViewer = directionOf(options.ViewDirection, "ViewDirection");
+  const Vector3 upward = directionOf(options.ViewUp, "ViewUp");
   const double withPoint = options.UseViewPoint ? 1.0 : 0.0;
   Steps steps(progress, { 12.0, 575.0 * withPoint, 9.0 * withPoint, 15.0, 53.0 }); // a triangle
   steps.next();

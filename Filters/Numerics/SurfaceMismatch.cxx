@@ -295,16 +295,21 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const auto data = [&](Index i) { return frame(referencePoints[i]); };
 
   SurfaceMismatch result;
-  result.LengthUnit = frame.Unit;
+  const double distanceUnit = frame.Unit * options.CoordinateUnit;
+  const bool inUsersUnit = options.LengthUnit == MismatchUnit::None;
+  const double figureUnit = inUsersUnit ? options.CoordinateUnit : 1.0;
+  const double square = figureUnit * figureUnit;
+  result.LengthUnit = inUsersUnit ? 1.0 : distanceUnit;
   const auto measure = [&](const TriangleTree& tree, Index count, const auto& query)
   { return squareDistances(tree, count, query, parallelFor, steps.next()); };
   const std::vector<double> forward =
     measure(TriangleTree(model, modelTriangles, parallelFor, steps.next()), size, data);
-  result.MeanSquarePointToSurface = meanOf(forward, total, reduce);
+  result.MeanSquarePointToSurface = square * meanOf(forward, total, reduce);
   const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
-  result.MeanSquarePointToVertex = meanOf(
-    measure(TriangleTree(model, asTriangles(vertices), parallelFor, steps.next()), size, data),
-    total, reduce);
+  result.MeanSquarePointToVertex = square *
+    meanOf(
+      measure(TriangleTree(model, asTriangles(vertices), parallelFor, steps.next()), size, data),
+      total, reduce);
 
   // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
   // some triangles finds; of points there is one nearest distance.
@@ -325,22 +330,25 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const std::vector<double> fromVertices = toNearestPart(
     overParts, measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); }));
   steps.next();
-  result.MeanSquareSurfaceToPoint = meanOf(back, samples.rows());
+  result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.rows());
+  const double web = WebDistance / figureUnit;
   result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
-                         [](double square) { return square > WebDistance * WebDistance; })) /
+                         [web](double squareDistance) { return squareDistance > web * web; })) /
     static_cast<double>(back.size());
   double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));
   for (int v : vertices)
   {
     farthest = std::max(farthest, fromVertices[v]);
   }
-  result.HausdorffDistance = std::sqrt(farthest);
-  result.ModelDistances = rootsTimes(fromVertices, frame.Unit);
-  result.ReferenceDistances = rootsTimes(forward, frame.Unit);
-  if (!std::isfinite(result.HausdorffDistance * frame.Unit) ||
+  result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
+  result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
+  result.ReferenceDistances = rootsTimes(forward, distanceUnit);
+  constexpr double leastSquare = 0x1p-960; // smaller squares beside would lose digits
+  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < leastSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
-    throw std::overflow_error("the distances are too large to be squared");
+    throw std::overflow_error(std::string("the distances are too ") +
+      (square < leastSquare ? "small" : "large") + " to be squared: take another unit of length");
   }
   report(progress, 1.0);
   return result;

@@ -15,12 +15,13 @@ enum class MismatchUnit
 {
   MaxRadius,    ///< largest distance of a reference point from the centroid of them all
   HalfDiagonal, ///< half the diagonal of the reference's bounding box
-  None          ///< the unit of the coordinates
+  None          ///< the user's unit
 };
 
 struct SurfaceMismatchOptions
 {
   MismatchUnit LengthUnit = MismatchUnit::MaxRadius;
+  double CoordinateUnit = 1.0; ///< what 1 in the coordinates is in the user's unit
   int NumberOfSamples = 60000; ///< of the model's surface, spread evenly over its area
   int RandomSeed = 1;          ///< of the samples
 };
@@ -29,10 +30,10 @@ struct SurfaceMismatchOptions
 /// the object.
 constexpr double WebDistance = 0.02;
 
-/// Squares and distances in units of LengthUnit; the distances of points in units of the input.
+/// Squares and distances in units of LengthUnit; the distances of points in the user's unit.
 struct SurfaceMismatch
 {
-  double LengthUnit = 1.0;                ///< length of the input that counts as 1
+  double LengthUnit = 1.0;                ///< length that counts as 1, in the user's unit
   double MeanSquarePointToSurface = 0.0;  ///< E_mis, \cite Liou2008 section 4.1
   double MeanSquarePointToVertex = 0.0;   ///< the same to the model's nearest vertex
   double MeanSquareSurfaceToPoint = 0.0;  ///< of the model's samples to the reference
@@ -65,6 +66,7 @@ struct SurfaceMismatch
 /// @param[in] reduce              adds up over the processes that hold the other parts
 /// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, or
 ///   the reference has no extent to take a unit from
+/// @throws std::overflow_error if a figure leaves the range of doubles
 /// @post the result depends only on the arguments of all processes, not on threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,

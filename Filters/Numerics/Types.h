@@ -52,19 +52,21 @@ inline Progress partOf(const Progress& whole, double begin, double end)
 }
 
 /// Points that somebody else owns, as packed floats or doubles, so that ten million of them
-/// need no copy.
+/// need no copy. Seen in a unit of length, see CoordinateFrame.
 class PointView
 {
 public:
   PointView() = default;
-  PointView(const double* xyz, Index size)
+  PointView(const double* xyz, Index size, double unit = 1.0)
     : Doubles(xyz)
     , Size(size)
+    , Unit(unit)
   {
   }
-  PointView(const float* xyz, Index size)
+  PointView(const float* xyz, Index size, double unit = 1.0)
     : Floats(xyz)
     , Size(size)
+    , Unit(unit)
   {
   }
   PointView(const Points& points)
@@ -77,16 +79,17 @@ public:
   {
     if (this->Doubles)
     {
-      return Vector3(this->Doubles + 3 * i);
+      return Vector3(this->Doubles + 3 * i) / this->Unit;
     }
     const float* p = this->Floats + 3 * i;
-    return Vector3(p[0], p[1], p[2]);
+    return Vector3(p[0], p[1], p[2]) / this->Unit;
   }
 
 private:
   const double* Doubles = nullptr;
   const float* Floats = nullptr;
   Index Size = 0;
+  double Unit = 1.0;
 };
 
 /// Numbers that somebody else owns, likewise.

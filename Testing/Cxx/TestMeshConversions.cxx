@@ -43,7 +43,7 @@ protected:
   {
     try
     {
-      ToClosedMesh(this->Filter, surface);
+      ToClosedMesh(this->Filter, surface, {});
     }
     catch (const std::invalid_argument& e)
     {
@@ -76,7 +76,7 @@ protected:
 TEST_F(MeshConversions, TakesAGoodSurfaceAsItIs)
 {
   const auto surface = Sphere();
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
   this->ExpectPoints(mesh, surface);
   EXPECT_EQ(mesh.Points.rows(), 92);
@@ -147,7 +147,7 @@ TEST_F(MeshConversions, TurnsTrianglesAndWarns)
       }
       return true;
     });
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
   EXPECT_FALSE(mesh.InsideOut);
   EXPECT_NE(this->Observed.WarningMessage().find("4 triangles were turned"), std::string::npos);
@@ -171,7 +171,7 @@ TEST_F(MeshConversions, WeldsASoupAndWarns)
   vtkNew<vtkPolyData> soup;
   soup->SetPoints(corners);
   soup->SetPolys(polygons);
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, soup);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, soup, {});
   this->ExpectGenusZero(mesh);
   this->ExpectPoints(mesh, soup);
   EXPECT_EQ(mesh.Points.rows(), 92);
@@ -197,7 +197,7 @@ TEST_F(MeshConversions, CutsUpQuadsSilently)
   vtkNew<vtkPolyData> cube;
   cube->SetPoints(corners);
   cube->SetPolys(quads);
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, cube);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, cube, {});
   this->ExpectGenusZero(mesh);
   EXPECT_EQ(mesh.Triangles.rows(), 12);
   EXPECT_FALSE(mesh.InsideOut);
@@ -210,7 +210,7 @@ TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
   surface->GetPointData()->Initialize();
   surface->GetPoints()->InsertNextPoint(5, 5, 5);
   surface->GetPolys()->InsertNextCell({ 1, 1, 2 });
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
   EXPECT_EQ(mesh.Points.rows(), 92);
   const std::string warnings = this->Observed.WarningMessage();
@@ -227,7 +227,7 @@ TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)
       std::swap(*ids->GetPointer(1), *ids->GetPointer(2));
       return true;
     });
-  EXPECT_TRUE(ToClosedMesh(this->Filter, surface).InsideOut);
+  EXPECT_TRUE(ToClosedMesh(this->Filter, surface, {}).InsideOut);
   EXPECT_FALSE(this->Observed.Warning());
 }
 
@@ -253,7 +253,7 @@ TEST_F(MeshConversions, CutsUpPolygonsOfManyCorners)
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(points);
   surface->SetPolys(cells);
-  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface);
+  const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   EXPECT_EQ(mesh.Triangles.rows(), 2 * count - 2);
   this->ExpectGenusZero(mesh);
   EXPECT_FALSE(mesh.InsideOut);
