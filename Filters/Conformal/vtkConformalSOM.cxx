@@ -273,10 +273,11 @@ int vtkConformalSOM::RequestData(
         vtkConformalConversions::AddLengths(output->GetPointData(), "QuantizationError",
           conformal::quantizationErrors(samples, result, threads, measuring), frame);
       }
-      steps.next();
+      const conformal::Progress finishing = steps.next();
       const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
       AddFigures(output->GetFieldData(), samples, result, polished);
       vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
+      conformal::report(finishing, 1.0); // the last time that a wish to stop is heard
       FillHistory(history, processes.isFirst() ? result.History : Records());
     });
 }
