@@ -249,9 +249,8 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 }
 
 //------------------------------------------------------------------------------
-conformal::MappedMesh ToMappedMesh(
-  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame,
-  const conformal::Progress& progress)
+conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, const conformal::Progress& progress)
 {
   const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), progress);
   const conformal::Points map = ToSpherePositions(surface);

@@ -53,6 +53,10 @@ namespace
 {
 constexpr double Factor = 3.0;
 
+// Shares of processor time vary by a quarter from run to run where two programs share a core; what
+// is measured as more than the factor by less than this is not told from that.
+constexpr double Allowance = 1.3;
+
 // What a filter has told, and when.
 class Watch
 {
@@ -189,8 +193,8 @@ void ExpectEven(const std::string& name, const Make& make)
   }
   std::printf("%-44s %7.2f s   slowest %5.2f   fastest %5.2f   silence %5.1f ms\n", name.c_str(),
     seconds, best.Slowest, best.Fastest, 1000.0 * best.Silence * seconds);
-  EXPECT_LE(best.Slowest, Factor) << "a tenth of the progress, in tenths of the time";
-  EXPECT_LE(best.Fastest, Factor) << "a tenth of the time, in tenths of the progress";
+  EXPECT_LE(best.Slowest, Allowance * Factor) << "a tenth of the progress, in tenths of the time";
+  EXPECT_LE(best.Fastest, Allowance * Factor) << "a tenth of the time, in tenths of the progress";
 
   const vtkSmartPointer<vtkAlgorithm> filter = make();
   const Watch watch(filter, 0.3);
