@@ -166,7 +166,8 @@ int vtkSphericalTextureBlend::RequestData(
         ProgressOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
       steps.next();
       conformal::Points copy;
-      const conformal::PointView points = ViewPoints(surface->GetPoints(), FrameOf({ surface }), copy);
+      const conformal::PointView points =
+        ViewPoints(surface->GetPoints(), FrameOf({ surface }), copy);
       const conformal::Triangles triangles = ToTriangles(surface);
       pictures.Back.View = conformal::chooseSphereView(
         points, triangles, ToSpherePositions(surface), backView, steps.next());

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSphericalTextureImage
- * @brief   bake colours or arrays of a surface into an image of the sphere
+ * @brief   bake colors or arrays of a surface into an image of the sphere
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
  * image lies on the sphere, with the point array "SpherePosition" (3 components). Seams may be
@@ -8,7 +8,7 @@
  *
  * Input port 1, optional: vtkPointSet, what the values are taken from instead: where it is a
  * vtkPolyData with triangles, from the point of these closest to the point of the surface, else
- * from the closest point. So an image can hold all the colours of a scan whose mesh was learned
+ * from the closest point. So an image can hold all the colors of a scan whose mesh was learned
  * with far fewer points.
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its

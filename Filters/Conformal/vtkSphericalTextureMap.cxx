@@ -167,8 +167,8 @@ int vtkSphericalTextureMap::RequestData(
       steps.next();
       const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map, options,
-        vtkConformalConversions::SMPFor(), steps.next());
+        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map,
+        options, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
       if (this->SplitSeam)
       {

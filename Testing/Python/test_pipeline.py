@@ -76,10 +76,11 @@ def chain(frequency=18, surface_frequency=40):
 
 
 def promised_arrays():
-    """Rows of the table in Pipeline.md: name, where, components, type, writers."""
+    """Rows of the tables of arrays in Pipeline.md, which have five columns: name, where,
+    components and type, writers, readers."""
     with open(PROMISE, encoding="ascii") as file:
         rows = [line.strip("| \n").split(" | ") for line in file if line.startswith("| `")]
-    for name, where, kind, writers, _ in rows:
+    for name, where, kind, writers, _ in (row for row in rows if len(row) == 5):
         components, type_name = kind.split(" ", 1)
         yield name.strip("`"), where, int(components), type_name, writers.split(", ")
 
