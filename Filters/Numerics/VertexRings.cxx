@@ -108,6 +108,54 @@ void VertexRings::split(int v, const Ring& ring)
 }
 
 //------------------------------------------------------------------------------
+VertexRings::Across VertexRings::across(int a, int b) const
+{
+  const Ring& ring = this->Rings[a];
+  const auto at = std::find(ring.begin(), ring.end(), b);
+  return { at + 1 == ring.end() ? ring.front() : *(at + 1),
+    at == ring.begin() ? ring.back() : *(at - 1) };
+}
+
+//------------------------------------------------------------------------------
+void VertexRings::splitEdge(int a, int b, int m)
+{
+  const auto [left, right] = this->across(a, b);
+  *find(this->Rings[a], b) = m;
+  *find(this->Rings[b], a) = m;
+  Ring& ofLeft = this->Rings[left];
+  ofLeft.insert(find(ofLeft, a) + 1, m); // its ring has ... a, b ...
+  Ring& ofRight = this->Rings[right];
+  ofRight.insert(find(ofRight, b) + 1, m); // and this one ... b, a ...
+  this->Rings[m] = { a, right, b, left };
+}
+
+//------------------------------------------------------------------------------
+bool VertexRings::canFlip(int a, int b) const
+{
+  if (this->Rings[a].size() <= 3 || this->Rings[b].size() <= 3)
+  {
+    return false;
+  }
+  const auto [left, right] = this->across(a, b);
+  const Ring& ring = this->Rings[left];
+  return std::find(ring.begin(), ring.end(), right) == ring.end();
+}
+
+//------------------------------------------------------------------------------
+void VertexRings::flip(int a, int b)
+{
+  const auto [left, right] = this->across(a, b);
+  Ring& ofA = this->Rings[a];
+  ofA.erase(find(ofA, b));
+  Ring& ofB = this->Rings[b];
+  ofB.erase(find(ofB, a));
+  Ring& ofLeft = this->Rings[left];
+  ofLeft.insert(find(ofLeft, a) + 1, right);
+  Ring& ofRight = this->Rings[right];
+  ofRight.insert(find(ofRight, b) + 1, left);
+}
+
+//------------------------------------------------------------------------------
 Triangles VertexRings::triangles() const
 {
   std::vector<int> ids;

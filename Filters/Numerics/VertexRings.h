@@ -35,6 +35,28 @@ public:
   /// @param[in] ring  as collapse() returned it
   void split(int v, const Ring& ring);
 
+  /// Make room for vertices of ids in [0, count); new ones are not in use.
+  void resize(Index count) { this->Rings.resize(count); }
+
+  /// Put vertex m into the edge of a and b, which divides the two triangles beside it.
+  /// @pre m is not in use
+  void splitEdge(int a, int b, int m);
+
+  /// Take the edge of a and b away and join the two vertices across it instead.
+  /// @pre canFlip(a, b)
+  void flip(int a, int b);
+
+  /// Whether the mesh stays a closed manifold when the edge of a and b is flipped: both have more
+  /// than three neighbors, and the vertices across are not joined yet.
+  bool canFlip(int a, int b) const;
+
+  /// The vertices across the edge of a and b: of the triangles (a, b, left) and (b, a, right).
+  struct Across
+  {
+    int Left, Right;
+  };
+  Across across(int a, int b) const;
+
   /// Each triangle once, its smallest id first, ascending.
   Triangles triangles() const;
 

@@ -76,3 +76,46 @@ TEST(VertexRings, ACollapseThatWouldPinchIsRefused)
   EXPECT_FALSE(rings.canCollapse(0, 1)); // 2 is a neighbor of both, across no triangle of 0 1
   EXPECT_TRUE(rings.canCollapse(3, 0));
 }
+
+TEST(VertexRings, SplitsEdges)
+{
+  const auto sphere = conformal::makeGeodesicSphere(3);
+  const int size = static_cast<int>(sphere.Positions.rows());
+  VertexRings rings(sphere.Faces, size);
+  const int a = 20, b = rings[a][2];
+  const auto across = rings.across(a, b);
+  rings.resize(size + 1);
+  rings.splitEdge(a, b, size);
+  conformal::requireGenusZero(rings.triangles(), size + 1);
+  EXPECT_EQ(rings.triangles().rows(), sphere.Faces.rows() + 2);
+  EXPECT_EQ(rings[size], (Ring{ a, across.Right, b, across.Left }));
+  EXPECT_EQ(std::count(rings[a].begin(), rings[a].end(), b), 0);
+  rings.collapse(size, a);
+  const Triangles same = rings.triangles();
+  EXPECT_EQ(sorted(same), sorted(VertexRings(sphere.Faces, size).triangles()));
+}
+
+TEST(VertexRings, FlipsEdges)
+{
+  const auto sphere = conformal::makeGeodesicSphere(3);
+  VertexRings rings(sphere.Faces, sphere.Positions.rows());
+  const Triangles before = rings.triangles();
+  const int a = 20, b = rings[a][2];
+  const auto across = rings.across(a, b);
+  ASSERT_TRUE(rings.canFlip(a, b));
+  rings.flip(a, b);
+  conformal::requireGenusZero(rings.triangles(), sphere.Positions.rows());
+  EXPECT_EQ(std::count(rings[a].begin(), rings[a].end(), b), 0);
+  EXPECT_EQ(std::count(rings[across.Left].begin(), rings[across.Left].end(), across.Right), 1);
+  ASSERT_TRUE(rings.canFlip(across.Left, across.Right));
+  rings.flip(across.Left, across.Right);
+  EXPECT_EQ(sorted(rings.triangles()), sorted(before));
+}
+
+// The other diagonal of any edge of a tetrahedron is an edge already.
+TEST(VertexRings, AFlipThatWouldDoubleAnEdgeIsRefused)
+{
+  Triangles tetrahedron(4, 3);
+  tetrahedron << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  EXPECT_FALSE(VertexRings(tetrahedron, 4).canFlip(0, 1));
+}
