@@ -108,7 +108,7 @@ int vtkSurfaceMismatch::RequestData(
       vtkIdType firstOwn = 0;
       if (processes.size() > 1)
       {
-        firstOwn = conformal::rowsBefore(reduce, modelPoints.size());
+        firstOwn = conformal::shareOf(reduce, modelPoints.size()).Before;
         modelTriangles = conformal::gatherTriangles(reduce, modelTriangles, modelPoints.size());
         modelCopy = conformal::gatherRows(
           reduce, vtkConformalConversions::ToPoints(model->GetPoints(), frame));

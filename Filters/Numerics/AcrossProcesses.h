@@ -11,7 +11,6 @@
 #include <cstring>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -35,22 +34,13 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// The number of rows that come before those of this process.
-inline Index rowsBefore(const Reduce& reduce, Index own)
-{
-  std::vector<std::int64_t> sizes(reduce.NumberOfRanks, 0);
-  sizes[reduce.Rank] = own;
-  reduce.sum(sizes.data(), reduce.NumberOfRanks);
-  return std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, Index(0));
-}
-
 /// The triangles of all processes, over the points of all, likewise.
 /// @param[in] own     ids in [0, points)
 /// @param[in] points  of this process
 /// @throws std::length_error if ids do not fit into an int
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
-  const Index before = rowsBefore(reduce, points);
+  const Index before = shareOf(reduce, points).Before;
   if (before + points > std::numeric_limits<int>::max())
   {
     throw std::length_error("the processes have more points together than an int counts");

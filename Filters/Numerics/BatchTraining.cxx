@@ -125,7 +125,7 @@ PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
 }
 
 /// What steps of learning take, in nanoseconds as in Steps.
-double workOfFeet(const TrainingSamples& samples, Index wanted)
+double workOfWinners(const TrainingSamples& samples, Index wanted)
 {
   return 650.0 * static_cast<double>(std::min(wanted, samples.totalSize()));
 }
@@ -143,7 +143,7 @@ double workOfLattice(int frequency)
 double workOfPass(const TrainingSamples& samples, const ConformalSOMOptions& options, int frequency)
 {
   const double neurons = numberOfNeurons(frequency);
-  return workOfFeet(samples, static_cast<Index>(options.SamplesPerNeuron * neurons)) +
+  return workOfWinners(samples, static_cast<Index>(options.SamplesPerNeuron * neurons)) +
     500.0 * neurons;
 }
 
@@ -223,9 +223,9 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       {
         shares.data()[i] = sums[i];
       }
-      const int steps =
+      const int diffusions =
         std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
-      for (int step = 0; step < steps; ++step)
+      for (int step = 0; step < diffusions; ++step)
       {
         diffuse(neighbors, shares, parallelFor);
         report(passing, 0.9);
@@ -234,7 +234,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
 
       TrainingRecord record;
       record.Frequency = f;
-      record.NeighborhoodRadius = diffusionRadius(steps, faces.rows());
+      record.NeighborhoodRadius = diffusionRadius(diffusions, faces.rows());
       record.LearningRate = 1.0;
       record.MeanSquareError = errors[0] / count;
       record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
@@ -329,11 +329,12 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   // the progress jumps at the end, or is slow for the hull.
   const double work = workOfLearning(samples, options);
   PolishOptions polishing = polishFor(options, 0.0);
-  const double ownPolish =
-    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency)));
+  const auto neurons = static_cast<Index>(numberOfNeurons(options.Frequency));
+  const double ownPolish = workOfPolish(samples, polishing, neurons);
   polishing.NumberOfRounds *= 2;
-  const double hulling = workOfHullStart(samples) +
-    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency)));
+  const double ofHull = workOfHullStart(samples);
+  const double hullPolish = workOfPolish(samples, polishing, neurons);
+  const double hulling = ofHull + hullPolish;
   constexpr double inReserve = 0.12;
   ConformalSOMResult fromSphere;
   Steps steps(progress, {});
@@ -353,8 +354,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   {
     return fromSphere;
   }
-  steps.replan({ workOfHullStart(samples),
-    workOfPolish(samples, polishing, static_cast<Index>(numberOfNeurons(options.Frequency))) });
+  steps.replan({ ofHull, hullPolish });
   const HullStart start = startFromHull(samples,
     makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
   ConformalSOMResult fromHull = polishFrom(

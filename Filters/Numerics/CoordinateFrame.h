@@ -22,9 +22,6 @@ struct CoordinateFrame
   /// Coordinates of any other point. One that is very far away is taken for one in the same
   /// direction, 2^26 units away: what is closest to it is the same in double precision.
   Vector3 toFrameFromAfar(const Vector3& x) const;
-
-  /// Back to the points' own unit: infinite where that is too small a unit for a double.
-  Vector3 fromFrame(const Vector3& x) const { return x * this->Unit; }
 };
 
 /// The frame in which the largest coordinate lies in [1, 2). Points that are not finite do not

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <numeric>
 #include <vector>
 
 namespace conformal
@@ -29,16 +28,13 @@ public:
     if (samples.weighted())
     {
       // In integers, which add up to the same however the cloud is cut.
-      const Reduce& reduce = samples.reduce();
-      std::vector<std::int64_t> sums(reduce.NumberOfRanks, 0);
+      std::int64_t sum = 0;
       this->Cumulative.resize(samples.size());
       for (Index i = 0; i < samples.size(); ++i)
       {
-        this->Cumulative[i] = sums[reduce.Rank] += std::llround(samples.weight(i) * Unit);
+        this->Cumulative[i] = sum += std::llround(samples.weight(i) * Unit);
       }
-      reduce.sum(sums.data(), reduce.NumberOfRanks);
-      this->Before = std::accumulate(sums.begin(), sums.begin() + reduce.Rank, std::int64_t(0));
-      this->Total = std::accumulate(sums.begin(), sums.end(), std::int64_t(0));
+      this->OfAll = shareOf(samples.reduce(), sum);
     }
   }
 
@@ -70,8 +66,8 @@ private:
       return this->Numbers.index(this->Samples.totalSize()) - this->Samples.firstOfTotal();
     }
     const auto target =
-      static_cast<std::int64_t>(this->Numbers.uniform() * static_cast<double>(this->Total)) -
-      this->Before;
+      static_cast<std::int64_t>(this->Numbers.uniform() * static_cast<double>(this->OfAll.Total)) -
+      this->OfAll.Before;
     const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
     return target < 0 ? -1 : static_cast<Index>(found - this->Cumulative.begin());
   }
@@ -80,7 +76,7 @@ private:
   const TrainingSamples& Samples;
   Random Numbers;
   std::vector<std::int64_t> Cumulative; ///< of this process's patterns
-  std::int64_t Before = 0, Total = 0;   ///< of the processes of lower rank, of all
+  Share OfAll;                          ///< of what they add up to
 };
 }
 

@@ -39,6 +39,23 @@ struct Reduce
   }
 };
 
+/// Where a process's part stands in that of all, which lie one after the other in the order of
+/// ranks.
+struct Share
+{
+  std::int64_t Before = 0; ///< of the processes of lower rank
+  std::int64_t Total = 0;  ///< of all processes
+};
+
+inline Share shareOf(const Reduce& reduce, std::int64_t own)
+{
+  std::vector<std::int64_t> sizes(reduce.NumberOfRanks, 0);
+  sizes[reduce.Rank] = own;
+  reduce.sum(sizes.data(), reduce.NumberOfRanks);
+  return { std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, std::int64_t(0)),
+    std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0)) };
+}
+
 /// The numbers of all processes one after the other, in the order of their ranks, on each of them.
 inline std::vector<double> gather(const Reduce& reduce, const std::vector<double>& own)
 {
@@ -46,11 +63,7 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
   {
     return own;
   }
-  std::vector<std::int64_t> sizes(reduce.NumberOfRanks, 0);
-  sizes[reduce.Rank] = static_cast<std::int64_t>(own.size());
-  reduce.sum(sizes.data(), reduce.NumberOfRanks);
-  const auto first = std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, std::int64_t(0));
-  const auto size = std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0));
+  const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
   // Bit patterns, each added to zeros, so that they arrive as they are.
   std::vector<std::int64_t> bits(size, 0);
   std::transform(own.begin(), own.end(), bits.begin() + first,

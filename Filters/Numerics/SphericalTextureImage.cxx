@@ -124,7 +124,7 @@ public:
     {
       positions.row(i) = cloud[i];
     }
-    this->FirstOwn = rowsBefore(reduce, cloud.size());
+    this->FirstOwn = shareOf(reduce, cloud.size()).Before;
     this->Faces = gatherTriangles(reduce, faces, cloud.size());
     positions = gatherRows(reduce, positions);
     if (!positions.allFinite())

@@ -134,15 +134,9 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   {
     this->Kept = KeptIds(points.size(), [&](Index i) { return used(i) && points[i].allFinite(); });
   }
-  std::vector<std::int64_t> sizes(reduce.NumberOfRanks + 1, 0);
-  sizes[reduce.Rank] = this->Size;
-  sizes.back() = this->NonFinite;
-  reduce.sum(sizes.data(), static_cast<Index>(sizes.size()));
-  this->NonFinite = sizes.back();
-  sizes.pop_back();
-  this->FirstOfTotal = std::accumulate(sizes.begin(), sizes.begin() + reduce.Rank, Index(0));
-  this->TotalSize = std::accumulate(sizes.begin(), sizes.end(), Index(0));
-  if (this->TotalSize > 0)
+  this->OfAll = shareOf(reduce, this->Size);
+  this->NonFinite = shareOf(reduce, this->NonFinite).Total;
+  if (!this->empty())
   {
     this->findFrame(parallelFor, progress);
   }

@@ -35,10 +35,10 @@ public:
   /// Of this process.
   Index size() const { return this->Size; }
   /// Of all processes.
-  Index totalSize() const { return this->TotalSize; }
+  Index totalSize() const { return this->OfAll.Total; }
   /// Of the processes of lower rank: its own patterns come after these in the whole cloud.
-  Index firstOfTotal() const { return this->FirstOfTotal; }
-  bool empty() const { return this->TotalSize == 0; }
+  Index firstOfTotal() const { return this->OfAll.Before; }
+  bool empty() const { return this->OfAll.Total == 0; }
 
   /// Pattern i of [0, size()), normalised.
   Vector3 operator[](Index i) const { return this->normalize(this->View[this->id(i)]); }
@@ -72,7 +72,8 @@ private:
   NumberView Weights;
   KeptIds Kept; ///< empty where all points are patterns
   conformal::Reduce Sums;
-  Index Size = 0, TotalSize = 0, FirstOfTotal = 0;
+  Index Size = 0;
+  Share OfAll;
   Index NonFinite = 0;
   bool Weighted = false;
   double LargestWeight = 1.0;
