@@ -131,13 +131,26 @@ void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
   }
 }
 
-// The surface with its polygons of many corners as triangles, since VTK's way takes time that grows
-// with the square of the corners. Those that cannot be cut so are left to it.
-vtkSmartPointer<vtkPolyData> WithoutPolygonsOfManyCorners(vtkPolyData* input)
+bool HasStripsWithoutTriangles(vtkCellArray* strips)
+{
+  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
+  {
+    if (strips->GetCellSize(i) < 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// What vtkTriangleFilter cuts in time that is linear, and without reading past the end: polygons of
+// many corners are triangles, since its way takes time that grows with the square of the corners
+// (those that cannot be cut so are left to it), and strips of fewer than 3 points are left out.
+vtkSmartPointer<vtkPolyData> ForTriangleFilter(vtkPolyData* input)
 {
   constexpr vtkIdType manyCorners = 500;
   vtkCellArray* polygons = input->GetPolys();
-  if (polygons->GetMaxCellSize() <= manyCorners)
+  if (polygons->GetMaxCellSize() <= manyCorners && !HasStripsWithoutTriangles(input->GetStrips()))
   {
     return input;
   }
@@ -170,13 +183,22 @@ vtkSmartPointer<vtkPolyData> WithoutPolygonsOfManyCorners(vtkPolyData* input)
       sources->InsertNextId(firstPolygon + i);
     }
   }
+  vtkNew<vtkCellArray> strips;
   for (vtkIdType i = 0; i < input->GetNumberOfStrips(); ++i)
   {
-    sources->InsertNextId(firstPolygon + polygons->GetNumberOfCells() + i);
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    input->GetStrips()->GetCellAtId(i, size, ids);
+    if (size >= 3)
+    {
+      strips->InsertNextCell(size, ids);
+      sources->InsertNextId(firstPolygon + polygons->GetNumberOfCells() + i);
+    }
   }
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->ShallowCopy(input);
   output->SetPolys(cells);
+  output->SetStrips(strips);
   output->GetCellData()->Initialize();
   output->GetCellData()->CopyAllocate(input->GetCellData(), sources->GetNumberOfIds());
   for (vtkIdType i = 0; i < sources->GetNumberOfIds(); ++i)
@@ -197,7 +219,7 @@ vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
     return input;
   }
   vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(WithoutPolygonsOfManyCorners(input));
+  triangles->SetInputData(ForTriangleFilter(input));
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   triangles->Update();

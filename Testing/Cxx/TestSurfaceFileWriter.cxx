@@ -7,6 +7,7 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalPLYWriter.h"
@@ -349,6 +350,26 @@ TEST(SurfaceFileWriter, WritesStripsAsTriangles)
   vtkNew<vtkConformalPLYWriter> writer;
   const contract::Reading read =
     contract::WrittenAndRead<vtkConformalPLYReader>(writer, stripper->GetOutput(), folder);
+  contract::ExpectRead(read);
+  EXPECT_EQ(read.Output->GetNumberOfPolys(), contract::RichSphere()->GetNumberOfPolys());
+}
+
+TEST(SurfaceFileWriter, LeavesOutStripsOfFewerThanThreePoints)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputData(contract::RichSphere());
+  stripper->Update();
+  vtkPolyData* surface = stripper->GetOutput();
+  const vtkIdType strips = surface->GetNumberOfStrips();
+  surface->GetStrips()->InsertNextCell(0);
+  surface->GetStrips()->InsertNextCell({ 0 });
+  surface->GetStrips()->InsertNextCell({ 0, 1 });
+  surface->GetCellData()->Initialize();
+  ASSERT_EQ(surface->GetNumberOfStrips(), strips + 3);
+  vtkNew<vtkConformalPLYWriter> writer;
+  const contract::Reading read =
+    contract::WrittenAndRead<vtkConformalPLYReader>(writer, surface, folder);
   contract::ExpectRead(read);
   EXPECT_EQ(read.Output->GetNumberOfPolys(), contract::RichSphere()->GetNumberOfPolys());
 }

@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 
   vtkNew<vtkSphericalTextureImage> image;
   image->SetImageSize(1 + source.below(9), 1 + source.below(9));
-  image->SetArrayName(odd & 4 ? "SpherePosition" : "");
+  image->SetArrayName(odd & 4 ? "Colors" : "");
   image->SetInputDataObject(0, map->GetOutputDataObject(0));
   if (odd & 8)
   {
