@@ -2,7 +2,7 @@
 #ifndef vtkCloudWarnings_h
 #define vtkCloudWarnings_h
 
-#include "Types.h" // for Index
+#include "Base/Types.h" // for Index
 
 class vtkObject;
 

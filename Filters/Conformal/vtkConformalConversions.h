@@ -2,9 +2,9 @@
 #ifndef vtkConformalConversions_h
 #define vtkConformalConversions_h
 
-#include "CoordinateFrame.h" // for points in a frame
-#include "Parallel.h"        // for ParallelFor, Reduce
-#include "Types.h"           // for Points, Triangles, PointView, Progress
+#include "Base/CoordinateFrame.h" // for points in a frame
+#include "Base/Parallel.h"        // for ParallelFor, Reduce
+#include "Base/Types.h"           // for Points, Triangles, PointView, Progress
 
 #include <exception>        // for MessageOf's argument
 #include <functional>       // for RunCore's argument, GhostTest

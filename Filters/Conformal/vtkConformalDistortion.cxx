@@ -1,7 +1,7 @@
 #include "vtkConformalDistortion.h"
 
-#include "Distortion.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Measure/Distortion.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 

@@ -1,7 +1,7 @@
 #include "vtkConformalSOM.h"
 
-#include "ConformalSOM.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Learn/ConformalSOM.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"

@@ -1,7 +1,7 @@
 #include "vtkGenusZeroCheck.h"
 
-#include "GenusZeroCheck.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 

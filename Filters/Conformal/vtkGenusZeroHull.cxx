@@ -1,7 +1,7 @@
 #include "vtkGenusZeroHull.h"
 
-#include "GenusZeroHull.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Hull/GenusZeroHull.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"

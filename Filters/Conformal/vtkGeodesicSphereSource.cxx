@@ -1,7 +1,7 @@
 #include "vtkGeodesicSphereSource.h"
 
-#include "GeodesicSphere.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Mesh/GeodesicSphere.h"
 #include "vtkConformalConversions.h"
 
 #include "vtkDataArray.h"

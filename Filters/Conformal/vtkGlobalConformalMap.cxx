@@ -1,7 +1,7 @@
 #include "vtkGlobalConformalMap.h"
 
-#include "GlobalConformalMap.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "SphereMap/GlobalConformalMap.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 

@@ -1,8 +1,8 @@
 #include "vtkMeshConversions.h"
 
-#include "GenusZeroCheck.h"
-#include "PolygonTriangulation.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/PolygonTriangulation.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 

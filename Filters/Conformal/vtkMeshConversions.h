@@ -2,9 +2,9 @@
 #ifndef vtkMeshConversions_h
 #define vtkMeshConversions_h
 
-#include "CoordinateFrame.h" // for points in a frame
-#include "MappedMesh.h"      // for MappedMesh
-#include "Types.h"           // for Points, Triangles
+#include "Base/CoordinateFrame.h" // for points in a frame
+#include "Base/Types.h"           // for Points, Triangles
+#include "Mesh/MappedMesh.h"      // for MappedMesh
 
 #include "vtkType.h" // for vtkIdType
 

@@ -1,6 +1,6 @@
 #include "vtkProcessConversions.h"
 
-#include "AcrossProcesses.h"
+#include "Base/AcrossProcesses.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"

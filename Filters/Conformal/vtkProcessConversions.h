@@ -2,10 +2,10 @@
 #ifndef vtkProcessConversions_h
 #define vtkProcessConversions_h
 
-#include "CoordinateFrame.h" // for ToSharedMesh's argument
-#include "MappedMesh.h"      // for MappedMesh
-#include "Parallel.h"        // for Reduce
-#include "Types.h"           // for Progress
+#include "Base/CoordinateFrame.h" // for ToSharedMesh's argument
+#include "Base/Parallel.h"        // for Reduce
+#include "Base/Types.h"           // for Progress
+#include "Mesh/MappedMesh.h"      // for MappedMesh
 #include "vtkProcessSignals.h"
 
 #include <functional> // for RunCore's argument

@@ -1,6 +1,6 @@
 #include "vtkSphereImageConversions.h"
 
-#include "SphericalTexture.h"
+#include "Texture/SphericalTexture.h"
 #include "vtkConformalConversions.h"
 
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 #ifndef vtkSphereImageConversions_h
 #define vtkSphereImageConversions_h
 
-#include "SphereProjection.h" // for SphereImage
+#include "Texture/SphereProjection.h" // for SphereImage
 
 class vtkDataArray;
 class vtkFieldData;

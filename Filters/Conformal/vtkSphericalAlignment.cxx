@@ -1,8 +1,8 @@
 #include "vtkSphericalAlignment.h"
 
-#include "EdgeWeights.h"
-#include "SphericalAlignment.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Measure/SphericalAlignment.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"

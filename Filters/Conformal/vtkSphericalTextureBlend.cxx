@@ -1,8 +1,8 @@
 #include "vtkSphericalTextureBlend.h"
 
-#include "SphereViewChoice.h"
-#include "SphericalTextureBlend.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Texture/SphereViewChoice.h"
+#include "Texture/SphericalTextureBlend.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkSphereImageConversions.h"

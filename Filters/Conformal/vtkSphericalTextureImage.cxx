@@ -1,7 +1,7 @@
 #include "vtkSphericalTextureImage.h"
 
-#include "SphericalTextureImage.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Texture/SphericalTextureImage.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"

@@ -1,7 +1,7 @@
 #include "vtkSphericalTextureMap.h"
 
-#include "SphericalTexture.h"
-#include "Steps.h"
+#include "Base/Steps.h"
+#include "Texture/SphericalTexture.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkSphereImageConversions.h"

@@ -1,8 +1,8 @@
 #include "vtkSurfaceMismatch.h"
 
-#include "AcrossProcesses.h"
-#include "Steps.h"
-#include "SurfaceMismatch.h"
+#include "Base/AcrossProcesses.h"
+#include "Base/Steps.h"
+#include "Measure/SurfaceMismatch.h"
 #include "vtkConformalConversions.h"
 #include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"

@@ -1,7 +1,7 @@
 #include "vtkSurfaceConversions.h"
 
 #include "Files/FileOutput.h"
-#include "PolygonTriangulation.h"
+#include "Mesh/PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

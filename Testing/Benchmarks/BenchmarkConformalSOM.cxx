@@ -6,8 +6,8 @@
 
 #include "BenchmarkFixtures.h"
 #include "BruteForceTraining.h"
-#include "ConformalSOM.h"
-#include "TriangleTree.h"
+#include "Learn/ConformalSOM.h"
+#include "Search/TriangleTree.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,10 +1,10 @@
 // The curved seamless surface: against points, triangles and threads, and its parts.
 
 #include "BenchmarkFixtures.h"
-#include "CurvedSeamlessSurface.h"
-#include "GeodesicSphere.h"
-#include "NetworkShapes.h"
-#include "SphereLocator.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Sphere/SphereLocator.h"
+#include "Surface/CurvedSeamlessSurface.h"
+#include "TriangleMap/NetworkShapes.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,9 +2,9 @@
 #ifndef BenchmarkFixtures_h
 #define BenchmarkFixtures_h
 
-#include "Parallel.h"
-#include "Random.h"
-#include "Types.h"
+#include "Base/Parallel.h"
+#include "Base/Random.h"
+#include "Base/Types.h"
 
 #include <atomic>
 #include <cmath>

@@ -2,10 +2,10 @@
 // equations by Eigen's factorisation and by ours.
 
 #include "BenchmarkFixtures.h"
-#include "EdgeWeights.h"
-#include "GeodesicSphere.h"
-#include "GlobalConformalMap.h"
-#include "MultifrontalCholesky.h"
+#include "Linear/EdgeWeights.h"
+#include "Linear/MultifrontalCholesky.h"
+#include "Mesh/GeodesicSphere.h"
+#include "SphereMap/GlobalConformalMap.h"
 
 #include <benchmark/benchmark.h>
 

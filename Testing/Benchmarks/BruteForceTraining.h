@@ -3,11 +3,11 @@
 #ifndef BruteForceTraining_h
 #define BruteForceTraining_h
 
-#include "ConformalSOM.h"
-#include "MeshTopology.h"
-#include "NetworkShapes.h"
-#include "Random.h"
-#include "TriangleTree.h"
+#include "Base/Random.h"
+#include "Learn/ConformalSOM.h"
+#include "Mesh/MeshTopology.h"
+#include "Search/TriangleTree.h"
+#include "TriangleMap/NetworkShapes.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include "vtkMeshConversions.h"
 
 #include "FilterContract.h"
-#include "GenusZeroCheck.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "MeshFixtures.h"
 #include "vtkGeodesicSphereSource.h"
 

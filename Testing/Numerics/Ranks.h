@@ -3,7 +3,7 @@
 #ifndef ConformalTestRanks_h
 #define ConformalTestRanks_h
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -2,7 +2,7 @@
 #ifndef TextureFixtures_h
 #define TextureFixtures_h
 
-#include "Types.h"
+#include "Base/Types.h"
 
 namespace fixtures
 {

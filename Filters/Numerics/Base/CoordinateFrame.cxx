@@ -1,0 +1,85 @@
+#include "Base/CoordinateFrame.h"
+
+#include "Base/AcrossProcesses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+/// The power of two at or below a positive number, 1 for 0.
+double unitOf(double largest)
+{
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+}
+
+/// In its own unit first: a length of subnormal numbers has few digits, of the largest it has none.
+template <typename Vector>
+void normalize(Vector& v)
+{
+  v /= unitOf(v.cwiseAbs().maxCoeff());
+  v /= v.stableNorm();
+}
+
+double largestCoordinate(const PointView& points, const ParallelFor& parallelFor)
+{
+  constexpr Index blockSize = 1 << 14;
+  std::vector<double> largest((points.size() + blockSize - 1) / blockSize, 0.0);
+  forBlocks(parallelFor, points.size(), blockSize,
+    [&](Index begin, Index end)
+    {
+      double& most = largest[begin / blockSize];
+      for (Index i = begin; i < end; ++i)
+      {
+        const Vector3 x = points[i];
+        most = x.allFinite() ? std::max(most, x.cwiseAbs().maxCoeff()) : most;
+      }
+    });
+  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+}
+}
+
+//------------------------------------------------------------------------------
+Vector3 CoordinateFrame::toFrameFromAfar(const Vector3& x) const
+{
+  constexpr double farAway = 0x1p26;
+  const Vector3 inFrame = x / this->Unit;
+  return inFrame.cwiseAbs().maxCoeff() <= farAway ? inFrame : Vector3(farAway * unitVector(x));
+}
+
+//------------------------------------------------------------------------------
+CoordinateFrame frameOf(
+  const std::vector<PointView>& points, const ParallelFor& parallelFor, const Reduce& reduce)
+{
+  double own = 0.0;
+  for (const PointView& some : points)
+  {
+    own = std::max(own, largestCoordinate(some, parallelFor));
+  }
+  return { unitOf(largest(reduce, { own })[0]) };
+}
+
+//------------------------------------------------------------------------------
+Vector3 unitVector(const Vector3& v)
+{
+  Vector3 unit = v;
+  normalize(unit);
+  return unit;
+}
+
+//------------------------------------------------------------------------------
+Index normalizeRows(Points& vectors)
+{
+  Index bad = 0;
+  for (Index i = 0; i < vectors.rows(); ++i)
+  {
+    auto row = vectors.row(i);
+    normalize(row);
+    bad += !row.allFinite();
+  }
+  return bad;
+}
+}

@@ -1,0 +1,26 @@
+/// Foot points of many patterns: found on all threads, handed out one by one.
+
+#ifndef ConformalFootPoints_h
+#define ConformalFootPoints_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Search/TriangleTree.h"
+
+#include <functional>
+
+namespace conformal
+{
+/// Call body(id, x, foot) for patterns of the samples, in order and on the calling thread, where x
+/// is the pattern and foot its closest point on the surface. A bounded number of feet is kept.
+/// @param[in] count  how many patterns
+/// @param[in] idOf   id of the i-th of them; identity where empty
+/// @throws Aborted
+void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
+  const std::function<Index(Index)>& idOf,
+  const std::function<void(Index, const Vector3&, const FootPoint&)>& body,
+  const ParallelFor& parallelFor, const Progress& progress = {});
+}
+
+#endif

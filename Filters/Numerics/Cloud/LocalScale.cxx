@@ -1,0 +1,89 @@
+#include "Cloud/LocalScale.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace conformal
+{
+namespace
+{
+constexpr int Rings = 2;
+/// Larger distances count as this many times the last scale: a few outliers hardly matter, many far
+/// patterns together raise the scale from round to round until they are in.
+constexpr double LargestRatio = 6.0;
+
+/// Squares of larger distances, in units of the largest radius, would not fit into the sums.
+/// Nothing lies as far apart as this.
+constexpr double LargestSquare = 16.0;
+
+/// Nothing is an outlier that lies as close as this, in units of the largest radius.
+constexpr double LeastSquareScale = 1e-12;
+}
+
+LocalScale::LocalScale(Index neurons, double outlierRatio)
+  : OutlierRatio(outlierRatio)
+  , Sums(2 * neurons)
+  , SquareScale(neurons, std::numeric_limits<double>::infinity())
+{
+}
+
+bool LocalScale::outlying(const FootPoint& foot, const Triangles& faces) const
+{
+  return foot.SquareDistance >
+    this->OutlierRatio * this->OutlierRatio * this->squareAt(foot, faces);
+}
+
+double LocalScale::squareAt(const FootPoint& foot, const Triangles& faces) const
+{
+  double square = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (foot.Barycentric[k] > 0.0) // no product of zero and infinity
+    {
+      square += foot.Barycentric[k] * this->SquareScale[faces(foot.Triangle, k)];
+    }
+  }
+  return square;
+}
+
+void LocalScale::add(const FootPoint& foot, const Triangles& faces, double weight)
+{
+  const double square = std::min({ foot.SquareDistance, LargestSquare,
+    LargestRatio * LargestRatio * this->squareAt(foot, faces) });
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index neuron = 2 * Index(faces(foot.Triangle, k));
+    this->Sums.add(neuron, weight * foot.Barycentric[k]);
+    this->Sums.add(neuron + 1, weight * foot.Barycentric[k] * square);
+  }
+}
+
+void LocalScale::update(const Adjacency& neighbors, const Reduce& reduce)
+{
+  this->Sums.reduce(reduce);
+  const Index size = static_cast<Index>(this->SquareScale.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> sums(size, 2);
+  for (Index i = 0; i < sums.size(); ++i)
+  {
+    sums.data()[i] = this->Sums[i];
+  }
+  for (int ring = 0; ring < Rings; ++ring)
+  {
+    auto wider = sums;
+    for (Index i = 0; i < size; ++i)
+    {
+      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+      {
+        wider.row(i) += sums.row(*j);
+      }
+    }
+    sums.swap(wider);
+  }
+  for (Index i = 0; i < size; ++i)
+  {
+    this->SquareScale[i] = sums(i, 0) > 0.0 ? std::max(sums(i, 1) / sums(i, 0), LeastSquareScale)
+                                            : std::numeric_limits<double>::infinity();
+  }
+  this->Sums.clear();
+}
+}

@@ -1,0 +1,48 @@
+#include "Cloud/StrayPoints.h"
+
+#include "Base/Steps.h"
+#include "Search/PointTree.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace conformal
+{
+std::vector<std::uint8_t> strayPoints(
+  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr int Neighbors = 8;
+  constexpr double Steepness = 0.8;
+  constexpr Index BlockSize = 256;
+  std::vector<std::uint8_t> stray(points.rows(), 0);
+  if (points.rows() <= Neighbors)
+  {
+    return stray;
+  }
+  Steps steps(progress, { 160.0, 1550.0 }); // for each point
+  const PointTree tree(points, steps.next());
+  forBlocks(parallelFor, points.rows(), BlockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      Eigen::Matrix<double, 3, Neighbors> around;
+      for (Index i = begin; i < end; ++i)
+      {
+        const Vector3 x = points.row(i);
+        tree.nearest(x, Neighbors + 1, nearest);
+        for (int k = 0; k < Neighbors; ++k)
+        {
+          // The first is the point itself, or one at the same place.
+          around.col(k) = points.row(nearest[k + 1].Id).transpose() - x;
+        }
+        const Vector3 middle = around.rowwise().mean();
+        around.colwise() -= middle;
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+        axes.computeDirect(around * around.transpose() / Neighbors);
+        const double width = axes.eigenvalues()[1] + axes.eigenvalues()[2]; // ascending
+        const double offset = axes.eigenvectors().col(0).dot(middle);
+        stray[i] = offset * offset > Steepness * Steepness * width;
+      }
+    });
+  return stray;
+}
+}

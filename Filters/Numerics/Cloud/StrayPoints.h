@@ -1,0 +1,25 @@
+/// Points beside the surface that the others sample.
+
+#ifndef ConformalStrayPoints_h
+#define ConformalStrayPoints_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace conformal
+{
+/// Mark points that lie off the surface which the points around them make up: farther from the
+/// plane through the eight nearest other points, along its normal, than 0.8 times the root mean
+/// square width of these in it. Points at sharp tips and some of a very noisy cloud are marked too.
+///
+/// @param[in] points  #P by 3, finite
+/// @return #P, 1 for a stray point, else 0; all 0 for up to eight points
+/// @throws Aborted
+std::vector<std::uint8_t> strayPoints(
+  const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+}
+
+#endif

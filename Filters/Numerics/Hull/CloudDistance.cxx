@@ -1,0 +1,445 @@
+#include "Hull/CloudDistance.h"
+
+#include "Base/Steps.h"
+#include "Cloud/StrayPoints.h"
+#include "Search/BoxTree.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index SamplesPerBlock = 1 << 12;
+constexpr int PlanesPerReport = 16;
+constexpr double SamplesPerSquare = 32.0; // of the lattice's spacing
+
+// A second round brings seeds round corners that the first could not turn.
+constexpr int NumberOfSweeps = 6;
+
+// For each sample and each node, in nanoseconds as in Steps.
+constexpr double WorkOfStray = 1700.0, WorkOfIsolated = 3.0, WorkOfSweep = 9.0;
+
+// How many samples count, of all processes.
+double numberOfSelected(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+{
+  return std::min(static_cast<double>(samples.totalSize()),
+    SamplesPerSquare / (lattice.Spacing * lattice.Spacing));
+}
+
+// A square distance above, an id below: as integers, these compare by distance, then by id.
+using Entry = std::uint64_t;
+constexpr Entry NoEntry = std::numeric_limits<Entry>::max();
+
+Entry makeEntry(float squareDistance, std::uint32_t id)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &squareDistance, sizeof(bits)); // in order, since not negative
+  return static_cast<Entry>(bits) << 32 | id;
+}
+
+float squareDistanceOf(Entry entry)
+{
+  const std::uint32_t bits = static_cast<std::uint32_t>(entry >> 32);
+  float squareDistance;
+  std::memcpy(&squareDistance, &bits, sizeof(bits));
+  return squareDistance;
+}
+
+// Samples of a cloud, spread over its order: one of each stretch, not always the same, since scans
+// have rhythms of their own. All processes get the same ones.
+Points select(const TrainingSamples& samples, double spacing)
+{
+  const double most = SamplesPerSquare / (spacing * spacing);
+  const Index stretch =
+    std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / most));
+  const Index first = samples.firstOfTotal(), last = first + samples.size();
+  std::vector<double> own;
+  for (Index i = first / stretch; i < std::min(samples.totalSize() / stretch, last); ++i)
+  {
+    const std::uint64_t mixed = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U;
+    const Index id =
+      i * stretch + static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(stretch));
+    if (id >= first && id < last)
+    {
+      const Vector3 x = samples[id - first];
+      own.insert(own.end(), x.data(), x.data() + 3);
+    }
+  }
+  const std::vector<double> all = gather(samples.reduce(), own);
+  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
+}
+
+// Nodes along the axes that a lattice needs to hold a box, without a margin.
+Vector3 stepsOver(const Box& bounds, double spacing)
+{
+  return ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
+}
+
+// The smallest spacing of a lattice that does not have too many nodes, rounded up to a millionth.
+double smallestSpacing(const Box& bounds, double tooSmall, int margin)
+{
+  const auto fits = [&](double spacing)
+  {
+    return (stepsOver(bounds, spacing).array() + 2.0 * margin).prod() <=
+      static_cast<double>(MaximumNumberOfNodes);
+  };
+  double low = tooSmall, high = 2.0 * tooSmall;
+  for (; !fits(high); high *= 2.0)
+  {
+    low = high;
+  }
+  constexpr double Digit = 1e-6;
+  while (high - low > 0.1 * Digit)
+  {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? high : low) = middle;
+  }
+  return std::ceil(high / Digit) * Digit;
+}
+
+// The nearest sample of every node, found in steps.
+class NearestSamples
+{
+public:
+  NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples,
+    const ParallelFor& parallelFor)
+    : Lattice(lattice)
+    , Taken(select(samples, lattice.Spacing))
+    , Threads(parallelFor)
+    , Entries(lattice.numberOfNodes())
+  {
+    forBlocks(this->Threads, lattice.numberOfNodes(), 1 << 16,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          this->Entries[node].store(NoEntry, std::memory_order_relaxed);
+        }
+      });
+  }
+
+  // Forget samples beside the surface, which would be bumps on it.
+  void dropStray(const Progress& progress)
+  {
+    this->Stray = strayPoints(this->Taken, this->Threads, progress);
+  }
+
+  // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
+  void scatter(const Progress& progress)
+  {
+    const std::array<int, 8> steps = this->Lattice.cornerSteps();
+    forBlocks(this->Threads, this->Taken.rows(), SamplesPerBlock, progress,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          if (this->Stray[i])
+          {
+            continue;
+          }
+          const auto sample = static_cast<std::uint32_t>(i);
+          const Eigen::Vector3f x = this->place(sample);
+          const Eigen::Vector3f f = x - x.array().floor().matrix(), g = f.array() - 1.0F;
+          const Eigen::Vector3f lower = f.cwiseAbs2(), upper = g.cwiseAbs2();
+          const int node = this->cubeOf(x);
+          for (int s = 0; s < 8; ++s)
+          {
+            const float square = ((s & 1) ? upper : lower)[0] + ((s & 2) ? upper : lower)[1] +
+              ((s & 4) ? upper : lower)[2];
+            this->offer(node + steps[s], makeEntry(square, sample));
+          }
+        }
+      });
+  }
+
+  // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few and
+  // the cloud is dense, so that there is a meaning in being alone.
+  void dropIsolated(const Progress& progress)
+  {
+    constexpr std::uint8_t untouched = 0, touched = 1, large = 2, small = 3;
+    constexpr std::size_t largestIsolated = 32; // corners of four cubes that are apart
+    constexpr Index nodesPerSample = 4;         // 8 for a cube alone, 1 or 2 for a sheet of cubes
+    constexpr Index leastRatio = 20;            // of all samples to those isolated
+    const Index size = this->Lattice.numberOfNodes();
+    std::vector<std::uint8_t> marks(size);
+    Index numberTouched = 0;
+    for (Index node = 0; node < size; ++node)
+    {
+      marks[node] = this->entry(node) == NoEntry ? untouched : touched;
+      numberTouched += marks[node];
+    }
+    if (numberTouched > nodesPerSample * this->Taken.rows())
+    {
+      return;
+    }
+    std::vector<int> piece, isolated;
+    for (Index node = 0; node < size; ++node)
+    {
+      if (marks[node] == touched)
+      {
+        markPiece(this->Lattice, marks, static_cast<int>(node), large, piece, progress);
+        if (piece.size() <= largestIsolated)
+        {
+          isolated.insert(isolated.end(), piece.begin(), piece.end());
+        }
+      }
+    }
+    for (const int node : isolated)
+    {
+      marks[node] = small;
+    }
+    Index count = 0;
+    for (Index i = 0; i < this->Taken.rows() && !isolated.empty(); ++i)
+    {
+      count += marks[this->cubeOf(this->place(i))] == small;
+    }
+    if (leastRatio * count <= this->Taken.rows())
+    {
+      for (const int node : isolated)
+      {
+        this->Entries[node].store(NoEntry, std::memory_order_relaxed);
+      }
+    }
+    report(progress, 1.0);
+  }
+
+  // From now on ids name places in a small table: nodes share few samples of a large cloud.
+  void gatherSeeds(const Progress& progress)
+  {
+    forBlocks({}, this->Lattice.numberOfNodes(), 1 << 10, progress,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          const Entry entry = this->entry(node);
+          if (entry != NoEntry)
+          {
+            const auto sample = static_cast<std::uint32_t>(entry);
+            this->Entries[node].store(
+              makeEntry(squareDistanceOf(entry), static_cast<std::uint32_t>(this->Seeds.size())),
+              std::memory_order_relaxed);
+            this->Seeds.push_back(this->place(sample));
+          }
+        }
+      });
+  }
+
+  // Hand seeds on, there and back, along all lines of an axis.
+  void sweep(int axis, const Progress& progress)
+  {
+    // Planes that hold the lines; within them, steps along the lines and across.
+    const std::array<int, 3>& size = this->Lattice.Size;
+    const int normal = axis == 2 ? 1 : 2;
+    const int groups = (size[normal] + PlanesPerReport - 1) / PlanesPerReport;
+    for (int group = 0; group < groups; ++group)
+    {
+      const int first = group * PlanesPerReport;
+      const int count = std::min(PlanesPerReport, size[normal] - first);
+      forBlocks(this->Threads, count, 1,
+        [&](Index begin, Index)
+        {
+          const int plane = first + static_cast<int>(begin);
+          if (axis == 0)
+          {
+            this->sweepRows(plane);
+          }
+          else
+          {
+            this->sweepPlane(axis, normal, plane);
+          }
+        });
+      report(progress, (group + 1.0) / groups);
+    }
+  }
+
+  std::vector<float> distances() const
+  {
+    std::vector<float> result(this->Entries.size());
+    forBlocks(this->Threads, static_cast<Index>(this->Entries.size()), 1 << 16,
+      [&](Index begin, Index end)
+      {
+        for (Index node = begin; node < end; ++node)
+        {
+          result[node] = std::sqrt(squareDistanceOf(this->entry(node)));
+        }
+      });
+    return result;
+  }
+
+private:
+  Entry entry(Index node) const { return this->Entries[node].load(std::memory_order_relaxed); }
+  Eigen::Vector3f place(Index sample) const
+  {
+    return this->Lattice.toLattice(this->Taken.row(sample)).cast<float>();
+  }
+  // The lowest corner of the cube a place is in.
+  int cubeOf(const Eigen::Vector3f& x) const
+  {
+    const Eigen::Vector3i low = x.array().floor().cast<int>();
+    return this->Lattice.node(low[0], low[1], low[2]);
+  }
+
+  void offer(int node, Entry entry)
+  {
+    std::atomic<Entry>& held = this->Entries[node];
+    Entry best = held.load(std::memory_order_relaxed);
+    while (entry < best && !held.compare_exchange_weak(best, entry, std::memory_order_relaxed))
+    {
+    }
+  }
+
+  void sweepRows(int z)
+  {
+    const std::array<int, 3>& size = this->Lattice.Size;
+    for (int y = 0; y < size[1]; ++y)
+    {
+      const int row = this->Lattice.node(0, y, z);
+      for (int x = 1; x < size[0]; ++x)
+      {
+        this->handOn(row + x - 1, row + x, { x, y, z });
+      }
+      for (int x = size[0] - 2; x >= 0; --x)
+      {
+        this->handOn(row + x + 1, row + x, { x, y, z });
+      }
+    }
+  }
+
+  // Whole rows at a time, as they lie in memory.
+  void sweepPlane(int axis, int normal, int plane)
+  {
+    const std::array<int, 3>& size = this->Lattice.Size;
+    Eigen::Vector3i start = Eigen::Vector3i::Zero();
+    start[normal] = plane;
+    const auto handOnRow = [&](int from, int to)
+    {
+      Eigen::Vector3i source = start, place = start;
+      source[axis] = from;
+      place[axis] = to;
+      const int fromNode = this->Lattice.node(0, source[1], source[2]);
+      const int toNode = this->Lattice.node(0, place[1], place[2]);
+      for (int x = 0; x < size[0]; ++x)
+      {
+        this->handOn(fromNode + x, toNode + x, { x, place[1], place[2] });
+      }
+    };
+    for (int line = 1; line < size[axis]; ++line)
+    {
+      handOnRow(line - 1, line);
+    }
+    for (int line = size[axis] - 2; line >= 0; --line)
+    {
+      handOnRow(line + 1, line);
+    }
+  }
+
+  void handOn(int from, int to, const Eigen::Vector3i& place)
+  {
+    const Entry theirs = this->entry(from);
+    const Entry ours = this->entry(to);
+    const auto seed = static_cast<std::uint32_t>(theirs);
+    if (theirs == NoEntry || seed == static_cast<std::uint32_t>(ours))
+    {
+      return;
+    }
+    const float square = (this->Seeds[seed] - place.cast<float>()).squaredNorm();
+    this->Entries[to].store(std::min(ours, makeEntry(square, seed)), std::memory_order_relaxed);
+  }
+
+  const FreudenthalLattice& Lattice;
+  const Points Taken; ///< the samples that count
+  const ParallelFor& Threads;
+  std::vector<std::uint8_t> Stray; ///< for each of those taken
+  std::vector<std::atomic<Entry>> Entries;
+  std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
+};
+}
+
+//------------------------------------------------------------------------------
+double workOfDistances(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+{
+  return (8.0 + WorkOfIsolated + NumberOfSweeps * WorkOfSweep) *
+    static_cast<double>(lattice.numberOfNodes()) +
+    (WorkOfStray + 95.0) * numberOfSelected(lattice, samples);
+}
+
+//------------------------------------------------------------------------------
+FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  std::vector<Box> boxes((samples.size() + SamplesPerBlock - 1) / SamplesPerBlock);
+  forBlocks(parallelFor, samples.size(), SamplesPerBlock, progress,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        boxes[begin / SamplesPerBlock].extend(samples[i]);
+      }
+    });
+  Box own;
+  for (const Box& box : boxes)
+  {
+    own.extend(box);
+  }
+  const std::vector<double> corners = gather(samples.reduce(),
+    { own.Lower[0], own.Lower[1], own.Lower[2], own.Upper[0], own.Upper[1], own.Upper[2] });
+  Box bounds;
+  for (std::size_t i = 0; i < corners.size(); i += 6)
+  {
+    bounds.Lower = bounds.Lower.cwiseMin(Eigen::Map<const Vector3>(corners.data() + i));
+    bounds.Upper = bounds.Upper.cwiseMax(Eigen::Map<const Vector3>(corners.data() + i + 3));
+  }
+  const Vector3 steps = stepsOver(bounds, spacing);
+  const double nodes = (steps.array() + 2.0 * margin).prod();
+  if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))
+  {
+    throw std::length_error("a lattice of spacing " + std::to_string(spacing) +
+      " times the largest radius would have " + std::to_string(std::llround(nodes)) +
+      " nodes around these points; the limit is " + std::to_string(MaximumNumberOfNodes) +
+      ", and the smallest spacing possible here " +
+      std::to_string(smallestSpacing(bounds, spacing, margin)));
+  }
+  FreudenthalLattice lattice;
+  lattice.Spacing = spacing;
+  // The cloud in the middle, no sample on the last node of an axis.
+  lattice.Origin =
+    0.5 * (bounds.Lower + bounds.Upper) - spacing * (0.5 * (steps.array() - 1.0) + margin).matrix();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lattice.Size[axis] = static_cast<int>(steps[axis]) + 2 * margin;
+  }
+  return lattice;
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
+  const TrainingSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const double size = numberOfSelected(lattice, samples);
+  std::vector<double> work = { 3.0 * nodes + 10.0 * size, WorkOfStray * size, 85.0 * size,
+    WorkOfIsolated * nodes, 3.0 * nodes };
+  work.insert(work.end(), NumberOfSweeps, WorkOfSweep * nodes);
+  work.push_back(2.0 * nodes);
+  Steps steps(progress, work);
+  steps.next();
+  NearestSamples nearest(lattice, samples, parallelFor);
+  nearest.dropStray(steps.next());
+  nearest.scatter(steps.next());
+  nearest.dropIsolated(steps.next());
+  nearest.gatherSeeds(steps.next());
+  for (int i = 0; i < NumberOfSweeps; ++i)
+  {
+    nearest.sweep(i % 3, steps.next());
+  }
+  steps.next();
+  return nearest.distances();
+}
+}

@@ -1,0 +1,350 @@
+#include "Hull/DistanceBasins.h"
+
+#include "Base/Steps.h"
+#include "Mesh/GeodesicSphere.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+constexpr int NotBeyond = -1; // of a node no farther than the offset
+
+// Where two basins meet.
+struct Saddle
+{
+  float Height;
+  int BasinA, BasinB;
+};
+
+// Basins joined into one; names are basins' numbers.
+class Joined
+{
+public:
+  explicit Joined(std::vector<float> peaks)
+    : Parents(peaks.size())
+    , Peaks(std::move(peaks))
+  {
+    for (std::size_t i = 0; i < this->Parents.size(); ++i)
+    {
+      this->Parents[i] = static_cast<int>(i);
+    }
+  }
+  int find(int basin)
+  {
+    while (this->Parents[basin] != basin)
+    {
+      this->Parents[basin] = this->Parents[this->Parents[basin]];
+      basin = this->Parents[basin];
+    }
+    return basin;
+  }
+  // The lower peak joins the higher; the outside, basin 0, has the highest.
+  void join(int rootA, int rootB)
+  {
+    const bool first = this->Peaks[rootA] > this->Peaks[rootB] ||
+      (this->Peaks[rootA] == this->Peaks[rootB] && rootA < rootB);
+    this->Parents[first ? rootB : rootA] = first ? rootA : rootB;
+  }
+  float peak(int root) const { return this->Peaks[root]; }
+
+private:
+  std::vector<int> Parents;
+  std::vector<float> Peaks;
+};
+
+// The node each node climbs to, one step up.
+std::vector<int> climbOneStep(const FreudenthalLattice& lattice,
+  const std::vector<float>& distances, float offset, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  std::vector<int> above(distances.size(), 0); // the faces are one basin, that of node 0
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  forInnerRows(lattice, parallelFor, progress,
+    [&](int first, int last)
+    {
+      for (int node = first; node < last; ++node)
+      {
+        int best = node;
+        float height = distances[node];
+        for (const int step : steps)
+        {
+          const float other = distances[node + step];
+          // Of equals, to the later one: nobody goes round in circles.
+          if (other > height || (other == height && node + step > best))
+          {
+            best = node + step;
+            height = other;
+          }
+        }
+        above[node] = distances[node] > offset ? best : NotBeyond;
+      }
+    });
+  return above;
+}
+
+struct Basins
+{
+  std::vector<int> Of;      ///< of each node: its basin or NotBeyond
+  std::vector<int> Tops;    ///< of each basin: the node of its peak
+  std::vector<float> Peaks; ///< of each basin
+  std::vector<Index> Sizes; ///< of each basin, in nodes
+};
+
+// Basins from each node's step up. The first is that of the faces.
+Basins numberBasins(
+  std::vector<int> above, const std::vector<float>& distances, const Progress& progress)
+{
+  Basins basins;
+  const int size = static_cast<int>(above.size());
+  // Shorten the ways to the top, then number the tops.
+  forBlocks({}, size, 1 << 10, progress,
+    [&](Index begin, Index end)
+    {
+      for (int node = static_cast<int>(begin); node < end; ++node)
+      {
+        if (above[node] == NotBeyond)
+        {
+          continue;
+        }
+        int top = node;
+        while (above[top] != top)
+        {
+          top = above[top];
+        }
+        for (int next = node; next != top;)
+        {
+          const int step = above[next];
+          above[next] = top;
+          next = step;
+        }
+      }
+    });
+  std::unordered_map<int, int> numberOf;
+  for (int node = 0; node < size; ++node)
+  {
+    if (above[node] == node)
+    {
+      numberOf.emplace(node, static_cast<int>(basins.Tops.size()));
+      basins.Tops.push_back(node);
+      basins.Peaks.push_back(distances[node]);
+    }
+  }
+  basins.Sizes.resize(basins.Tops.size(), 0);
+  int lastTop = 0, lastNumber = 0;
+  for (int& top : above)
+  {
+    if (top != NotBeyond)
+    {
+      if (top != lastTop)
+      {
+        lastTop = top;
+        lastNumber = numberOf.at(top);
+      }
+      top = lastNumber;
+      ++basins.Sizes[lastNumber];
+    }
+  }
+  basins.Of = std::move(above);
+  return basins;
+}
+
+// The highest saddle between every two basins that touch, highest first.
+std::vector<Saddle> findSaddles(const FreudenthalLattice& lattice, const std::vector<int>& basins,
+  const std::vector<float>& distances, const Progress& progress)
+{
+  std::unordered_map<std::uint64_t, float> heights;
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  forInnerRows(lattice, {}, progress,
+    [&](int first, int last)
+    {
+      for (int node = first; node < last; ++node)
+      {
+        const int a = basins[node];
+        for (int i = 0; a != NotBeyond && i < 7; ++i)
+        {
+          const int b = basins[node + steps[i]];
+          if (b != a && b != NotBeyond)
+          {
+            const auto key = static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+              static_cast<unsigned>(std::max(a, b));
+            float& height = heights.try_emplace(key, 0.0F).first->second;
+            height = std::max(height, std::min(distances[node], distances[node + steps[i]]));
+          }
+        }
+      }
+    });
+  std::vector<Saddle> saddles;
+  saddles.reserve(heights.size());
+  for (const auto& [key, height] : heights)
+  {
+    saddles.push_back({ height, static_cast<int>(key >> 32), static_cast<int>(key & 0xffffffffU) });
+  }
+  std::sort(saddles.begin(), saddles.end(),
+    [](const Saddle& a, const Saddle& b)
+    {
+      return a.Height != b.Height ? a.Height > b.Height
+        : a.BasinA != b.BasinA    ? a.BasinA < b.BasinA
+                                  : a.BasinB < b.BasinB;
+    });
+  return saddles;
+}
+
+// Of all directions, the share in which data are seen from a node.
+double enclosure(
+  const FreudenthalLattice& lattice, const std::vector<float>& distances, double offset, int node)
+{
+  static const Points directions = makeGeodesicSphere(4).Positions;
+  Index seen = 0;
+  for (Index i = 0; i < directions.rows(); ++i)
+  {
+    // No data are nearer than the distance; nodes are up to one spacing off the ray.
+    const Vector3 direction = directions.row(i);
+    Vector3 x = lattice.coordinates(node).cast<double>();
+    float distance = distances[node];
+    const auto within = [&](int axis) { return x[axis] > 0.0 && x[axis] < lattice.Size[axis] - 1; };
+    while (distance > offset && within(0) && within(1) && within(2))
+    {
+      x += std::max(0.5, distance - 1.0) * direction;
+      if (within(0) && within(1) && within(2))
+      {
+        const Eigen::Vector3i nearest = x.array().round().cast<int>();
+        distance = distances[lattice.node(nearest[0], nearest[1], nearest[2])];
+      }
+    }
+    seen += distance <= offset;
+  }
+  return static_cast<double>(seen) / static_cast<double>(directions.rows());
+}
+
+// A basin that was lost to the outside.
+struct LostBasin
+{
+  int Basin;
+  double Peak, Saddle;
+};
+
+struct Division
+{
+  std::vector<bool> Outside; ///< of each basin
+  DataHole LargestHole;
+  Index NumberOfInsideNodes = 0;
+  std::vector<LostBasin> Lost; ///< whose peaks are higher than the saddles by at least a tenth
+};
+
+// Join basins from the highest saddle down.
+// @param[in] kept  basin that never joins the outside, or -1
+Division divide(
+  const std::vector<Saddle>& saddles, const Basins& basins, double persistence, int kept)
+{
+  constexpr double leastRise = 1.1;
+  Joined joined(basins.Peaks);
+  Division result;
+  for (const Saddle& saddle : saddles)
+  {
+    const int a = joined.find(saddle.BasinA), b = joined.find(saddle.BasinB);
+    if (a == b)
+    {
+      continue;
+    }
+    if (a == 0 || b == 0)
+    {
+      const int basin = a + b;
+      const double peak = joined.peak(basin), height = saddle.Height;
+      if (peak > persistence * height || (kept >= 0 && joined.find(kept) == basin))
+      {
+        if (height > result.LargestHole.Saddle)
+        {
+          result.LargestHole = { height, peak };
+        }
+        continue;
+      }
+      if (peak > leastRise * height)
+      {
+        result.Lost.push_back({ basin, peak, height });
+      }
+    }
+    joined.join(a, b);
+  }
+  result.Outside.resize(basins.Peaks.size());
+  for (std::size_t i = 0; i < result.Outside.size(); ++i)
+  {
+    result.Outside[i] = joined.find(static_cast<int>(i)) == 0;
+    result.NumberOfInsideNodes += result.Outside[i] ? 0 : basins.Sizes[i];
+  }
+  return result;
+}
+
+// The basin that is most likely inside of a cloud that leaks, or -1.
+int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& distances,
+  double offset, const Basins& basins, const std::vector<LostBasin>& lost)
+{
+  constexpr double leastEnclosure = 2.0 / 3.0;
+  int best = -1;
+  double rise = 0.0;
+  for (const LostBasin& basin : lost)
+  {
+    if (basin.Peak - basin.Saddle > rise &&
+      enclosure(lattice, distances, offset, basins.Tops[basin.Basin]) >= leastEnclosure)
+    {
+      best = basin.Basin;
+      rise = basin.Peak - basin.Saddle;
+    }
+  }
+  return best;
+}
+}
+
+//------------------------------------------------------------------------------
+OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
+  double offset, double persistence, const ParallelFor& parallelFor, const Progress& progress)
+{
+  Steps steps(progress, { 25.0, 12.0, 14.0, 4.0 }); // for each node
+  const std::array<int, 3>& size = lattice.Size;
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      const bool face = z == 0 || z == size[2] - 1 || y == 0 || y == size[1] - 1;
+      for (int x = 0; x < size[0]; x += face ? 1 : size[0] - 1)
+      {
+        distances[lattice.node(x, y, z)] = std::numeric_limits<float>::max();
+      }
+    }
+  }
+  std::vector<int> above =
+    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, steps.next());
+  const Basins basins = numberBasins(std::move(above), distances, steps.next());
+  const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, steps.next());
+  steps.next();
+
+  OutsideNodes result;
+  Division division = divide(saddles, basins, persistence, -1);
+  constexpr double leastShare = 0.01; // of the nodes near the data
+  const Index near = std::count(basins.Of.begin(), basins.Of.end(), NotBeyond);
+  if (static_cast<double>(division.NumberOfInsideNodes) < leastShare * static_cast<double>(near))
+  {
+    const int likeliest = findLikeliest(lattice, distances, offset, basins, division.Lost);
+    if (likeliest >= 0)
+    {
+      division = divide(saddles, basins, persistence, likeliest);
+      result.Leaks = true;
+    }
+  }
+  result.LargestHole = division.LargestHole;
+  result.Outside.resize(basins.Of.size());
+  forBlocks(parallelFor, static_cast<Index>(basins.Of.size()), 1 << 16,
+    [&](Index begin, Index end)
+    {
+      for (Index node = begin; node < end; ++node)
+      {
+        result.Outside[node] = basins.Of[node] != NotBeyond && division.Outside[basins.Of[node]];
+      }
+    });
+  return result;
+}
+}

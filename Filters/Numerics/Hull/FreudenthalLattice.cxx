@@ -1,0 +1,178 @@
+#include "Hull/FreudenthalLattice.h"
+
+namespace conformal
+{
+namespace
+{
+constexpr int NumberOfNeighbors = 14;
+
+Eigen::Vector3i neighborDirection(int i)
+{
+  const int corner = i % 7 + 1;
+  const Eigen::Vector3i up(corner & 1, (corner >> 1) & 1, corner >> 2);
+  return i < 7 ? up : Eigen::Vector3i(-up);
+}
+
+bool areNeighbors(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
+{
+  const Eigen::Vector3i step = b - a;
+  return step != Eigen::Vector3i::Zero() && step.cwiseAbs().maxCoeff() == 1 &&
+    (step.minCoeff() >= 0 || step.maxCoeff() <= 0);
+}
+
+// Not empty and in one piece, moving between neighbors of a node that are each other's neighbors.
+bool isConnected(unsigned int set, const std::array<unsigned int, NumberOfNeighbors>& neighborsOf)
+{
+  unsigned int reached = 0, next = set & (~set + 1);
+  while (next != reached)
+  {
+    reached = next;
+    for (int i = 0; i < NumberOfNeighbors; ++i)
+    {
+      next |= (reached >> i & 1U) ? neighborsOf[i] & set : 0U;
+    }
+  }
+  return set != 0 && reached == set;
+}
+
+std::vector<bool> makeSimpleNodeTable()
+{
+  std::array<unsigned int, NumberOfNeighbors> neighborsOf = {};
+  for (int i = 0; i < NumberOfNeighbors; ++i)
+  {
+    for (int j = 0; j < NumberOfNeighbors; ++j)
+    {
+      neighborsOf[i] |= areNeighbors(neighborDirection(i), neighborDirection(j)) ? 1U << j : 0U;
+    }
+  }
+  constexpr unsigned int all = (1U << NumberOfNeighbors) - 1;
+  std::vector<bool> table(all + 1);
+  for (unsigned int set = 0; set <= all; ++set)
+  {
+    table[set] = isConnected(set, neighborsOf) && isConnected(all & ~set, neighborsOf);
+  }
+  return table;
+}
+
+// The share of a cube's lowest corner in the Euler number: that of the simplices of which it is the
+// lowest node. They are its ascents through corners, each of which has all axes of the one before.
+int eulerShare(unsigned int corners, unsigned int from)
+{
+  int sum = 1;
+  for (unsigned int to = from + 1; to < 8; ++to)
+  {
+    if ((to & from) == from && (corners >> to & 1U))
+    {
+      sum -= eulerShare(corners, to);
+    }
+  }
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 8> FreudenthalLattice::cornerSteps() const
+{
+  std::array<int, 8> steps;
+  for (int s = 0; s < 8; ++s)
+  {
+    steps[s] = this->node(s & 1, (s >> 1) & 1, s >> 2);
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+std::array<int, 14> FreudenthalLattice::neighborSteps() const
+{
+  const std::array<int, 8> corner = this->cornerSteps();
+  std::array<int, 14> steps;
+  for (int s = 1; s < 8; ++s)
+  {
+    steps[s - 1] = corner[s];
+    steps[s + 6] = -corner[s];
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallelFor,
+  const Progress& progress, const std::function<void(int, int)>& body)
+{
+  constexpr Index blockSize = 16;
+  const int width = lattice.Size[1] - 2;
+  forBlocks(parallelFor, static_cast<Index>(width) * (lattice.Size[2] - 2), blockSize, progress,
+    [&](Index begin, Index end)
+    {
+      for (Index row = begin; row < end; ++row)
+      {
+        const int first =
+          lattice.node(1, 1 + static_cast<int>(row % width), 1 + static_cast<int>(row / width));
+        body(first, first + lattice.Size[0] - 2);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
+  std::uint8_t mark, std::vector<int>& reached, const Progress& progress)
+{
+  constexpr std::size_t nodesPerReport = 1 << 18;
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::uint8_t old = marks[start];
+  reached.assign(1, start);
+  marks[start] = mark;
+  for (std::size_t next = 0; next < reached.size(); ++next)
+  {
+    const int node = reached[next];
+    for (const int step : steps)
+    {
+      if (marks[node + step] == old)
+      {
+        marks[node + step] = mark;
+        reached.push_back(node + step);
+      }
+    }
+    if ((next + 1) % nodesPerReport == 0)
+    {
+      report(progress, static_cast<double>(next) / static_cast<double>(marks.size()));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const Progress& progress)
+{
+  std::array<int, 256> share;
+  for (unsigned int corners = 0; corners < 256; ++corners)
+  {
+    share[corners] = (corners & 1U) ? eulerShare(corners, 0) : 0;
+  }
+  const std::array<int, 8> steps = lattice.cornerSteps();
+  Index sum = 0;
+  forInnerRows(lattice, {}, progress,
+    [&](int first, int last)
+    {
+      for (int node = first; node < last; ++node)
+      {
+        if (inside[node])
+        {
+          unsigned int corners = 1;
+          for (int s = 1; s < 8; ++s)
+          {
+            corners |= static_cast<unsigned int>(inside[node + steps[s]]) << s;
+          }
+          sum += share[corners];
+        }
+      }
+    });
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+bool isSimpleNode(unsigned int neighbors)
+{
+  static const std::vector<bool> table = makeSimpleNodeTable();
+  return table[neighbors];
+}
+}

@@ -1,0 +1,240 @@
+#include "Hull/GenusZeroHull.h"
+
+#include "Base/Steps.h"
+#include "Hull/CloudDistance.h"
+#include "Hull/LatticeSolid.h"
+#include "Hull/LevelSetSurface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+void requireRange(double value, double lowest, double highest, const char* name)
+{
+  if (!(value >= lowest && value <= highest))
+  {
+    throw std::invalid_argument(std::string("the ") + name + " must be in [" +
+      std::to_string(lowest) + ", " + std::to_string(highest) + "]");
+  }
+}
+
+// Samples that are data, on all processes.
+Index countSamples(const TrainingSamples& samples, const HullData& data,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr Index blockSize = 1 << 12;
+  std::vector<Index> counts((samples.size() + blockSize - 1) / blockSize, 0);
+  forBlocks(parallelFor, samples.size(), blockSize, progress,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        counts[begin / blockSize] += data.contains(samples[i]);
+      }
+    });
+  std::int64_t sum = 0;
+  for (const Index count : counts)
+  {
+    sum += count;
+  }
+  samples.reduce().sum(&sum, 1);
+  return sum;
+}
+
+// Of the nodes next to data, 1, leave those that hang together with one next to the outside.
+// Returns how many are left out.
+Index keepSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  std::vector<std::uint8_t>& nodes, const Progress& progress)
+{
+  constexpr std::uint8_t inner = 1, surface = 2;
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  std::vector<int> piece;
+  for (int node = 0; node < static_cast<int>(nodes.size()); ++node)
+  {
+    if (nodes[node] == inner &&
+      std::any_of(steps.begin(), steps.end(), [&](int step) { return !inside[node + step]; }))
+    {
+      markPiece(lattice, nodes, node, surface, piece, progress);
+    }
+  }
+  Index leftOut = 0;
+  for (std::uint8_t& mark : nodes)
+  {
+    leftOut += mark == inner;
+    mark = mark == surface;
+  }
+  return leftOut;
+}
+
+Index countInside(
+  const std::vector<std::uint8_t>& inside, const std::vector<float>& distances, double offset)
+{
+  Index count = 0;
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    count += inside[node] && distances[node] > offset;
+  }
+  return count;
+}
+
+GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
+  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
+  const auto size = static_cast<double>(samples.size());
+  Steps steps(progress, { 1.0, 20.0 }); // until the lattice is known
+  const FreudenthalLattice lattice =
+    latticeAround(samples, spacing, margin, parallelFor, steps.next());
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
+  // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
+  // samples outside, data hidden inside, the surface and its smoothing.
+  steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
+    15.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes, 12.0 * nodes + 1800.0 * surfaceNodes,
+    options.SmoothingPasses * 450.0 * surfaceNodes });
+  std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, steps.next());
+
+  GenusZeroHullResult result;
+  result.Spacing = spacing;
+  std::vector<std::uint8_t> inside;
+  {
+    OutsideNodes outside = findOutside(
+      lattice, distances, options.Offset, options.Persistence, parallelFor, steps.next());
+    result.Leaks = outside.Leaks;
+    result.LargestHole = { outside.LargestHole.Saddle * spacing,
+      outside.LargestHole.Peak * spacing };
+    inside.swap(outside.Outside);
+  }
+  for (std::uint8_t& mark : inside)
+  {
+    mark = !mark;
+  }
+  keepLargestPiece(lattice, inside, steps.next());
+  const Progress counting = steps.next();
+  result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
+  result.EulerNumber = eulerNumber(lattice, inside, counting);
+  const Progress cutting = steps.next();
+  if (result.EulerNumber != 1)
+  {
+    result.NumberOfCutNodes = cutHandles(lattice, inside, distances, options.Offset, cutting);
+    result.NumberOfCutInsideNodes =
+      result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
+  }
+  steps.next();
+  {
+    std::vector<std::uint8_t> data(inside.size());
+    for (std::size_t node = 0; node < inside.size(); ++node)
+    {
+      data[node] = inside[node] && distances[node] <= options.Offset;
+    }
+    result.Data = HullData(lattice, data);
+    const Index all = countSamples(samples, result.Data, parallelFor, steps.next());
+    result.NumberOfSamplesOutside = samples.totalSize() - all;
+    if (keepSurface(lattice, inside, data, steps.next()) > 0)
+    {
+      result.NumberOfSamplesInside =
+        all - countSamples(samples, HullData(lattice, data), parallelFor, {});
+    }
+  }
+  if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
+    2 * result.NumberOfSamplesOutside > samples.totalSize())
+  {
+    return result; // too coarse a cloud: no surface is asked for
+  }
+  LevelSetSurface surface =
+    makeLevelSetSurface(lattice, inside, distances, options.Offset, steps.next());
+  smoothSurface(
+    surface.Positions, surface.Faces, options.SmoothingPasses, parallelFor, steps.next());
+  result.Points.swap(surface.Positions);
+  result.Triangles.swap(surface.Faces);
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+HullData::HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes)
+  : Lattice(lattice)
+  , Nodes(nodes.begin(), nodes.end())
+{
+}
+
+//------------------------------------------------------------------------------
+bool HullData::contains(const Vector3& sample) const
+{
+  // A corner of the sample's cube.
+  const Eigen::Vector3i cube = this->Lattice.toLattice(sample).array().floor().cast<int>();
+  const Eigen::Vector3i low = cube.cwiseMax(0);
+  const Eigen::Vector3i high =
+    (cube.array() + 1)
+      .matrix()
+      .cwiseMin(
+        Eigen::Map<const Eigen::Vector3i>(this->Lattice.Size.data()) - Eigen::Vector3i::Ones());
+  for (int z = low[2]; z <= high[2]; ++z)
+  {
+    for (int y = low[1]; y <= high[1]; ++y)
+    {
+      for (int x = low[0]; x <= high[0]; ++x)
+      {
+        if (this->Nodes[this->Lattice.node(x, y, z)])
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool hasHandles(const GenusZeroHullResult& hull)
+{
+  constexpr Index most = 4; // that sparse data have by chance
+  return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most);
+}
+
+//------------------------------------------------------------------------------
+GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
+  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (samples.empty())
+  {
+    throw std::invalid_argument("there are no samples to make a hull of");
+  }
+  using Limits = GenusZeroHullLimits;
+  requireRange(options.Spacing, Limits::LeastSpacing, Limits::LargestSpacing, "lattice's spacing");
+  requireRange(options.Offset, Limits::LeastOffset, Limits::LargestOffset, "offset");
+  requireRange(
+    options.Persistence, Limits::LeastPersistence, Limits::LargestPersistence, "persistence");
+  requireRange(
+    options.SmoothingPasses, 0, Limits::LargestSmoothingPasses, "number of smoothing passes");
+
+  // An attempt that has to be repeated has come far; the next ones, quick on a lattice of an eighth
+  // of the nodes, share what is left.
+  double reached = 0.0;
+  const auto attempt = [&](double spacing)
+  {
+    const double begin = reached;
+    return makeHull(samples, spacing, options, parallelFor,
+      [&, begin](double fraction)
+      {
+        reached = begin + fraction * (1.0 - begin);
+        report(progress, reached);
+        return true;
+      });
+  };
+  double spacing = options.Spacing;
+  GenusZeroHullResult result = attempt(spacing);
+  while (result.Triangles.rows() == 0)
+  {
+    spacing *= 2.0;
+    result = attempt(spacing);
+  }
+  return result;
+}
+}

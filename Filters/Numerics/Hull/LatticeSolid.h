@@ -1,0 +1,35 @@
+/// Sets of lattice nodes that are solid: one piece, without handles.
+
+#ifndef ConformalLatticeSolid_h
+#define ConformalLatticeSolid_h
+
+#include "Base/Types.h"
+#include "Hull/FreudenthalLattice.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace conformal
+{
+/// Keep the largest connected piece of a set of nodes; of equals, that of the lowest node.
+/// @param[in,out] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
+/// @return the number of nodes kept
+Index keepLargestPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+  const Progress& progress = {});
+
+/// Cut a solid open until it has no handles: grow a ball within it, from the node deepest inside,
+/// by nodes that change nothing in the topology; what cannot be added is the cut.
+///
+/// Nodes beyond the offset are added from the deepest up, then the others by the way from these. So
+/// a handle is cut where it is thinnest, and limbs that only the offset had joined are parted in
+/// the middle between them.
+///
+/// @param[in,out] inside  a connected set without cavities, as keepLargestPiece leaves it
+/// @param[in] distances   of each node to the data, in units of the spacing
+/// @param[in] offset      in the unit of the distances
+/// @return the number of nodes cut
+Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+  const std::vector<float>& distances, double offset, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,267 @@
+#include "Hull/LevelSetSurface.h"
+
+#include "Base/Steps.h"
+#include "Mesh/MeshTopology.h"
+
+#include <algorithm>
+
+namespace conformal
+{
+namespace
+{
+// Corners of a cube's tetrahedra, climbing one axis at a time; every other one is left-handed.
+constexpr int Ascents[6][4] = { { 0, 1, 3, 7 }, { 0, 1, 5, 7 }, { 0, 2, 6, 7 }, { 0, 2, 3, 7 },
+  { 0, 4, 5, 7 }, { 0, 4, 6, 7 } };
+
+// The surface in a tetrahedron: up to two triangles, each vertex on the edge from a place of the
+// tetrahedron in the set to one that is not.
+struct Cut
+{
+  int NumberOfTriangles = 0;
+  int Places[2][3][2];
+};
+
+int permutationSign(const std::array<int, 4>& p)
+{
+  int sign = 1;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = i + 1; j < 4; ++j)
+    {
+      sign = p[i] > p[j] ? -sign : sign;
+    }
+  }
+  return sign;
+}
+
+// @param[in] set  bit i for place i of a right-handed tetrahedron: whether it is in the set
+Cut cutOf(unsigned int set)
+{
+  std::array<int, 4> order; // those in the set first
+  int in = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    if (set >> i & 1U)
+    {
+      order[in++] = i;
+    }
+  }
+  for (int i = 0, out = in; i < 4; ++i)
+  {
+    if (!(set >> i & 1U))
+    {
+      order[out++] = i;
+    }
+  }
+  Cut cut;
+  const auto add = [&](std::array<int, 6> ends)
+  {
+    if (permutationSign(order) < 0)
+    {
+      std::swap(ends[2], ends[4]);
+      std::swap(ends[3], ends[5]);
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      cut.Places[cut.NumberOfTriangles][i / 2][i % 2] = order[ends[i]];
+    }
+    ++cut.NumberOfTriangles;
+  };
+  if (in == 1)
+  {
+    add({ 0, 1, 0, 2, 0, 3 });
+  }
+  else if (in == 2)
+  {
+    add({ 0, 2, 0, 3, 1, 3 });
+    add({ 0, 2, 1, 3, 1, 2 });
+  }
+  else if (in == 3)
+  {
+    add({ 0, 3, 1, 3, 2, 3 });
+  }
+  return cut;
+}
+
+// Numbers of the edges with one node in the set: those of a node, which lead to the corners of the
+// cube above it, follow each other.
+class CutEdges
+{
+public:
+  CutEdges(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
+    : Steps(lattice.cornerSteps())
+    , Inside(inside)
+  {
+  }
+  unsigned int corners(int node) const
+  {
+    unsigned int set = 0;
+    for (int s = 0; s < 8; ++s)
+    {
+      set |= static_cast<unsigned int>(this->Inside[node + this->Steps[s]]) << s;
+    }
+    return set;
+  }
+  // Corners at the other end of a node's cut edges.
+  static unsigned int cut(unsigned int corners)
+  {
+    return (corners & 1U) ? ~corners & 0xffU : corners;
+  }
+
+  const std::array<int, 8> Steps;
+
+private:
+  const std::vector<std::uint8_t>& Inside;
+};
+
+int countBits(unsigned int bits)
+{
+  int count = 0;
+  for (; bits; bits &= bits - 1)
+  {
+    ++count;
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
+  const std::vector<std::uint8_t>& inside, const std::vector<float>& values, double level,
+  const Progress& progress)
+{
+  // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
+  // next row, but no node near a face is in the set.
+  Steps steps(progress, { 11.0, 20.0, 1.5 }); // for each node
+  const CutEdges edges(lattice, inside);
+  const Index cubes = lattice.numberOfNodes() - edges.Steps[7];
+  std::vector<int> firstEdge(cubes, -1);
+  std::vector<Vector3> positions;
+  const auto place = [&](int node, int other)
+  {
+    const bool from = inside[node] != 0;
+    const double in = values[from ? node : other], out = values[from ? other : node];
+    const double t = in < level && level < out ? (level - in) / (out - in) : 0.5;
+    const Vector3 a = lattice.position(node), b = lattice.position(other);
+    return Vector3(from ? a + t * (b - a) : b + t * (a - b));
+  };
+  forBlocks({}, cubes, 1 << 10, steps.next(),
+    [&](Index begin, Index end)
+    {
+      for (int node = static_cast<int>(begin); node < end; ++node)
+      {
+        const unsigned int cut = CutEdges::cut(edges.corners(node));
+        if (cut)
+        {
+          firstEdge[node] = static_cast<int>(positions.size());
+          for (int s = 1; s < 8; ++s)
+          {
+            if (cut >> s & 1U)
+            {
+              positions.push_back(place(node, node + edges.Steps[s]));
+            }
+          }
+        }
+      }
+    });
+  const auto vertex = [&](int node, int cornerA, int cornerB)
+  {
+    const int lower = std::min(cornerA, cornerB), axes = cornerA ^ cornerB;
+    const int owner = node + edges.Steps[lower];
+    const unsigned int before = (1U << axes) - 1;
+    return firstEdge[owner] + countBits(CutEdges::cut(edges.corners(owner)) & before);
+  };
+
+  std::array<Cut, 16> cuts;
+  for (unsigned int set = 0; set < 16; ++set)
+  {
+    cuts[set] = cutOf(set);
+  }
+  std::vector<std::array<int, 3>> faces;
+  faces.reserve(2 * positions.size());
+  forBlocks({}, cubes, 1 << 10, steps.next(),
+    [&](Index begin, Index end)
+    {
+      for (int node = static_cast<int>(begin); node < end; ++node)
+      {
+        const unsigned int corners = edges.corners(node);
+        if (corners == 0 || corners == 0xffU)
+        {
+          continue;
+        }
+        for (int tetrahedron = 0; tetrahedron < 6; ++tetrahedron)
+        {
+          const int* ascent = Ascents[tetrahedron];
+          unsigned int set = 0;
+          for (int i = 0; i < 4; ++i)
+          {
+            set |= (corners >> ascent[i] & 1U) << i;
+          }
+          const Cut& cut = cuts[set];
+          for (int k = 0; k < cut.NumberOfTriangles; ++k)
+          {
+            std::array<int, 3> face;
+            for (int i = 0; i < 3; ++i)
+            {
+              face[i] = vertex(node, ascent[cut.Places[k][i][0]], ascent[cut.Places[k][i][1]]);
+            }
+            if (tetrahedron % 2 == 1)
+            {
+              std::swap(face[1], face[2]);
+            }
+            faces.push_back(face);
+          }
+        }
+      }
+    });
+
+  steps.next();
+  LevelSetSurface surface;
+  surface.Positions.resize(static_cast<Index>(positions.size()), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    surface.Positions.row(static_cast<Index>(i)) = positions[i];
+  }
+  surface.Faces.resize(static_cast<Index>(faces.size()), 3);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    surface.Faces.row(static_cast<Index>(i)) << faces[i][0], faces[i][1], faces[i][2];
+  }
+  report(progress, 1.0);
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+void smoothSurface(Points& positions, const Triangles& faces, int passes,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr double forth = 0.5, back = -0.53;
+  if (passes == 0)
+  {
+    return;
+  }
+  const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
+  report(progress, 0.2);
+  Points moved(positions.rows(), 3);
+  for (int step = 0; step < 2 * passes; ++step)
+  {
+    const double factor = step % 2 == 0 ? forth : back;
+    forBlocks(parallelFor, positions.rows(), 1 << 12,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          Vector3 sum = Vector3::Zero();
+          for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+          {
+            sum += positions.row(*j);
+          }
+          const Vector3 x = positions.row(i);
+          moved.row(i) = x + factor * (sum / neighbors.size(i) - x);
+        }
+      });
+    positions.swap(moved);
+    report(progress, 0.2 + 0.8 * (step + 1) / (2.0 * passes));
+  }
+}
+}

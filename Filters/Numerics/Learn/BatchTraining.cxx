@@ -1,0 +1,377 @@
+#include "Learn/BatchTraining.h"
+
+#include "Base/FixedPointSums.h"
+#include "Base/Steps.h"
+#include "Cloud/FootPoints.h"
+#include "Cloud/SampleRotation.h"
+#include "Learn/HullStart.h"
+#include "Learn/LeastSquaresPolish.h"
+#include "Learn/SurfaceSupport.h"
+#include "Mesh/MeshTopology.h"
+#include "Search/TriangleTree.h"
+#include "Sphere/Resampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr int CoarsestFrequency = 4;
+constexpr Index BlockSize = 1024;
+// Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
+constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
+
+/// Learning leaves the lattice well spread, and evening it further costs little fit. Over the
+/// hollows of a hull it would leave lids.
+constexpr double EvennessFromSphere = 3.0;
+
+constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
+
+constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
+
+std::vector<int> frequencies(int finest)
+{
+  std::vector<int> levels = { finest };
+  while (levels.back() / 2 >= CoarsestFrequency)
+  {
+    levels.push_back(levels.back() / 2);
+  }
+  std::reverse(levels.begin(), levels.end());
+  return levels;
+}
+
+/// For each neuron the mass C of its patterns, then their sum S.
+using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// One step of diffusion over the lattice: every neuron keeps half and hands half to its
+/// neighbours in equal parts.
+void diffuse(const Adjacency& neighbors, Shares& shares, const ParallelFor& parallelFor)
+{
+  Shares spread(shares.rows(), 4);
+  forBlocks(parallelFor, shares.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        spread.row(i) = 0.5 * shares.row(i);
+        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+        {
+          spread.row(i) += 0.5 / neighbors.size(*j) * shares.row(*j);
+        }
+      }
+    });
+  shares.swap(spread);
+}
+
+/// The width of so many steps of diffusion as a radius sigma on the unit sphere: a step's variance
+/// in one direction is a quarter of the square edge length, half of the neighbours' half share.
+double diffusionRadius(int steps, Index triangles)
+{
+  const double area = 4.0 * std::acos(-1.0) / static_cast<double>(triangles);
+  const double squareEdge = 4.0 / std::sqrt(3.0) * area;
+  return std::sqrt(0.25 * steps * squareEdge);
+}
+
+/// S / C. A neuron without patterns follows its neighbours.
+Points means(const Shares& shares, const Adjacency& neighbors, const Points& weights,
+  const ParallelFor& parallelFor)
+{
+  const double negligible = 1e-6 * shares.col(0).mean();
+  Points moved(weights.rows(), 3);
+  forBlocks(parallelFor, moved.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        Vector3 around = Vector3::Zero();
+        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+        {
+          around += Vector3(weights.row(*j)) / neighbors.size(i);
+        }
+        moved.row(i) =
+          (shares.row(i).tail<3>() + negligible * around.transpose()) / (shares(i, 0) + negligible);
+      }
+    });
+  return moved;
+}
+
+/// How much noise there is, from the errors on two lattices one of which is twice as fine. What a
+/// lattice is too coarse for falls sixfold (measured on scans; sixteenfold would be the limit of a
+/// smooth object), noise stays.
+double noiseToDetail(double coarseError, double fineError)
+{
+  constexpr double Fall = 6.0;
+  const double ratio = coarseError / fineError;
+  return ratio > 1.0 ? std::clamp((Fall - 1.0) / (ratio - 1.0) - 1.0, 0.0, MostNoise) : MostNoise;
+}
+
+/// What is to be smoothed more the more noise there is; far patterns are noise then, not tips.
+PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
+{
+  const Index numberOfNeurons = 10 * Index(options.Frequency) * options.Frequency + 2;
+  PolishOptions polish;
+  polish.NumberOfRounds = options.NumberOfPolishRounds;
+  polish.LastSmoothness = options.Smoothness + SmoothnessForNoise * noise * noise;
+  polish.FirstSmoothness = polish.LastSmoothness;
+  polish.Evenness = EvennessFromSphere;
+  polish.AutomaticPriority = options.AutomaticPriority && noise < LittleNoise;
+  polish.SamplesPerRound = options.SamplesPerNeuron * numberOfNeurons;
+  polish.RandomSeed = options.RandomSeed;
+  return polish;
+}
+
+/// What steps of learning take, in nanoseconds as in Steps.
+double workOfWinners(const TrainingSamples& samples, Index wanted)
+{
+  return 650.0 * static_cast<double>(std::min(wanted, samples.totalSize()));
+}
+
+double numberOfNeurons(int frequency)
+{
+  return 10.0 * frequency * frequency + 2.0;
+}
+
+double workOfLattice(int frequency)
+{
+  return 1400.0 * numberOfNeurons(frequency);
+}
+
+double workOfPass(const TrainingSamples& samples, const ConformalSOMOptions& options, int frequency)
+{
+  const double neurons = numberOfNeurons(frequency);
+  return workOfWinners(samples, static_cast<Index>(options.SamplesPerNeuron * neurons)) +
+    500.0 * neurons;
+}
+
+double workOfLearning(const TrainingSamples& samples, const ConformalSOMOptions& options)
+{
+  double work = 0.0;
+  for (int f : frequencies(options.Frequency))
+  {
+    work += workOfLattice(f) + options.PassesPerLevel * workOfPass(samples, options, f);
+  }
+  return work;
+}
+
+/// Learning passes from the unit sphere, coarse to fine.
+ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const std::vector<int> levels = frequencies(options.Frequency);
+  std::vector<double> work;
+  for (int f : levels)
+  {
+    work.push_back(workOfLattice(f));
+    work.insert(work.end(), options.PassesPerLevel, workOfPass(samples, options, f));
+  }
+  Steps steps(progress, work);
+  ConformalSOMResult result;
+  double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
+  SampleRotation rotation(samples, options.RandomSeed);
+  for (int f : levels)
+  {
+    Steps preparing(steps.next(), { 25.0, 700.0, 65.0, 620.0 }); // for each neuron
+    {
+      const GeodesicSphere coarse =
+        std::exchange(result.Network, makeGeodesicSphere(f, parallelFor, preparing.next()));
+      const Points& positions = result.Network.Positions;
+      const Progress resampling = preparing.next();
+      result.Weights = f == levels.front() ? positions
+                                           : resample(coarse.Positions, result.Weights,
+                                               coarse.Faces, positions, parallelFor, resampling);
+    }
+    preparing.next();
+    const Points& positions = result.Network.Positions;
+    const Triangles& faces = result.Network.Faces;
+    const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
+    TriangleTree surface(result.Weights, faces, parallelFor, preparing.next());
+
+    for (int pass = 0; pass < options.PassesPerLevel; ++pass)
+    {
+      const Progress passing = steps.next();
+      rotation.turn(options.SamplesPerNeuron * positions.rows());
+      FixedPointSums sums(4 * positions.rows());
+      constexpr double LogUnit = 64.0; // no logarithm of a square distance is larger
+      FixedPointSums errors(2);        // square distances, and their logarithms
+      forEachFoot(
+        samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
+        [&](Index id, const Vector3& x, const FootPoint& foot)
+        {
+          errors.add(0, foot.SquareDistance);
+          errors.add(1, std::log(std::max(foot.SquareDistance, 1e-16)) / LogUnit);
+          for (int k = 0; k < 3; ++k)
+          {
+            const double share = samples.weight(id) * foot.Barycentric[k];
+            const Index neuron = 4 * Index(faces(foot.Triangle, k));
+            sums.add(neuron, share);
+            for (int c = 0; c < 3; ++c)
+            {
+              sums.add(neuron + 1 + c, share * x[c]);
+            }
+          }
+        },
+        parallelFor, partOf(passing, 0.0, 0.9));
+      sums.reduce(samples.reduce());
+      errors.reduce(samples.reduce());
+      const double count = static_cast<double>(rotation.totalCount());
+      Shares shares(positions.rows(), 4);
+      for (Index i = 0; i < shares.size(); ++i)
+      {
+        shares.data()[i] = sums[i];
+      }
+      const int diffusions =
+        std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
+      for (int step = 0; step < diffusions; ++step)
+      {
+        diffuse(neighbors, shares, parallelFor);
+        report(passing, 0.9);
+      }
+      const Points moved = means(shares, neighbors, result.Weights, parallelFor);
+
+      TrainingRecord record;
+      record.Frequency = f;
+      record.NeighborhoodRadius = diffusionRadius(diffusions, faces.rows());
+      record.LearningRate = 1.0;
+      record.MeanSquareError = errors[0] / count;
+      record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
+      result.History.push_back(record);
+      result.Weights = moved;
+      surface.refit(result.Weights, faces, parallelFor);
+      // The geometric mean, which a few outliers do not change.
+      typicalErrors[1] = std::exp(LogUnit * errors[1] / count);
+    }
+    if (f != levels.front() && options.PassesPerLevel > 0)
+    {
+      result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
+    }
+    typicalErrors[0] = typicalErrors[1];
+  }
+  return result;
+}
+
+/// So many of the patterns, evenly spaced, the same on all processes.
+Points selection(const TrainingSamples& samples, Index wanted)
+{
+  SampleRotation rotation(samples, 1);
+  rotation.turn(wanted);
+  std::vector<double> own;
+  for (Index i = 0; i < rotation.count(); ++i)
+  {
+    const Vector3 x = samples[rotation.id(i)];
+    own.insert(own.end(), x.data(), x.data() + 3);
+  }
+  const std::vector<double> all = gather(samples.reduce(), own);
+  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
+}
+
+/// The polish, and how much of the surface then has no patterns.
+void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+{
+  Steps steps(progress, { 0.97, 0.01, 0.02 });
+  const std::vector<double> masses = polish(samples, options, parallelFor, steps.next(), result);
+  steps.next();
+  const Triangles& faces = result.Network.Faces;
+  const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
+  const std::vector<bool> bare = bareVertices(result.Weights, faces, neighbors, masses);
+  steps.next();
+  if (std::find(bare.begin(), bare.end(), true) != bare.end())
+  {
+    result.UnsupportedFraction = areaFraction(result.Weights, faces,
+      farFromPatterns(
+        result.Weights, bare, selection(samples, PatternsPerNeuron * result.Weights.rows())));
+  }
+}
+
+/// From a start that is rough, from smooth to fine.
+ConformalSOMResult polishFrom(Points weights, double noise,
+  const std::function<bool(const Vector3&)>& belongs, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  ConformalSOMResult result;
+  result.Network = makeGeodesicSphere(options.Frequency, parallelFor);
+  result.Weights = std::move(weights);
+  result.NoiseToDetail = noise;
+  PolishOptions polish = polishFor(options, noise);
+  polish.NumberOfRounds *= 2;
+  polish.Evenness = 1.0;
+  polish.OutlierRatio = 4.0; // the hull is near all of the surface, and at first at one distance
+  polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.2);
+  polish.Belongs = belongs;
+  polishAndCheck(samples, polish, parallelFor, progress, result);
+  return result;
+}
+}
+
+ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  return polishFrom(std::move(weights), 0.0, {}, samples, options, parallelFor, progress);
+}
+
+ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  // Smaller webs are not worth another start; nor are fewer stretched triangles.
+  constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
+  const auto stretched = [](const ConformalSOMResult& result)
+  { return obtuseFraction(result.Weights, result.Network.Faces); };
+
+  const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
+  const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
+  // Whether the hull is needed shows when all has been learned from the sphere, which takes the
+  // smaller part of the time then. Progress does not wait for that: until the passes have been
+  // made it goes the middle way, then the way that their mesh makes likely. Where it is mistaken,
+  // the progress jumps at the end, or is slow for the hull.
+  const double work = workOfLearning(samples, options);
+  PolishOptions polishing = polishFor(options, 0.0);
+  const auto neurons = static_cast<Index>(numberOfNeurons(options.Frequency));
+  const double ownPolish = workOfPolish(samples, polishing, neurons);
+  polishing.NumberOfRounds *= 2;
+  const double ofHull = workOfHullStart(samples);
+  const double hullPolish = workOfPolish(samples, polishing, neurons);
+  const double hulling = ofHull + hullPolish;
+  constexpr double inReserve = 0.12;
+  ConformalSOMResult fromSphere;
+  Steps steps(progress, {});
+  if (!mustHull)
+  {
+    steps.replan({ work,
+      mayHull ? std::sqrt((work + ownPolish) * (work + ownPolish + hulling)) - work : ownPolish });
+    fromSphere = learnFromSphere(samples, options, parallelFor, steps.next());
+    const bool likely = mayHull && stretched(fromSphere) > ToleratedTriangles;
+    const double rest = likely ? hulling : (mayHull ? inReserve * (work + ownPolish) : 0.0);
+    steps.replan({ ownPolish, rest });
+    polishAndCheck(
+      samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor, steps.next(), fromSphere);
+  }
+  const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
+  if (!mayHull || (!mustHull && !webs && stretched(fromSphere) <= ToleratedTriangles))
+  {
+    return fromSphere;
+  }
+  steps.replan({ ofHull, hullPolish });
+  const HullStart start = startFromHull(samples,
+    makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
+  ConformalSOMResult fromHull = polishFrom(
+    start.Weights, fromSphere.NoiseToDetail,
+    [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,
+    steps.next());
+  fromHull.History.insert(
+    fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
+  fromHull.Hulled = true;
+  fromHull.HullLeaks = start.Leaks;
+  fromHull.NumberOfCutNodes = start.NumberOfCutNodes;
+  fromHull.NumberOfSamplesOutside = start.NumberOfSamplesOutside;
+
+  // Where there was no web to be rid of, the hull has to be worth it.
+  const bool clean = !start.Leaks && fromHull.UnsupportedFraction <= ToleratedArea &&
+    stretched(fromHull) < stretched(fromSphere) &&
+    fromHull.History.back().MeanSquareError <= 2.0 * fromSphere.History.back().MeanSquareError;
+  return mustHull || webs || clean ? fromHull : fromSphere;
+}
+}

@@ -1,0 +1,44 @@
+/// CSM: a closed mesh learned from scattered points, with its map to the sphere.
+
+#ifndef ConformalConformalSOM_h
+#define ConformalConformalSOM_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Learn/Training.h"
+#include "Mesh/MappedMesh.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Learn a closed surface through the samples, \cite Liou2008 section 2.
+///
+/// Implementation note: the weights start as the unit sphere around the samples' centroid, scaled
+/// so that their largest radius is 1, the frame in which the paper's constants are meant.
+///
+/// Implementation note: in Online mode a neuron farther than 4 sigma from r is not moved (its
+/// share in Eq. 3 is below 3.4e-4), which is what makes it fast; Documentation/Filters.md has the
+/// difference it makes.
+///
+/// @param[in] samples   at least one pattern
+/// @param[in] start     may be null: the surface learning starts from, resampled at the neurons'
+///                      positions. Batch training then goes straight to the polish.
+/// @throws std::invalid_argument if there are no samples or an option is out of range
+/// @throws Aborted
+/// @post the result depends only on the arguments: same input, same bits, any number of threads;
+///       points scaled by a power of two give weights scaled by it, bit by bit
+ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
+  const ConformalSOMOptions& options = {}, const MappedMesh* start = nullptr,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// Root mean square distance between each neuron and the patterns it stands for: those in whose
+/// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
+/// @return #N values
+std::vector<double> quantizationErrors(const TrainingSamples& samples,
+  const ConformalSOMResult& result, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,304 @@
+#include "Learn/LeastSquaresPolish.h"
+
+#include "Base/FixedPointSums.h"
+#include "Base/Steps.h"
+#include "Cloud/FootPoints.h"
+#include "Cloud/LocalScale.h"
+#include "Cloud/SampleRotation.h"
+#include "Learn/SurfaceEquations.h"
+#include "Learn/SurfaceSupport.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+#include "Search/PointTree.h"
+#include "Search/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+/// Where there are no patterns the surface shall be drawn straight across, not carry on bending.
+constexpr double BareStiffness = 30.0;
+
+/// Folds are pressed flat in the last rounds only; earlier it would cost fit without need.
+constexpr int FoldRounds = 5;
+constexpr double FoldStiffening = 3.0, MostFoldStiffness = 30.0;
+
+/// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
+/// as patterns draw.
+constexpr double IdleWeight = 0.5;
+constexpr Index TargetsPerNeuron = 1; // patterns kept for them to look for
+
+/// See PolishOptions.
+double automaticPriority(double squareDistance, double meanSquare)
+{
+  return meanSquare > 0.0 ? std::sqrt(std::clamp(squareDistance / meanSquare, 0.1, 8.0)) : 1.0;
+}
+
+// What parts of the polish take, in nanoseconds as in Steps.
+double workOfFeet(const TrainingSamples& samples, const PolishOptions& options)
+{
+  return 800.0 * static_cast<double>(std::min(options.SamplesPerRound, samples.totalSize()));
+}
+
+double workOfRound(
+  const TrainingSamples& samples, const PolishOptions& options, Index numberOfNeurons)
+{
+  return workOfFeet(samples, options) + 4700.0 * static_cast<double>(numberOfNeurons);
+}
+
+class Polish
+{
+public:
+  Polish(const TrainingSamples& samples, const PolishOptions& options,
+    const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+    : Samples(samples)
+    , Options(options)
+    , Threads(parallelFor)
+    , Weights(result.Weights)
+    , Faces(result.Network.Faces)
+    , Neighbors(vertexNeighbors(Faces, Weights.rows()))
+    , Surface(Weights, Faces, parallelFor, progress)
+    , Equations(Faces, Neighbors)
+    , Scale(Weights.rows(), options.OutlierRatio)
+    , Rotation(samples, options.RandomSeed)
+    , Bareness(Eigen::VectorXd::Ones(Weights.rows()))
+    , Folds(Eigen::VectorXd::Ones(Weights.rows()))
+    , Masses(Faces.rows(), 0.0)
+  {
+  }
+
+  /// Before anything moves: outliers must not pull even once.
+  void measureScale(const Progress& progress)
+  {
+    this->Rotation.turn(this->Options.SamplesPerRound);
+    this->forEachFoot([&](Index, const Vector3&, const FootPoint& foot, double weight)
+      { this->Scale.add(foot, this->Faces, weight); },
+      progress);
+    this->Scale.update(this->Neighbors, this->Samples.reduce());
+  }
+
+  TrainingRecord round(int number, const Progress& progress)
+  {
+    const auto neurons = static_cast<double>(this->Weights.rows());
+    Steps steps(progress,
+      { workOfFeet(this->Samples, this->Options), 60.0 * neurons, 4400.0 * neurons, 70.0 * neurons,
+        100.0 * neurons });
+    const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
+    this->draw(number + 1 == firstIdle, steps.next());
+    steps.next();
+    if (this->Options.AutomaticPriority && number >= firstIdle)
+    {
+      this->drawIdle();
+    }
+    const double way = static_cast<double>(number) / std::max(1, this->Options.NumberOfRounds - 1);
+    const double smoothness = std::pow(this->Options.FirstSmoothness, 1.0 - way) *
+      std::pow(this->Options.LastSmoothness, way);
+    const Eigen::VectorXd stiffness =
+      smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
+    const Points moved = this->Equations.solve(
+      this->Weights, stiffness, this->Options.Evenness, this->Threads, steps.next());
+    this->Weights += moved;
+    steps.next();
+    this->Surface.refit(this->Weights, this->Faces, this->Threads);
+    steps.next();
+
+    const std::vector<bool> bare =
+      bareVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
+    }
+    if (number >= this->Options.NumberOfRounds - FoldRounds)
+    {
+      this->stiffenFolds();
+    }
+    TrainingRecord record;
+    record.Frequency = static_cast<int>(std::lround(std::sqrt(this->Faces.rows() / 20.0)));
+    record.LearningRate = 1.0;
+    record.MeanSquareError = this->MeanSquare;
+    record.MeanDisplacement = moved.rowwise().norm().mean();
+    report(progress, 1.0);
+    return record;
+  }
+
+  /// For each triangle the weight of its patterns in the last round.
+  const std::vector<double>& masses() const { return this->Masses; }
+
+private:
+  /// The body gets the place of a pattern in its turn, itself, its foot and its weight.
+  void forEachFoot(const std::function<void(Index, const Vector3&, const FootPoint&, double)>& body,
+    const Progress& progress) const
+  {
+    Index place = this->Rotation.begin();
+    conformal::forEachFoot(
+      this->Samples, this->Surface, this->Rotation.count(),
+      [&](Index i) { return this->Rotation.id(i); },
+      [&](Index id, const Vector3& x, const FootPoint& foot)
+      {
+        if (!this->Options.Belongs || this->Options.Belongs(x))
+        {
+          body(place, x, foot, this->Samples.weight(id));
+        }
+        ++place;
+      },
+      this->Threads, progress);
+  }
+
+  /// The patterns' part of the equations.
+  void draw(bool keepTargets, const Progress& progress)
+  {
+    this->Rotation.turn(this->Options.SamplesPerRound);
+    const Index stride =
+      std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Weights.rows()));
+    std::vector<double> targets;
+    this->Equations.clear();
+    FixedPointSums masses(this->Faces.rows()), squares(1);
+    this->forEachFoot(
+      [&](Index place, const Vector3& x, const FootPoint& foot, double weight)
+      {
+        this->Scale.add(foot, this->Faces, weight);
+        if (this->Scale.outlying(foot, this->Faces))
+        {
+          return;
+        }
+        const double priority = this->Options.AutomaticPriority
+          ? automaticPriority(foot.SquareDistance, this->MeanSquare)
+          : 1.0;
+        this->Equations.add(foot, x, weight * priority);
+        masses.add(foot.Triangle, weight);
+        squares.add(0, weight * foot.SquareDistance);
+        if (keepTargets && place % stride == 0)
+        {
+          targets.insert(targets.end(), x.data(), x.data() + 3);
+        }
+      },
+      progress);
+    const Reduce& reduce = this->Samples.reduce();
+    this->Scale.update(this->Neighbors, reduce);
+    this->Equations.reduce(reduce);
+    masses.reduce(reduce);
+    squares.reduce(reduce);
+    this->Mass = 0.0;
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      this->Mass += this->Masses[r] = masses[r];
+    }
+    this->MeanSquare = this->Mass > 0.0 ? squares[0] / this->Mass : 0.0;
+    if (keepTargets)
+    {
+      targets = gather(reduce, targets);
+      this->Targets =
+        Eigen::Map<const Points>(targets.data(), static_cast<Index>(targets.size() / 3), 3);
+      this->TargetTree = PointTree(this->Targets);
+    }
+  }
+
+  double meanMass() const { return this->Mass / static_cast<double>(this->Weights.rows()); }
+
+  void drawIdle()
+  {
+    const Points normals =
+      vertexNormals(this->Weights, this->Faces, this->Equations.around(), this->Threads);
+    const std::vector<bool> idle = idleVertices(this->Faces, this->Masses, this->Weights.rows());
+    for (Index i = 0; i < this->Weights.rows() && this->Targets.rows() > 0; ++i)
+    {
+      if (idle[i])
+      {
+        const Vector3 place = this->Weights.row(i), normal = normals.row(i);
+        const Vector3 way = Vector3(this->Targets.row(this->TargetTree.nearest(place).Id)) - place;
+        const double along = normal.dot(way);
+        // Over a hole in the data the nearest pattern is at the rim, beside the neuron.
+        if (2.0 * along * along > way.squaredNorm())
+        {
+          this->Equations.pull(static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
+        }
+      }
+    }
+  }
+
+  /// Stiffen the neurons at edges whose triangles are folded on to each other.
+  void stiffenFolds()
+  {
+    const auto normal = [&](Index r)
+    {
+      const Vector3 a = this->Weights.row(this->Faces(r, 0)),
+                    b = this->Weights.row(this->Faces(r, 1)),
+                    c = this->Weights.row(this->Faces(r, 2));
+      return Vector3((b - a).cross(c - a));
+    };
+    const Triangles across =
+      triangleNeighbors(this->Faces, this->Equations.around(), this->Threads);
+    std::vector<bool> folded(this->Weights.rows(), false);
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int other = across(r, k);
+        if (other > r && normal(r).dot(normal(other)) < 0.0)
+        {
+          for (int corner = 0; corner < 3; ++corner)
+          {
+            folded[this->Faces(r, corner)] = folded[this->Faces(other, corner)] = true;
+          }
+        }
+      }
+    }
+    for (Index i = 0; i < this->Weights.rows(); ++i)
+    {
+      this->Folds[i] =
+        folded[i] ? std::min(this->Folds[i] * FoldStiffening, MostFoldStiffness) : this->Folds[i];
+    }
+  }
+
+  const TrainingSamples& Samples;
+  const PolishOptions& Options;
+  const ParallelFor& Threads;
+  Points& Weights;
+  const Triangles& Faces;
+  const Adjacency Neighbors;
+  TriangleTree Surface;
+  SurfaceEquations Equations;
+  LocalScale Scale;
+  SampleRotation Rotation;
+  Points Targets; ///< for idle neurons
+  PointTree TargetTree;
+  Eigen::VectorXd Bareness, Folds;
+  std::vector<double> Masses;
+  double Mass = 0.0, MeanSquare = 0.0;
+};
+}
+
+std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+{
+  if (options.NumberOfRounds == 0)
+  {
+    return std::vector<double>(result.Network.Faces.rows(), 0.0);
+  }
+  const double ofFeet = workOfFeet(samples, options);
+  const double ofRound = workOfRound(samples, options, result.Weights.rows());
+  std::vector<double> work = { 650.0 * static_cast<double>(result.Weights.rows()), ofFeet };
+  work.insert(work.end(), options.NumberOfRounds, ofRound);
+  Steps steps(progress, work);
+  Polish polish(samples, options, parallelFor, steps.next(), result);
+  polish.measureScale(steps.next());
+  for (int number = 0; number < options.NumberOfRounds; ++number)
+  {
+    result.History.push_back(polish.round(number, steps.next()));
+  }
+  return polish.masses();
+}
+
+double workOfPolish(
+  const TrainingSamples& samples, const PolishOptions& options, Index numberOfNeurons)
+{
+  return options.NumberOfRounds == 0
+    ? 0.0
+    : 650.0 * static_cast<double>(numberOfNeurons) + workOfFeet(samples, options) +
+      options.NumberOfRounds * workOfRound(samples, options, numberOfNeurons);
+}
+}

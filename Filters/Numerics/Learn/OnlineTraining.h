@@ -1,0 +1,19 @@
+/// The CSM Learning Algorithm, step by step; a part of trainConformalSOM.
+
+#ifndef ConformalOnlineTraining_h
+#define ConformalOnlineTraining_h
+
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Learn/Training.h"
+
+namespace conformal
+{
+/// Steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (max radius 1).
+/// @param[in] network  n_i and triangles
+/// @param[in] start    w_i(0)
+ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSphere& network,
+  const Points& start, const ConformalSOMOptions& options, const Progress& progress);
+}
+
+#endif

@@ -1,0 +1,156 @@
+#include "Learn/SurfaceSupport.h"
+
+#include "Search/PointTree.h"
+
+namespace conformal
+{
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses)
+{
+  constexpr double Enough = 100.0; // patterns: by chance, a quarter of them is never seen
+  constexpr double Share = 0.25;
+  const Index size = positions.rows();
+
+  // Column 0: patterns, column 1: area, a third of each triangle's for each corner.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> own =
+    Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(size, 2);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    for (int k = 0; k < 3; ++k)
+    {
+      own.row(faces(r, k)) += Eigen::RowVector2d(masses[r] / 3.0, area / 3.0);
+    }
+  }
+  const double patterns = own.col(0).sum(), area = own.col(1).sum();
+  std::vector<bool> unsupported(size, false);
+  if (!(patterns > 0.0 && area > 0.0))
+  {
+    return unsupported;
+  }
+  const double density = patterns / area;
+  auto gathered = own;
+  for (int vertices = 1, ring = 1; vertices * patterns / size < Enough && vertices < size; ++ring)
+  {
+    auto wider = gathered;
+    for (Index i = 0; i < size; ++i)
+    {
+      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+      {
+        wider.row(i) += gathered.row(*j);
+      }
+    }
+    gathered.swap(wider);
+    vertices += 6 * ring;
+  }
+  for (Index i = 0; i < size; ++i)
+  {
+    unsupported[i] = gathered(i, 0) < Share * density * gathered(i, 1);
+  }
+  return unsupported;
+}
+
+std::vector<bool> idleVertices(
+  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices)
+{
+  constexpr double Share = 0.05;
+  std::vector<double> around(numberOfVertices, 0.0);
+  double sum = 0.0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      around[faces(r, k)] += masses[r];
+      sum += masses[r];
+    }
+  }
+  std::vector<bool> idle(numberOfVertices);
+  for (Index i = 0; i < numberOfVertices; ++i)
+  {
+    idle[i] = around[i] < Share * sum / static_cast<double>(numberOfVertices);
+  }
+  return idle;
+}
+
+std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses)
+{
+  std::vector<bool> bare = unsupportedVertices(positions, faces, neighbors, masses);
+  const std::vector<bool> idle = idleVertices(faces, masses, positions.rows());
+  std::vector<int> front;
+  for (Index i = 0; i < positions.rows(); ++i)
+  {
+    if (bare[i])
+    {
+      front.push_back(static_cast<int>(i));
+    }
+  }
+  while (!front.empty())
+  {
+    const int i = front.back();
+    front.pop_back();
+    for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+    {
+      if (idle[*j] && !bare[*j])
+      {
+        bare[*j] = true;
+        front.push_back(*j);
+      }
+    }
+  }
+  return bare;
+}
+
+std::vector<bool> farFromPatterns(
+  const Points& positions, const std::vector<bool>& marked, const Points& patterns)
+{
+  constexpr int NeighborsOfPattern = 6;
+  constexpr double Far = 2.0;
+  const PointTree tree(patterns);
+  std::vector<bool> far(marked.size(), false);
+  std::vector<Neighbor> around;
+  for (std::size_t i = 0; i < marked.size(); ++i)
+  {
+    if (marked[i])
+    {
+      const Vector3 place = positions.row(static_cast<Index>(i));
+      const Neighbor nearest = tree.nearest(place);
+      tree.nearest(patterns.row(nearest.Id), NeighborsOfPattern + 1, around);
+      far[i] = nearest.SquareDistance > Far * Far * around.back().SquareDistance;
+    }
+  }
+  return far;
+}
+
+double areaFraction(
+  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices)
+{
+  double part = 0.0, whole = 0.0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    const double third = (b - a).cross(c - a).norm() / 3.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      whole += third;
+      part += vertices[faces(r, k)] ? third : 0.0;
+    }
+  }
+  return whole > 0.0 ? part / whole : 0.0;
+}
+
+double obtuseFraction(const Points& positions, const Triangles& faces)
+{
+  Index obtuse = 0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    obtuse += (b - a).dot(c - a) < 0.0 || (c - b).dot(a - b) < 0.0 || (a - c).dot(b - c) < 0.0;
+  }
+  return faces.rows() > 0 ? static_cast<double>(obtuse) / static_cast<double>(faces.rows()) : 0.0;
+}
+}

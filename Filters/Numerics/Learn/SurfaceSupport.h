@@ -1,0 +1,53 @@
+/// Which parts of a learned surface have patterns near them, and which span empty space.
+
+#ifndef ConformalSurfaceSupport_h
+#define ConformalSurfaceSupport_h
+
+#include "Base/Types.h"
+#include "Mesh/MeshTopology.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Vertices that have next to no patterns near where their share of them would be due: on webs
+/// between limbs, and on lids over holes in the data. E_mis cannot see them.
+///
+/// Patterns and areas are gathered from around each vertex, as far as it takes to expect about
+/// a hundred patterns; a vertex is unsupported if there are less than a quarter of those expected.
+///
+/// @param[in] positions  #V by 3
+/// @param[in] faces      #F by 3
+/// @param[in] neighbors  vertexNeighbors of the faces
+/// @param[in] masses     #F, the patterns that have their foot points in each triangle
+/// @return #V
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses);
+
+/// Vertices around which lie less than a twentieth of the patterns due to a vertex.
+std::vector<bool> idleVertices(
+  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices);
+
+/// Unsupported vertices, and the idle ones that reach from them to the rim of the data: all of a
+/// web, where the unsupported ones are its middle. Parameters as above.
+std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+  const Adjacency& neighbors, const std::vector<double>& masses);
+
+/// Of the vertices marked, those twice as far from the nearest pattern as its sixth neighbor is
+/// from that: where patterns are only sparser than elsewhere, the surface has them all the same.
+/// @param[in] marked    #V
+/// @param[in] patterns  all of them, or a fair selection; not empty
+std::vector<bool> farFromPatterns(
+  const Points& positions, const std::vector<bool>& marked, const Points& patterns);
+
+/// Share of such vertices in the surface's area, a third of each triangle's going to each corner;
+/// in [0, 1].
+double areaFraction(
+  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices);
+
+/// Share of the triangles that have an angle of more than a right one: a lattice of nearly
+/// equilateral triangles that has been stretched over limbs and edges shows in it.
+double obtuseFraction(const Points& positions, const Triangles& faces);
+}
+
+#endif

@@ -1,0 +1,86 @@
+/// What learning is asked for, and what comes of it.
+
+#ifndef ConformalTraining_h
+#define ConformalTraining_h
+
+#include "Base/Types.h"
+#include "Mesh/GeodesicSphere.h"
+
+#include <vector>
+
+namespace conformal
+{
+enum class TrainingMode
+{
+  Online, ///< the paper's algorithm, one pattern at a time
+  Batch   ///< all patterns at a time, from coarse to fine, with a least-squares polish
+};
+
+/// Which point r of the network space a pattern stands for in Eq. 3.
+enum class ReferencePoint
+{
+  Conformal, ///< the conformal image of its projection, Eqs. 4 and 5: the conformal map (CSM)
+  Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
+};
+
+/// Where batch learning may start, if no mesh is given.
+enum class StartingShape
+{
+  Automatic, ///< the sphere; if the surface then spans parts without patterns, or more than a
+             ///< fifth of its triangles is obtuse, the hull
+  Sphere,    ///< always the unit sphere, as in the paper
+  Hull       ///< always a closed hull of the points, mapped to the sphere
+};
+
+struct ConformalSOMOptions
+{
+  int Frequency = 36; ///< f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles
+  conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
+  unsigned int RandomSeed = 1; ///< the only source of randomness
+
+  // Online training; t counts epochs from 0.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Conformal;
+  int NumberOfEpochs = 80;
+  int SamplesPerEpoch = 8000;
+  double InitialNeighborhoodRadius = 0.4; ///< sigma_0; sigma(t) = sigma_0 exp(-t / tau_1)
+  double NeighborhoodTimeConstant = 20.0; ///< tau_1, in epochs
+  double InitialLearningRate = 0.01;      ///< alpha_0 in [0, 1); alpha(t) = alpha_0 exp(-t / tau_2)
+  double LearningRateTimeConstant = 60.0; ///< tau_2, in epochs
+
+  // Batch training.
+  int PassesPerLevel = 5;        ///< learning passes on each lattice, from coarse to fine
+  int SamplesPerNeuron = 12;     ///< patterns a pass takes for each neuron, at most all there are
+  int NumberOfPolishRounds = 10; ///< least-squares rounds on the finest lattice
+  double Smoothness = 0.01;      ///< weight of the polish's Laplacian, per pattern of a neuron
+  bool AutomaticPriority = true; ///< far patterns weigh more in the polish, so that tips are met
+  conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
+};
+
+/// What training saw in one epoch (Online) or pass (Batch).
+struct TrainingRecord
+{
+  int Frequency = 0;             ///< of the lattice then trained
+  double NeighborhoodRadius = 0; ///< sigma(t), a length on the unit sphere
+  double LearningRate = 0;       ///< alpha(t); 1 in batch training
+  double MeanSquareError = 0;    ///< of the patterns presented, to their projections; max radius 1
+  double MeanDisplacement = 0;   ///< of the neurons' weight vectors; max radius 1
+};
+
+struct ConformalSOMResult
+{
+  GeodesicSphere Network; ///< n_i and the triangles of S^Delta
+  Points Weights;         ///< #N by 3, w_i: the vertices of M^Delta, in the points' own coordinates
+  std::vector<TrainingRecord> History;
+
+  // Batch training: what it saw on its way.
+  bool Hulled = false;        ///< whether it started from a hull
+  bool HullLeaks = false;     ///< the points do not enclose anything at the hull's scale
+  Index NumberOfCutNodes = 0; ///< where handles of the hull were cut: genus, or limbs that touch
+  Index NumberOfSamplesOutside = 0; ///< patterns far from the hull: outliers, or inner parts
+  double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
+  double NoiseToDetail = 0.0;       ///< variance of the noise over that of what the lattice is too
+                                    ///< coarse for
+};
+}
+
+#endif

@@ -1,0 +1,103 @@
+#include "Linear/NestedDissection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace conformal
+{
+namespace
+{
+constexpr int LeafSize = 48;
+
+class Dissector
+{
+public:
+  Dissector(const Adjacency& graph, const Points& places, NestedDissection& result)
+    : Graph(graph)
+    , Places(places)
+    , Result(result)
+    , Sides(places.rows(), -1)
+  {
+  }
+
+  // Returns the part's index.
+  int part(int begin, int end, int level)
+  {
+    std::vector<int> children;
+    int own = begin;
+    if (end - begin > LeafSize)
+    {
+      const auto [left, right] = this->cut(begin, end);
+      if (left > begin && right < end)
+      {
+        children = { this->part(begin, left, level + 1), this->part(left, right, level + 1) };
+        own = right;
+      }
+    }
+    this->Result.Parts.push_back({ own, end, level, std::move(children) });
+    return static_cast<int>(this->Result.Parts.size()) - 1;
+  }
+
+private:
+  // Reorders [begin, end) to left half, right half and separator; returns the ends of the halves.
+  std::pair<int, int> cut(int begin, int end)
+  {
+    auto* ids = this->Result.Order.data();
+    Eigen::RowVector3d low = this->Places.row(ids[begin]), high = low;
+    for (int i = begin + 1; i < end; ++i)
+    {
+      low = low.cwiseMin(this->Places.row(ids[i]));
+      high = high.cwiseMax(this->Places.row(ids[i]));
+    }
+    Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const int middle = begin + (end - begin) / 2;
+    std::nth_element(ids + begin, ids + middle, ids + end,
+      [&](int a, int b)
+      {
+        const double x = this->Places(a, axis), y = this->Places(b, axis);
+        return x != y ? x < y : a < b;
+      });
+    const int stamp = this->Stamp++;
+    for (int i = middle; i < end; ++i)
+    {
+      this->Sides[ids[i]] = stamp;
+    }
+    const auto inside = [&](int id)
+    {
+      return std::none_of(this->Graph.begin(id), this->Graph.end(id),
+        [&](int neighbor) { return this->Sides[neighbor] == stamp; });
+    };
+    const auto* left = std::stable_partition(ids + begin, ids + middle, inside);
+    std::rotate(ids + (left - ids), ids + middle, ids + end);
+    const int leftEnd = static_cast<int>(left - ids);
+    return { leftEnd, leftEnd + (end - middle) };
+  }
+
+  const Adjacency& Graph;
+  const Points& Places;
+  NestedDissection& Result;
+  std::vector<int> Sides; // stamp of the last cut in whose right half a point was
+  int Stamp = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+NestedDissection dissect(const Adjacency& graph, const Points& places)
+{
+  NestedDissection result;
+  const int size = static_cast<int>(places.rows());
+  result.Order.resize(size);
+  std::iota(result.Order.begin(), result.Order.end(), 0);
+  if (size > 0)
+  {
+    Dissector(graph, places, result).part(0, size, 0);
+  }
+  result.Positions.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    result.Positions[result.Order[i]] = i;
+  }
+  return result;
+}
+}

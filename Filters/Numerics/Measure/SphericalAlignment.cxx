@@ -1,0 +1,68 @@
+#include "Measure/SphericalAlignment.h"
+
+#include "Base/Steps.h"
+#include "Search/TriangleTree.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+//------------------------------------------------------------------------------
+SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
+  const Eigen::VectorXd& weights, AlignmentKind kind, const Progress& progress)
+{
+  const bool rotation = kind == AlignmentKind::Rotation;
+  const Index needed = rotation ? 2 : 3;
+  if (from.rows() < needed)
+  {
+    throw std::invalid_argument(std::to_string(needed) + " places or more are needed to fix a " +
+      (rotation ? "rotation" : "Moebius transform") + ", not " + std::to_string(from.rows()));
+  }
+  SphericalAlignmentResult result;
+  if (rotation)
+  {
+    result.Transform.Rotation = closestRotation(from, to, weights);
+  }
+  else
+  {
+    result.Transform = closestMoebiusTransform(from, to, weights, progress);
+  }
+  for (Index i = 0; i < from.rows(); ++i)
+  {
+    result.Error +=
+      weights[i] * (result.Transform(from.row(i)) - to.row(i).transpose()).squaredNorm();
+  }
+  result.Error = std::sqrt(result.Error / weights.sum());
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  Steps steps(progress,
+    { 500.0 * static_cast<double>(other.Faces.rows()),
+      1000.0 * static_cast<double>(points.rows()) });
+  const TriangleTree tree(other.Positions, other.Faces, parallelFor, steps.next());
+  Points result(points.rows(), 3);
+  constexpr Index blockSize = 256;
+  forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(points.row(i));
+        Vector3 place = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+          place += foot.Barycentric[k] *
+            other.SpherePositions.row(other.Faces(foot.Triangle, k)).transpose();
+        }
+        result.row(i) = place.normalized();
+      }
+    });
+  return result;
+}
+}

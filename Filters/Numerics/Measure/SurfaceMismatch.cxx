@@ -1,0 +1,356 @@
+#include "Measure/SurfaceMismatch.h"
+
+#include "Base/AcrossProcesses.h"
+#include "Base/Steps.h"
+#include "Search/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+// The reference's centre at the origin, the unit of length 1.
+struct Frame
+{
+  Vector3 Center = Vector3::Zero();
+  double Unit = 1.0;
+
+  Vector3 operator()(const Vector3& x) const { return (x - this->Center) / this->Unit; }
+  Points operator()(const PointView& points) const
+  {
+    Points moved(points.size(), 3);
+    for (Index i = 0; i < points.size(); ++i)
+    {
+      moved.row(i) = (*this)(points[i]);
+    }
+    return moved;
+  }
+};
+
+Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const Reduce& reduce)
+{
+  Box box;
+  for (Index i = 0; i < reference.size(); ++i)
+  {
+    box.extend(reference[i]);
+  }
+  {
+    const std::vector<double> ends = largest(reduce,
+      { -box.Lower[0], -box.Lower[1], -box.Lower[2], box.Upper[0], box.Upper[1], box.Upper[2] });
+    box.Lower = -Eigen::Map<const Vector3>(ends.data());
+    box.Upper = Eigen::Map<const Vector3>(ends.data() + 3);
+  }
+  // Half each, since a sum may overflow.
+  const Vector3 middle = 0.5 * box.Lower + 0.5 * box.Upper;
+  Frame frame;
+  Vector3 sum = Vector3::Zero();
+  inTurn(reduce, sum.data(), 3,
+    [&]()
+    {
+      for (Index i = 0; i < reference.size(); ++i)
+      {
+        sum += (reference[i] - middle) / static_cast<double>(total);
+      }
+    });
+  frame.Center = middle + sum;
+  if (unit == MismatchUnit::MaxRadius)
+  {
+    frame.Unit = 0.0;
+    for (Index i = 0; i < reference.size(); ++i)
+    {
+      frame.Unit = std::max(frame.Unit, (reference[i] - frame.Center).stableNorm());
+    }
+    frame.Unit = largest(reduce, { frame.Unit })[0];
+  }
+  else if (unit == MismatchUnit::HalfDiagonal)
+  {
+    frame.Unit = (box.Upper - middle).stableNorm();
+  }
+  if (!(frame.Unit > 0.0))
+  {
+    throw std::invalid_argument("the reference has no extent to take a unit of length from");
+  }
+  return frame;
+}
+
+void requireFinite(const PointView& points, const char* what, const Reduce& reduce)
+{
+  std::int64_t bad = 0, size = points.size();
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    bad += !points[i].allFinite();
+  }
+  reduce.sum(&bad, 1);
+  reduce.sum(&size, 1);
+  if (bad > 0)
+  {
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(size) +
+      " points of the " + what + " are not finite");
+  }
+}
+
+// Points as triangles of one corner, which the tree takes as they are.
+Triangles asTriangles(const std::vector<int>& vertices)
+{
+  Triangles triangles(static_cast<Index>(vertices.size()), 3);
+  for (Index i = 0; i < triangles.rows(); ++i)
+  {
+    triangles.row(i).setConstant(vertices[i]);
+  }
+  return triangles;
+}
+
+std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices)
+{
+  std::vector<char> used(numberOfVertices, 0);
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    used[triangles.data()[i]] = 1;
+  }
+  std::vector<int> vertices;
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    if (used[v])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+TriangleTree treeOf(const Points& points, const Triangles& triangles,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (triangles.rows() > 0)
+  {
+    return TriangleTree(points, triangles, parallelFor, progress);
+  }
+  std::vector<int> all(points.rows());
+  for (int v = 0; v < points.rows(); ++v)
+  {
+    all[v] = v;
+  }
+  return TriangleTree(points, asTriangles(all), parallelFor, progress);
+}
+
+// Points spread evenly over the area of a mesh (over its triangles, where it has no area).
+Points spreadSamples(const Points& points, const Triangles& triangles, int count, int seed)
+{
+  const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
+  std::vector<double> areaUpTo(triangles.rows());
+  for (bool byArea : { true, false })
+  {
+    double sum = 0.0;
+    for (Index r = 0; r < triangles.rows(); ++r)
+    {
+      const Vector3 a = corner(r, 0);
+      sum += byArea ? (corner(r, 1) - a).cross(corner(r, 2) - a).norm() : 1.0;
+      areaUpTo[r] = sum;
+    }
+    if (sum > 0.0)
+    {
+      break;
+    }
+  }
+  // Even steps through the area; inside the triangles the additive recurrence of the plastic
+  // number, any run of which fills the unit square evenly, so that large triangles are covered as
+  // well as many small ones. Random is only where both begin.
+  std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
+  // The standard fixes the engine's numbers, but not those of its distributions.
+  const auto uniform = [&]() { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  constexpr double plastic = 1.32471795724474602596;
+  const double step = uniform(), startU = uniform(), startV = uniform();
+  double whole = 0.0;
+  Points samples(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    const double area = (i + step) / count * areaUpTo.back();
+    const auto found = std::upper_bound(areaUpTo.begin(), areaUpTo.end() - 1, area);
+    const Index r = found - areaUpTo.begin();
+    double u = std::modf(startU + i / plastic, &whole);
+    double v = std::modf(startV + i / (plastic * plastic), &whole);
+    if (u + v > 1.0)
+    {
+      u = 1.0 - u;
+      v = 1.0 - v;
+    }
+    const Vector3 a = corner(r, 0);
+    samples.row(i) = a + u * (corner(r, 1) - a) + v * (corner(r, 2) - a);
+  }
+  return samples;
+}
+
+// Square distances of so many points to a mesh.
+template <typename Query>
+std::vector<double> squareDistances(const TriangleTree& tree, Index size, const Query& query,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr Index blockSize = 1 << 9;
+  std::vector<double> squares(size);
+  forBlocks(parallelFor, size, blockSize, progress,
+    [&](Index begin, Index end)
+    {
+      int hint = -1; // neighbors in the list are often neighbors in space
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(query(i), hint);
+        hint = foot.Triangle;
+        squares[i] = foot.SquareDistance;
+      }
+    });
+  return squares;
+}
+
+// Of values that are spread over processes, or that there are once.
+double meanOf(const std::vector<double>& values, Index total, const Reduce& reduce = {})
+{
+  double sum = 0.0;
+  inTurn(reduce, &sum, 1,
+    [&]()
+    {
+      for (double value : values)
+      {
+        sum += value;
+      }
+    });
+  return sum / static_cast<double>(total);
+}
+
+// None is below 0.
+double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
+{
+  double most = 0.0;
+  for (double value : values)
+  {
+    most = std::max(most, value);
+  }
+  return largest(reduce, { most })[0];
+}
+
+// Of square distances to the parts of a cloud those to all of it.
+std::vector<double> toNearestPart(const Reduce& reduce, std::vector<double> squares)
+{
+  const std::vector<Least> nearest = least(reduce, squares);
+  std::transform(
+    nearest.begin(), nearest.end(), squares.begin(), [](const Least& part) { return part.Value; });
+  return squares;
+}
+
+std::vector<double> rootsTimes(std::vector<double> squares, double unit)
+{
+  for (double& value : squares)
+  {
+    value = std::sqrt(value) * unit;
+  }
+  return squares;
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
+  const Triangles& modelTriangles, const PointView& referencePoints,
+  const Triangles& referenceTriangles, const SurfaceMismatchOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress, const Reduce& reduce)
+{
+  std::int64_t totals[] = { referencePoints.size(), referenceTriangles.rows() };
+  reduce.sum(totals, 2);
+  const Index total = totals[0];
+  const bool isCloud = totals[1] == 0;
+  if (modelTriangles.rows() == 0)
+  {
+    throw std::invalid_argument("the model has no triangles");
+  }
+  if (total == 0)
+  {
+    throw std::invalid_argument("the reference has no points");
+  }
+  if (options.NumberOfSamples < 1)
+  {
+    throw std::invalid_argument("the number of samples must be positive");
+  }
+  const Index size = referencePoints.size();
+  const auto modelSize = static_cast<double>(modelPoints.size());
+  const auto modelFaces = static_cast<double>(modelTriangles.rows());
+  const auto dataSize = static_cast<double>(size);
+  const double referenceFaces =
+    referenceTriangles.rows() > 0 ? static_cast<double>(referenceTriangles.rows()) : dataSize;
+  constexpr double ofTree = 450.0, ofQuery = 500.0;
+  Steps steps(progress,
+    { 30.0 * (modelSize + dataSize), ofTree * modelFaces, ofQuery * dataSize, ofTree * modelSize,
+      ofQuery * dataSize, ofTree * referenceFaces,
+      20.0 * modelFaces + 60.0 * options.NumberOfSamples, ofQuery * options.NumberOfSamples,
+      ofQuery * modelSize, 20.0 * (modelSize + dataSize + modelFaces) });
+  steps.next();
+  requireFinite(modelPoints, "model", {});
+  requireFinite(referencePoints, "reference", reduce);
+
+  const Frame frame = frameOf(referencePoints, total, options.LengthUnit, reduce);
+  const Points model = frame(modelPoints);
+  const auto data = [&](Index i) { return frame(referencePoints[i]); };
+
+  SurfaceMismatch result;
+  const double distanceUnit = frame.Unit * options.CoordinateUnit;
+  const bool inUsersUnit = options.LengthUnit == MismatchUnit::None;
+  const double figureUnit = inUsersUnit ? options.CoordinateUnit : 1.0;
+  const double square = figureUnit * figureUnit;
+  result.LengthUnit = inUsersUnit ? 1.0 : distanceUnit;
+  const auto measure = [&](const TriangleTree& tree, Index count, const auto& query)
+  { return squareDistances(tree, count, query, parallelFor, steps.next()); };
+  const std::vector<double> forward =
+    measure(TriangleTree(model, modelTriangles, parallelFor, steps.next()), size, data);
+  result.MeanSquarePointToSurface = square * meanOf(forward, total, reduce);
+  const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
+  result.MeanSquarePointToVertex = square *
+    meanOf(
+      measure(TriangleTree(model, asTriangles(vertices), parallelFor, steps.next()), size, data),
+      total, reduce);
+
+  // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
+  // some triangles finds; of points there is one nearest distance.
+  Points referenceFrame = frame(referencePoints);
+  Triangles faces = referenceTriangles;
+  if (!isCloud)
+  {
+    faces = gatherTriangles(reduce, faces, size);
+    referenceFrame = gatherRows(reduce, referenceFrame);
+  }
+  const TriangleTree reference = treeOf(referenceFrame, faces, parallelFor, steps.next());
+  steps.next();
+  const Reduce overParts = isCloud ? reduce : Reduce();
+  const Points samples =
+    spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
+  const std::vector<double> back = toNearestPart(overParts,
+    measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); }));
+  const std::vector<double> fromVertices = toNearestPart(
+    overParts, measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); }));
+  steps.next();
+  result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.rows());
+  const double web = WebDistance / figureUnit;
+  result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
+                         [web](double squareDistance) { return squareDistance > web * web; })) /
+    static_cast<double>(back.size());
+  double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));
+  for (int v : vertices)
+  {
+    farthest = std::max(farthest, fromVertices[v]);
+  }
+  result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
+  result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
+  result.ReferenceDistances = rootsTimes(forward, distanceUnit);
+  constexpr double leastSquare = 0x1p-960; // smaller squares beside would lose digits
+  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < leastSquare ||
+    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
+  {
+    throw std::overflow_error(std::string("the distances are too ") +
+      (square < leastSquare ? "small" : "large") + " to be squared: take another unit of length");
+  }
+  report(progress, 1.0);
+  return result;
+}
+}

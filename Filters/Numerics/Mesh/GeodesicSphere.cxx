@@ -1,0 +1,154 @@
+#include "Mesh/GeodesicSphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr int NumberOfCorners = 12;
+constexpr int NumberOfSides = 20;
+
+// Poles 0 and 11; upper ring 1..5, lower ring 6..10, half a step further round.
+Points icosahedronCorners()
+{
+  const double pi = std::acos(-1.0);
+  const double z = 1.0 / std::sqrt(5.0), r = 2.0 / std::sqrt(5.0);
+  Points corners(NumberOfCorners, 3);
+  corners.row(0) << 0.0, 0.0, 1.0;
+  corners.row(11) << 0.0, 0.0, -1.0;
+  for (int k = 0; k < 5; ++k)
+  {
+    const double up = 2.0 * pi * k / 5.0, down = 2.0 * pi * (k + 0.5) / 5.0;
+    corners.row(1 + k) << r * std::cos(up), r * std::sin(up), z;
+    corners.row(6 + k) << r * std::cos(down), r * std::sin(down), -z;
+  }
+  return corners;
+}
+
+std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
+{
+  std::array<std::array<int, 3>, NumberOfSides> sides{};
+  for (int k = 0; k < 5; ++k)
+  {
+    const int next = (k + 1) % 5;
+    sides[k] = { 0, 1 + k, 1 + next };
+    sides[5 + k] = { 1 + k, 6 + k, 1 + next };
+    sides[10 + k] = { 1 + next, 6 + k, 6 + next };
+    sides[15 + k] = { 11, 6 + next, 6 + k };
+  }
+  return sides;
+}
+}
+
+GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (f < 1 || f > MaximumFrequency)
+  {
+    throw std::invalid_argument("the frequency must lie between 1 and " +
+      std::to_string(MaximumFrequency) + ", not " + std::to_string(f));
+  }
+  const Points corners = icosahedronCorners();
+  const auto sides = icosahedronSides();
+
+  GeodesicSphere sphere;
+  sphere.Positions.resize(10 * Index(f) * f + 2, 3);
+  sphere.Faces.resize(20 * Index(f) * f, 3);
+  sphere.Positions.topRows(NumberOfCorners) = corners;
+
+  // Points inside edges come after the corners, points inside sides after those.
+  std::map<std::pair<int, int>, int> firstOnEdge;
+  int nextId = NumberOfCorners;
+  for (const auto& side : sides)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [a, b] = std::minmax(side[k], side[(k + 1) % 3]);
+      if (firstOnEdge.emplace(std::make_pair(a, b), nextId).second)
+      {
+        for (int step = 1; step < f; ++step)
+        {
+          sphere.Positions.row(nextId++) =
+            ((f - step) * corners.row(a) + step * corners.row(b)).normalized();
+        }
+      }
+    }
+  }
+  const auto onEdge = [&](int from, int to, int step)
+  {
+    const int first = firstOnEdge.at({ std::min(from, to), std::max(from, to) });
+    return first + (from < to ? step : f - step) - 1;
+  };
+
+  // Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite, and the
+  // triangles between them and the row above.
+  const int firstInside = nextId, numberInside = (f - 1) * (f - 2) / 2;
+  const auto idAt = [&](int side, int i, int j)
+  {
+    const auto [a, b, c] = sides[side];
+    if (i == 0)
+    {
+      return a;
+    }
+    if (i == f && (j == 0 || j == f))
+    {
+      return j == 0 ? b : c;
+    }
+    if (j == 0 || j == i)
+    {
+      return onEdge(a, j == 0 ? b : c, i);
+    }
+    return i == f ? onEdge(b, c, j)
+                  : firstInside + side * numberInside + (i - 1) * (i - 2) / 2 + j - 1;
+  };
+  const auto makeRow = [&](int side, int i, std::vector<int>& above, std::vector<int>& row)
+  {
+    const auto [a, b, c] = sides[side];
+    row.resize(i + 1);
+    for (int j = 0; j <= i; ++j)
+    {
+      row[j] = idAt(side, i, j);
+      if (i < f && j > 0 && j < i)
+      {
+        sphere.Positions.row(row[j]) =
+          ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c)).normalized();
+      }
+    }
+    Index face = Index(side) * f * f + Index(i - 1) * (i - 1);
+    for (int j = 0; j < i; ++j)
+    {
+      sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
+      if (j + 1 < i)
+      {
+        sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
+      }
+    }
+    above.swap(row);
+  };
+  constexpr Index rowsAtATime = 8;
+  const Index blocksOfSide = (f + rowsAtATime - 1) / rowsAtATime;
+  forBlocks(parallelFor, NumberOfSides * blocksOfSide, 1, progress,
+    [&](Index block, Index)
+    {
+      const int side = static_cast<int>(block / blocksOfSide);
+      const int first = static_cast<int>(block % blocksOfSide * rowsAtATime);
+      std::vector<int> above, row;
+      for (int j = 0; j <= first; ++j)
+      {
+        above.push_back(idAt(side, first, j));
+      }
+      for (int i = first + 1; i <= std::min<int>(f, first + rowsAtATime); ++i)
+      {
+        makeRow(side, i, above, row);
+      }
+    });
+  return sphere;
+}
+}

@@ -1,0 +1,31 @@
+/// The network space of the map: an icosahedron subdivided and pushed onto the unit sphere.
+
+#ifndef ConformalGeodesicSphere_h
+#define ConformalGeodesicSphere_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+namespace conformal
+{
+struct GeodesicSphere
+{
+  Points Positions; ///< #N by 3 unit vectors n_i, #N = 10 f^2 + 2
+  Triangles Faces;  ///< #R by 3 ids, counter-clockwise seen from outside, #R = 20 f^2
+};
+
+/// Largest frequency: 10 f^2 + 2 ids must fit into an int.
+constexpr int MaximumFrequency = 10000;
+
+/// Subdivide every face of the icosahedron into f^2 triangles, \cite Liou2008 Eqs. 1 and 2
+/// (class I of \cite Kenner1976, equal steps along the flat face, then projection).
+///
+/// The first 12 positions are the icosahedron's; position 0 is the north pole (0, 0, 1).
+///
+/// @param[in] frequency  f, in [1, MaximumFrequency]
+/// @throws std::invalid_argument if f is out of range
+GeodesicSphere makeGeodesicSphere(
+  int frequency, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+}
+
+#endif

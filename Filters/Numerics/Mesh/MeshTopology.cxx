@@ -1,0 +1,102 @@
+#include "Mesh/MeshTopology.h"
+
+#include <algorithm>
+
+namespace conformal
+{
+namespace
+{
+/// The triangle that an edge of this direction belongs to, or -1.
+int triangleWithEdge(const Triangles& faces, const Adjacency& around, int from, int to)
+{
+  for (const int* r = around.begin(from); r != around.end(from); ++r)
+  {
+    const auto ids = faces.row(*r);
+    if ((ids[0] == from && ids[1] == to) || (ids[1] == from && ids[2] == to) ||
+      (ids[2] == from && ids[0] == to))
+    {
+      return *r;
+    }
+  }
+  return -1;
+}
+}
+
+Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices)
+{
+  Adjacency around;
+  around.Offsets.assign(numberOfVertices + 1, 0);
+  for (Index i = 0; i < faces.size(); ++i)
+  {
+    ++around.Offsets[faces.data()[i] + 1];
+  }
+  for (Index v = 0; v < numberOfVertices; ++v)
+  {
+    around.Offsets[v + 1] += around.Offsets[v];
+  }
+  around.Ids.resize(faces.size());
+  std::vector<int> next(around.Offsets.begin(), around.Offsets.end() - 1);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      around.Ids[next[faces(r, k)]++] = static_cast<int>(r);
+    }
+  }
+  return around;
+}
+
+Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
+{
+  const Adjacency around = vertexTriangles(faces, numberOfVertices);
+  Adjacency neighbors;
+  neighbors.Offsets.assign(1, 0);
+  neighbors.Offsets.reserve(numberOfVertices + 1);
+  neighbors.Ids.reserve(faces.size());
+  std::vector<int> ring;
+  for (Index v = 0; v < numberOfVertices; ++v)
+  {
+    ring.clear();
+    for (const int* r = around.begin(v); r != around.end(v); ++r)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        if (faces(*r, k) != v)
+        {
+          ring.push_back(faces(*r, k));
+        }
+      }
+    }
+    std::sort(ring.begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+    neighbors.Ids.insert(neighbors.Ids.end(), ring.begin(), ring.end());
+    neighbors.Offsets.push_back(static_cast<int>(neighbors.Ids.size()));
+  }
+  return neighbors;
+}
+
+Triangles triangleNeighbors(
+  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor)
+{
+  return triangleNeighbors(faces, vertexTriangles(faces, numberOfVertices), parallelFor);
+}
+
+Triangles triangleNeighbors(
+  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor)
+{
+  Triangles across(faces.rows(), 3);
+  const Index blockSize = 1024;
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          across(r, k) = triangleWithEdge(faces, around, faces(r, (k + 1) % 3), faces(r, k));
+        }
+      }
+    });
+  return across;
+}
+}

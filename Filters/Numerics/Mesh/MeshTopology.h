@@ -1,0 +1,43 @@
+/// Who is next to whom in a triangle mesh.
+
+#ifndef ConformalMeshTopology_h
+#define ConformalMeshTopology_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Lists of ids, one list an item: list i is Ids[Offsets[i]] ... Ids[Offsets[i + 1] - 1].
+struct Adjacency
+{
+  std::vector<int> Offsets;
+  std::vector<int> Ids;
+
+  const int* begin(Index i) const { return this->Ids.data() + this->Offsets[i]; }
+  const int* end(Index i) const { return this->Ids.data() + this->Offsets[i + 1]; }
+  int size(Index i) const { return this->Offsets[i + 1] - this->Offsets[i]; }
+};
+
+/// Triangles around each vertex, ids ascending.
+/// @param[in] faces             #F by 3 ids in [0, numberOfVertices)
+/// @param[in] numberOfVertices  #V
+Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices);
+
+/// Vertices that share an edge with each vertex, ids ascending, each once.
+Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices);
+
+/// Across each edge: entry (r, k) is the triangle that shares edge (k, k + 1 mod 3) of triangle r
+/// with the opposite sense, or -1 where none does.
+/// @pre no directed edge belongs to two triangles (checkGenusZero tells)
+Triangles triangleNeighbors(
+  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor = {});
+
+/// @param[in] around  vertexTriangles of the faces, where they are at hand
+Triangles triangleNeighbors(
+  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor = {});
+}
+
+#endif

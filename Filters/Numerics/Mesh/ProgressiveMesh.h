@@ -1,0 +1,27 @@
+/// A closed surface as a tetrahedron and the vertices to be put into it, one after the other.
+
+#ifndef ConformalProgressiveMesh_h
+#define ConformalProgressiveMesh_h
+
+#include "Base/Types.h"
+#include "Mesh/QuadricCollapse.h"
+#include "Mesh/VertexRings.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// \cite Hoppe1996
+struct ProgressiveMesh
+{
+  VertexRings Rings;                             ///< of the tetrahedron
+  std::vector<QuadricCollapse::Collapse> Splits; ///< in the order of Rings.split
+};
+
+/// @param[in] points     #V by 3, about of size one
+/// @param[in] triangles  #F by 3 vertex ids of a surface that requireGenusZero() lets pass
+ProgressiveMesh makeProgressiveMesh(const Points& points, const Triangles& triangles,
+  QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,520 @@
+#include "Mesh/Remeshing.h"
+
+#include "Mesh/VertexRings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 512;
+
+// Of the length wanted. Between them an edge neither splits nor collapses for ever.
+constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
+constexpr double LeastCosine = 0.5;   // of the angle by which a normal may turn
+constexpr double LeastQuality = 0.05; // of a triangle that a collapse makes; 1 is equilateral
+constexpr double SmoothingStep = 0.7; // of the way to the middle
+constexpr int SmoothingTries = 3;     // each half as far
+constexpr int MostRounds = 100;       // of one kind of operation; many more than it takes
+constexpr int FinalSmoothings = 3;
+constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5; // of normals across a flipped edge
+
+/// An operation on the edge of A and B; greater priorities go first.
+struct Operation
+{
+  int A, B;
+  double Priority;
+
+  bool operator<(const Operation& other) const
+  {
+    return this->Priority != other.Priority ? this->Priority > other.Priority
+      : this->A != other.A                  ? this->A < other.A
+                                            : this->B < other.B;
+  }
+};
+
+Vector3 areaVector(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return (b - a).cross(c - a);
+}
+
+/// 1 for an equilateral triangle, 0 for one without area.
+double quality(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * areaVector(a, b, c).norm() / squares : 0.0;
+}
+
+double cosine(const Vector3& a, const Vector3& b)
+{
+  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
+  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
+}
+
+class Remesher
+{
+public:
+  Remesher(Points& points, Triangles& triangles, const ParallelFor& parallelFor)
+    : Places(points)
+    , Faces(triangles)
+    , Threads(parallelFor)
+    , Rings(triangles, points.rows())
+    , Count(points.rows())
+  {
+  }
+
+  Index count() const { return this->Count; }
+
+  /// The edge length at which the surface has so many vertices, if all triangles are equilateral.
+  double lengthFor(Index numberOfVertices) const
+  {
+    double area = 0.0;
+    for (int a = 0; a < this->Rings.size(); ++a)
+    {
+      const Ring& ring = this->Rings[a];
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const int b = ring[i], c = ring[(i + 1) % ring.size()];
+        area += a < b && a < c
+          ? 0.5 * areaVector(this->place(a), this->place(b), this->place(c)).norm()
+          : 0.0;
+      }
+    }
+    return std::sqrt(2.0 * area / (std::sqrt(3.0) * static_cast<double>(numberOfVertices)));
+  }
+
+  /// Split edges longer than a limit, or the longest ones until there are as many vertices.
+  void split(double limit, Index most = std::numeric_limits<Index>::max())
+  {
+    const double squareLimit = limit * limit;
+    const auto proposed = [&](int a, int b, Operation& operation)
+    {
+      operation.Priority = (this->place(a) - this->place(b)).squaredNorm();
+      return operation.Priority > squareLimit;
+    };
+    this->perform(
+      proposed,
+      [&](const Operation& operation, std::vector<int>& touched)
+      {
+        const int m = static_cast<int>(this->Rings.size());
+        const auto across = this->Rings.across(operation.A, operation.B);
+        this->Rings.resize(m + 1);
+        this->reserve(m + 1);
+        this->Rings.splitEdge(operation.A, operation.B, m);
+        this->Places.row(m) = 0.5 * (this->place(operation.A) + this->place(operation.B));
+        ++this->Count;
+        touched = { operation.A, operation.B, across.Left, across.Right, m };
+        return true;
+      },
+      [&] { return this->Count < most; });
+  }
+
+  /// Collapse edges shorter than a limit, unless that makes edges longer than another one, until
+  /// there are no more vertices than the least number.
+  void collapse(double limit, double longest, Index least = 4)
+  {
+    const double squareLimit = limit * limit;
+    const auto proposed = [&](int a, int b, Operation& operation)
+    {
+      const double square = (this->place(a) - this->place(b)).squaredNorm();
+      operation.Priority = -square;
+      return square < squareLimit;
+    };
+    this->perform(
+      proposed,
+      [&](const Operation& operation, std::vector<int>& touched)
+      {
+        Vector3 place;
+        if (!this->canCollapse(operation.A, operation.B, longest, place))
+        {
+          return false;
+        }
+        const Ring& ring = this->Rings[operation.A];
+        touched.assign(ring.begin(), ring.end()); // with B
+        touched.push_back(operation.A);
+        const Ring lost = this->Rings.collapse(operation.B, operation.A);
+        touched.insert(touched.end(), lost.begin(), lost.end());
+        this->Places.row(operation.A) = place;
+        --this->Count;
+        return true;
+      },
+      [&] { return this->Count > least; });
+  }
+
+  /// Flip edges while that brings vertices nearer to six neighbors.
+  void flipForValence()
+  {
+    const auto excess = [&](int v, int change)
+    {
+      const double difference = static_cast<double>(this->Rings[v].size()) + change - 6.0;
+      return difference * difference;
+    };
+    this->flip(EdgeCosine, 0.5,
+      [&](int a, int b, int left, int right)
+      {
+        return excess(a, 0) + excess(b, 0) + excess(left, 0) + excess(right, 0) - excess(a, -1) -
+          excess(b, -1) - excess(left, 1) - excess(right, 1);
+      });
+  }
+
+  /// Flip edges whose opposite angles are more than half a turn together.
+  void flipForAngles()
+  {
+    this->flip(DelaunayCosine, 0.0,
+      [&](int a, int b, int left, int right)
+      {
+        const auto angle = [&](int corner)
+        {
+          const Vector3 u = this->place(a) - this->place(corner),
+                        v = this->place(b) - this->place(corner);
+          return std::atan2(u.cross(v).norm(), u.dot(v));
+        };
+        constexpr double rounding = 1e-9;
+        return angle(left) + angle(right) - std::acos(-1.0) - rounding;
+      });
+  }
+
+  /// Move vertices along the surface to the middle of their triangles. Vertices that are joined
+  /// move one after the other, so that none relies on a neighbor that moves too.
+  void smooth()
+  {
+    for (const std::vector<int>& color : this->colors())
+    {
+      forBlocks(this->Threads, static_cast<Index>(color.size()), BlockSize,
+        [&](Index begin, Index end)
+        {
+          for (Index i = begin; i < end; ++i)
+          {
+            this->smooth(color[i]);
+          }
+        });
+    }
+  }
+
+  /// The mesh without the ids that are no longer in use.
+  void finish()
+  {
+    std::vector<int> ids(this->Rings.size(), -1);
+    int next = 0;
+    for (int v = 0; v < this->Rings.size(); ++v)
+    {
+      if (!this->Rings[v].empty())
+      {
+        this->Places.row(next) = this->Places.row(v).eval();
+        ids[v] = next++;
+      }
+    }
+    this->Places.conservativeResize(next, 3);
+    this->Faces = this->Rings.triangles();
+    for (Index i = 0; i < this->Faces.size(); ++i)
+    {
+      this->Faces.data()[i] = ids[this->Faces.data()[i]];
+    }
+  }
+
+private:
+  Vector3 place(int v) const { return this->Places.row(v); }
+
+  /// In rounds: find on all threads what is proposed for edges of which an end was touched in the
+  /// last round; then, those of greatest priority first, do what touches no vertex that was touched
+  /// in this round.
+  /// @param[in] proposed   whether to operate on an edge, with what priority and place
+  /// @param[in] operate    does it, and names the vertices touched; or returns false
+  /// @param[in] wanted     whether to go on
+  void perform(const std::function<bool(int, int, Operation&)>& proposed,
+    const std::function<bool(const Operation&, std::vector<int>&)>& operate,
+    const std::function<bool()>& wanted)
+  {
+    std::vector<char> active(this->Rings.size(), 1), taken;
+    std::vector<int> touched;
+    for (int round = 0; round < MostRounds; ++round)
+    {
+      const std::vector<Operation> operations = this->proposals(active, proposed);
+      taken.assign(active.size(), 0);
+      bool any = false;
+      for (const Operation& operation : operations)
+      {
+        if (taken[operation.A] || taken[operation.B] || !wanted() || !operate(operation, touched))
+        {
+          continue;
+        }
+        any = true;
+        taken.resize(this->Rings.size(), 0);
+        for (const int v : touched)
+        {
+          taken[v] = 1;
+        }
+      }
+      active.swap(taken);
+      if (!any || !wanted())
+      {
+        break;
+      }
+    }
+  }
+
+  /// Sorted.
+  std::vector<Operation> proposals(const std::vector<char>& active,
+    const std::function<bool(int, int, Operation&)>& proposed) const
+  {
+    const Index size = this->Rings.size();
+    std::vector<std::vector<Operation>> found((size + BlockSize - 1) / BlockSize);
+    forBlocks(this->Threads, size, BlockSize,
+      [&](Index begin, Index end)
+      {
+        std::vector<Operation>& ours = found[begin / BlockSize];
+        for (int a = static_cast<int>(begin); a < end; ++a)
+        {
+          for (const int b : this->Rings[a])
+          {
+            Operation operation = { a, b, 0.0 };
+            if (a < b && (active[a] || active[b]) && proposed(a, b, operation))
+            {
+              ours.push_back(operation);
+            }
+          }
+        }
+      });
+    std::vector<Operation> operations;
+    for (const std::vector<Operation>& some : found)
+    {
+      operations.insert(operations.end(), some.begin(), some.end());
+    }
+    std::sort(operations.begin(), operations.end());
+    return operations;
+  }
+
+  /// Room for so many places, and for as many again.
+  void reserve(Index count)
+  {
+    if (count > this->Places.rows())
+    {
+      this->Places.conservativeResize(count + count / 2, 3);
+    }
+  }
+
+  /// Whether b may move into a, both at the place that is chosen.
+  bool canCollapse(int a, int b, double longest, Vector3& place) const
+  {
+    const auto across = this->Rings.across(a, b);
+    if (this->Rings[across.Left].size() <= 3 || this->Rings[across.Right].size() <= 3 ||
+      !this->Rings.canCollapse(b, a))
+    {
+      return false;
+    }
+    for (const Vector3& candidate :
+      { Vector3(0.5 * (this->place(a) + this->place(b))), this->place(a), this->place(b) })
+    {
+      if (this->staysGood(a, b, candidate, longest) && this->staysGood(b, a, candidate, longest))
+      {
+        place = candidate;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the triangles of v but not of u stay good when v moves.
+  bool staysGood(int v, int u, const Vector3& to, double longest) const
+  {
+    const Ring& ring = this->Rings[v];
+    const Vector3 from = this->place(v);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const int id = ring[i], nextId = ring[(i + 1) % ring.size()];
+      const Vector3 p = this->place(id), q = this->place(nextId);
+      if (id != u && (p - to).squaredNorm() > longest * longest)
+      {
+        return false;
+      }
+      if (id != u && nextId != u &&
+        (cosine(areaVector(from, p, q), areaVector(to, p, q)) < LeastCosine ||
+          quality(to, p, q) <= LeastQuality))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Flip edges where a gain is positive and the surface stays as it is.
+  /// @param[in] leastQuality  of the new triangles, against the old
+  template <typename Gain>
+  void flip(double leastDihedral, double leastQuality, const Gain& gain)
+  {
+    const auto proposed = [&](int a, int b, Operation& operation)
+    {
+      const auto [left, right] = this->Rings.across(a, b);
+      operation.Priority = gain(a, b, left, right);
+      if (!(operation.Priority > 0.0) || !this->Rings.canFlip(a, b))
+      {
+        return false;
+      }
+      const Vector3 pa = this->place(a), pb = this->place(b), pl = this->place(left),
+                    pr = this->place(right);
+      const Vector3 oldLeft = areaVector(pa, pb, pl), oldRight = areaVector(pb, pa, pr);
+      const Vector3 newA = areaVector(pa, pr, pl), newB = areaVector(pb, pl, pr);
+      const Vector3 mean = oldLeft + oldRight;
+      const double dihedral = cosine(newA, newB);
+      return cosine(newA, mean) > LeastCosine && cosine(newB, mean) > LeastCosine &&
+        (dihedral >= leastDihedral || dihedral >= cosine(oldLeft, oldRight)) &&
+        std::min(quality(pa, pr, pl), quality(pb, pl, pr)) >=
+        leastQuality * std::min(quality(pa, pb, pl), quality(pb, pa, pr));
+    };
+    this->perform(
+      proposed,
+      [&](const Operation& operation, std::vector<int>& touched)
+      {
+        const auto across = this->Rings.across(operation.A, operation.B);
+        touched = { operation.A, operation.B, across.Left, across.Right };
+        Operation still = operation; // another flip may have touched what is across
+        if (!proposed(operation.A, operation.B, still))
+        {
+          return false;
+        }
+        this->Rings.flip(operation.A, operation.B);
+        return true;
+      },
+      [] { return true; });
+  }
+
+  /// Sets of vertices of which no two are joined, by the first color free in the order of ids.
+  std::vector<std::vector<int>> colors() const
+  {
+    std::vector<int> colorOf(this->Rings.size(), -1);
+    std::vector<std::vector<int>> colors;
+    std::vector<int> takenBy; // for each color, the last vertex that found it taken
+    for (int v = 0; v < this->Rings.size(); ++v)
+    {
+      const Ring& ring = this->Rings[v];
+      if (ring.empty())
+      {
+        continue;
+      }
+      for (const int neighbor : ring)
+      {
+        if (colorOf[neighbor] >= 0)
+        {
+          takenBy[colorOf[neighbor]] = v;
+        }
+      }
+      const auto free =
+        std::find_if(takenBy.begin(), takenBy.end(), [&](int taken) { return taken != v; });
+      colorOf[v] = static_cast<int>(free - takenBy.begin());
+      if (free == takenBy.end())
+      {
+        takenBy.push_back(-1);
+        colors.emplace_back();
+      }
+      colors[colorOf[v]].push_back(v);
+    }
+    return colors;
+  }
+
+  void smooth(int v)
+  {
+    const Ring& ring = this->Rings[v];
+    const Vector3 from = this->place(v);
+    Vector3 normal = Vector3::Zero(), middle = Vector3::Zero();
+    double area = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const Vector3 p = this->place(ring[i]), q = this->place(ring[(i + 1) % ring.size()]);
+      const Vector3 vector = areaVector(from, p, q);
+      const double share = vector.norm();
+      normal += vector;
+      middle += share / 3.0 * (from + p + q);
+      area += share;
+    }
+    if (!(area > 0.0) || !(normal.squaredNorm() > 0.0))
+    {
+      return;
+    }
+    normal.normalize();
+    Vector3 step = SmoothingStep * (middle / area - from);
+    step -= step.dot(normal) * normal;
+    for (int attempt = 0; attempt < SmoothingTries; ++attempt, step *= 0.5)
+    {
+      if (this->keepsNormals(v, from + step))
+      {
+        this->Places.row(v) = from + step;
+        return;
+      }
+    }
+  }
+
+  bool keepsNormals(int v, const Vector3& to) const
+  {
+    const Ring& ring = this->Rings[v];
+    const Vector3 from = this->place(v);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      const Vector3 p = this->place(ring[i]), q = this->place(ring[(i + 1) % ring.size()]);
+      if (cosine(areaVector(from, p, q), areaVector(to, p, q)) <= LeastCosine)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Points& Places;
+  Triangles& Faces;
+  const ParallelFor& Threads;
+  VertexRings Rings;
+  Index Count;
+};
+}
+
+//------------------------------------------------------------------------------
+void remesh(Points& points, Triangles& triangles, const RemeshingOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (options.NumberOfVertices < 4 || options.NumberOfIterations < 0)
+  {
+    throw std::invalid_argument(
+      "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
+  }
+  report(progress, 0.0);
+  Remesher remesher(points, triangles, parallelFor);
+  const Index wanted = options.NumberOfVertices;
+  double length = remesher.lengthFor(wanted);
+  const double last = options.MeetNumber ? 0.7 : 1.0;
+  for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
+  {
+    const auto at = [&](double way)
+    { report(progress, last * (iteration + way) / options.NumberOfIterations); };
+    remesher.split(LongestEdge * length);
+    at(0.3);
+    remesher.collapse(ShortestEdge * length, LongestEdge * length);
+    at(0.6);
+    remesher.flipForValence();
+    at(0.8);
+    remesher.smooth();
+    at(1.0);
+    const double ratio = static_cast<double>(remesher.count()) / static_cast<double>(wanted);
+    length = remesher.lengthFor(wanted) * std::clamp(std::sqrt(ratio), 0.8, 1.25);
+  }
+  if (options.MeetNumber)
+  {
+    constexpr double any = std::numeric_limits<double>::max();
+    remesher.collapse(any, any, wanted);
+    remesher.split(0.0, wanted);
+    for (int i = 0; i < FinalSmoothings; ++i)
+    {
+      remesher.flipForValence();
+      remesher.smooth();
+      report(progress, last + 0.08 * (i + 1));
+    }
+    remesher.flipForAngles();
+  }
+  remesher.finish();
+  report(progress, 1.0);
+}
+}

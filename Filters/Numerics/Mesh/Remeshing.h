@@ -1,0 +1,39 @@
+/// The same closed surface with triangles as even as it allows, as many as wanted.
+
+#ifndef ConformalRemeshing_h
+#define ConformalRemeshing_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+namespace conformal
+{
+struct RemeshingOptions
+{
+  Index NumberOfVertices = 12962; ///< wanted, at least 4
+  int NumberOfIterations = 3;     ///< of splitting, collapsing, flipping and smoothing
+  bool MeetNumber = false; ///< exactly, where the surface allows, and end with Delaunay flips
+};
+
+/// Remesh a closed surface with edges of equal length, \cite Botsch2004: edges longer than 4/3 of
+/// it are split, longest first; edges shorter than 4/5 are collapsed, shortest first; edges are
+/// flipped towards six neighbors for each vertex; vertices move along the surface to the middle of
+/// their triangles. The length is what as many vertices as wanted need on the surface's area.
+///
+/// No step changes the topology, turns a normal by 60 degrees or more, or makes a needle. Vertices
+/// are not drawn back to the surface they came from: it is for meshes that are fitted to data
+/// again.
+///
+/// Implementation note: operations are made in rounds. Each round takes those that come first, by
+/// length or gain and then by id, among all that touch the same vertices; they are independent of
+/// each other and made at the same time. So the result has the same bits for any number of threads.
+///
+/// @param[in,out] points     #V by 3, finite
+/// @param[in,out] triangles  #F by 3, of a closed manifold, consistently oriented, each point used
+/// @throws std::invalid_argument if an option is out of range
+/// @throws Aborted
+void remesh(Points& points, Triangles& triangles, const RemeshingOptions& options,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+}
+
+#endif

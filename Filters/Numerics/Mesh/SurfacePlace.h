@@ -1,0 +1,22 @@
+/// Points of a triangle mesh in terms of its vertices.
+
+#ifndef ConformalSurfacePlace_h
+#define ConformalSurfacePlace_h
+
+#include "Base/Types.h"
+
+#include <array>
+
+namespace conformal
+{
+/// Weights are >= 0, of sum 1.
+struct SurfacePlace
+{
+  std::array<int, 3> Ids = { -1, -1, -1 };
+  Vector3 Weights = { 1, 0, 0 };
+
+  bool isVertex() const { return this->Weights[0] == 1.0; }
+};
+}
+
+#endif

@@ -1,0 +1,43 @@
+#include "Mesh/VertexNormals.h"
+
+namespace conformal
+{
+Points vertexNormals(const Points& points, const Triangles& faces)
+{
+  return vertexNormals(points, faces, vertexTriangles(faces, points.rows()));
+}
+
+Points vertexNormals(const Points& points, const Triangles& faces, const Adjacency& around,
+  const ParallelFor& parallelFor)
+{
+  // Areas are squares, so they are taken in units of the mesh's size.
+  const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
+  const double unit = size > 0.0 ? 1.0 / size : 0.0;
+  const Index blockSize = 1024;
+  Points twiceAreas(faces.rows(), 3);
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        const Vector3 a = unit * points.row(faces(r, 0)), b = unit * points.row(faces(r, 1)),
+                      c = unit * points.row(faces(r, 2));
+        twiceAreas.row(r) = (b - a).cross(c - a);
+      }
+    });
+  Points normals = Points::Zero(points.rows(), 3);
+  forBlocks(parallelFor, points.rows(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        for (const int* r = around.begin(i); r != around.end(i); ++r)
+        {
+          normals.row(i) += twiceAreas.row(*r);
+        }
+        normals.row(i).stableNormalize();
+      }
+    });
+  return normals;
+}
+}

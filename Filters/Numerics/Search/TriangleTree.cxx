@@ -1,0 +1,287 @@
+#include "Search/TriangleTree.h"
+
+#include "Base/Steps.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+FootPoint footAt(const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c,
+  const Vector3& barycentric)
+{
+  FootPoint foot;
+  foot.Barycentric = barycentric;
+  foot.Position = barycentric[0] * a + barycentric[1] * b + barycentric[2] * c;
+  foot.SquareDistance = (x - foot.Position).squaredNorm();
+  return foot;
+}
+
+// Parameter in [0, 1] of the point of the segment from a to b closest to x.
+double closestOnSegment(const Vector3& x, const Vector3& a, const Vector3& b)
+{
+  const double length2 = (b - a).squaredNorm();
+  return length2 > 0.0 ? std::clamp((x - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+}
+}
+
+FootPoint closestPointOfTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  // Voronoi regions of the corners, the edges and the inside, told apart by the projections of x
+  // on the edges.
+  const Vector3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  const double abx = ab.dot(ax), acx = ac.dot(ax);
+  if (abx <= 0.0 && acx <= 0.0)
+  {
+    return footAt(x, a, b, c, Vector3(1, 0, 0));
+  }
+  const double abxb = ab.dot(bx), acxb = ac.dot(bx);
+  if (abxb >= 0.0 && acxb <= abxb)
+  {
+    return footAt(x, a, b, c, Vector3(0, 1, 0));
+  }
+  const double abxc = ab.dot(cx), acxc = ac.dot(cx);
+  if (acxc >= 0.0 && abxc <= acxc)
+  {
+    return footAt(x, a, b, c, Vector3(0, 0, 1));
+  }
+  // Twice the signed areas opposite c, b and a, times the triangle's.
+  const double areaC = abx * acxb - abxb * acx;
+  if (areaC <= 0.0 && abx >= 0.0 && abxb <= 0.0 && abx - abxb > 0.0)
+  {
+    const double t = abx / (abx - abxb);
+    return footAt(x, a, b, c, Vector3(1 - t, t, 0));
+  }
+  const double areaB = abxc * acx - abx * acxc;
+  if (areaB <= 0.0 && acx >= 0.0 && acxc <= 0.0 && acx - acxc > 0.0)
+  {
+    const double t = acx / (acx - acxc);
+    return footAt(x, a, b, c, Vector3(1 - t, 0, t));
+  }
+  const double areaA = abxb * acxc - abxc * acxb;
+  const double fromB = acxb - abxb, fromC = abxc - acxc;
+  if (areaA <= 0.0 && fromB >= 0.0 && fromC >= 0.0 && fromB + fromC > 0.0)
+  {
+    const double t = fromB / (fromB + fromC);
+    return footAt(x, a, b, c, Vector3(0, 1 - t, t));
+  }
+  const double area = areaA + areaB + areaC;
+  if (area > 0.0 && areaA >= 0.0 && areaB >= 0.0 && areaC >= 0.0)
+  {
+    const double u = areaB / area, v = areaC / area;
+    return footAt(x, a, b, c, Vector3(1 - u - v, u, v));
+  }
+  // Rounding in a sliver: the nearest of its edges is as good as its inside.
+  const double s = closestOnSegment(x, a, b), t = closestOnSegment(x, b, c),
+               u = closestOnSegment(x, c, a);
+  const std::array<FootPoint, 3> feet = { footAt(x, a, b, c, Vector3(1 - s, s, 0)),
+    footAt(x, a, b, c, Vector3(0, 1 - t, t)), footAt(x, a, b, c, Vector3(u, 0, 1 - u)) };
+  return *std::min_element(feet.begin(), feet.end(),
+    [](const FootPoint& p, const FootPoint& q) { return p.SquareDistance < q.SquareDistance; });
+}
+
+TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  Steps steps(progress, { 30.0, 300.0, 110.0, 55.0 }); // for each triangle
+  steps.next();
+  std::vector<Box> boxes(faces.rows());
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      boxes[r].extend(Vector3(positions.row(faces(r, k))));
+    }
+  }
+  BoxTree tree = buildBoxTree(boxes, parallelFor, steps.next());
+  steps.next();
+  if (faces.rows() > 0)
+  {
+    this->addQuad(tree, 0);
+  }
+  this->Items.swap(tree.Items);
+  this->Placed.resize(faces.rows());
+  this->PlaceOf.resize(faces.rows());
+  for (int place = 0; place < faces.rows(); ++place)
+  {
+    this->PlaceOf[this->Items[place]] = place;
+  }
+  steps.next();
+  this->refit(positions, faces, parallelFor);
+  report(progress, 1.0);
+}
+
+int TriangleTree::addQuad(const BoxTree& tree, int node)
+{
+  const int self = static_cast<int>(this->Quads.size());
+  this->Quads.emplace_back();
+  std::array<int, DoubleLanes> nodes;
+  nodes.fill(-1);
+  nodes[0] = node;
+  for (int filled = 1, widened = 1; widened > 0 && filled < DoubleLanes;)
+  {
+    widened = 0;
+    for (int i = filled; i-- > 0 && filled < DoubleLanes;)
+    {
+      const BoxTree::Node& inner = tree.Nodes[nodes[i]];
+      if (inner.Count == 0)
+      {
+        nodes[filled++] = inner.Second;
+        ++nodes[i]; // the first child is the next node
+        ++widened;
+      }
+    }
+  }
+  for (int k = 0; k < DoubleLanes; ++k)
+  {
+    const bool used = nodes[k] >= 0;
+    const BoxTree::Node leaf = used ? tree.Nodes[nodes[k]] : BoxTree::Node();
+    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k]) : -1;
+    this->Quads[self].Next[k] = next;
+    this->Quads[self].First[k] = leaf.First;
+    this->Quads[self].Count[k] = leaf.Count;
+  }
+  return self;
+}
+
+Box TriangleTree::boxOf(const Quad& quad, int lane) const
+{
+  Box box;
+  for (int place = quad.First[lane]; place < quad.First[lane] + quad.Count[lane]; ++place)
+  {
+    box.extend(this->Placed[place].A);
+    box.extend(this->Placed[place].B);
+    box.extend(this->Placed[place].C);
+  }
+  for (int k = 0; quad.Next[lane] >= 0 && k < DoubleLanes; ++k)
+  {
+    const Quad& below = this->Quads[quad.Next[lane]];
+    Box part;
+    for (int c = 0; c < 3; ++c)
+    {
+      part.Lower[c] = below.Lower[c][k];
+      part.Upper[c] = below.Upper[c][k];
+    }
+    box.extend(part);
+  }
+  return box;
+}
+
+void TriangleTree::refit(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+{
+  const Index blockSize = 4096;
+  forBlocks(parallelFor, static_cast<Index>(this->Placed.size()), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index place = begin; place < end; ++place)
+      {
+        const auto ids = faces.row(this->Items[place]);
+        this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]),
+          positions.row(ids[2]) };
+      }
+    });
+  for (auto quad = this->Quads.rbegin(); quad != this->Quads.rend(); ++quad)
+  {
+    for (int k = 0; k < DoubleLanes; ++k)
+    {
+      const Box box = this->boxOf(*quad, k);
+      for (int c = 0; c < 3; ++c)
+      {
+        quad->Lower[c][k] = box.Lower[c];
+        quad->Upper[c][k] = box.Upper[c];
+      }
+    }
+  }
+}
+
+void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
+{
+  const Corners& corners = this->Placed[place];
+  FootPoint foot = closestPointOfTriangle(x, corners.A, corners.B, corners.C);
+  foot.Triangle = this->Items[place];
+  if (foot.SquareDistance < best.SquareDistance ||
+    (foot.SquareDistance == best.SquareDistance && foot.Triangle < best.Triangle))
+  {
+    best = foot;
+  }
+}
+
+__attribute__((target_clones("avx2", "default"))) void TriangleTree::measure(
+  const Quad& quad, const double* x, double* distances)
+{
+  Doubles sum = {};
+  for (int c = 0; c < 3; ++c)
+  {
+    const Doubles below = quad.Lower[c] - x[c], above = x[c] - quad.Upper[c], zero = {};
+    Doubles outside = below > above ? below : above;
+    outside = outside > zero ? outside : zero;
+    sum += outside * outside;
+  }
+  for (int k = 0; k < DoubleLanes; ++k)
+  {
+    distances[k] = sum[k];
+  }
+}
+
+FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
+{
+  FootPoint best;
+  if (this->Quads.empty())
+  {
+    return best;
+  }
+  if (hint >= 0)
+  {
+    this->update(best, x, this->PlaceOf[hint]);
+  }
+  struct Waiting
+  {
+    double SquareDistance;
+    int Quad;         ///< -1 for a leaf
+    int First, Count; ///< its places
+  };
+  // At most three wait on each level, and the depth is half the logarithm of an int.
+  std::array<Waiting, 3 * 32> stack;
+  int depth = 0;
+  stack[depth++] = { 0.0, 0, 0, 0 };
+  while (depth > 0)
+  {
+    const Waiting next = stack[--depth];
+    if (next.SquareDistance > best.SquareDistance)
+    {
+      continue;
+    }
+    if (next.Quad < 0)
+    {
+      for (int place = next.First; place < next.First + next.Count; ++place)
+      {
+        this->update(best, x, place);
+      }
+      continue;
+    }
+    const Quad& quad = this->Quads[next.Quad];
+    double distances[DoubleLanes];
+    measure(quad, x.data(), distances);
+    const int bottom = depth;
+    for (int k = 0; k < DoubleLanes; ++k)
+    {
+      // Empty places are infinitely far. Sorted in, so that the closest is taken first.
+      if (distances[k] <= best.SquareDistance && (quad.Next[k] >= 0 || quad.Count[k] > 0))
+      {
+        int at = depth++;
+        for (; at > bottom && stack[at - 1].SquareDistance < distances[k]; --at)
+        {
+          stack[at] = stack[at - 1];
+        }
+        stack[at] = { distances[k], quad.Next[k], quad.First[k], quad.Count[k] };
+      }
+    }
+  }
+  return best;
+}
+}

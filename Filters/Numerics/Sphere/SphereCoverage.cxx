@@ -1,0 +1,55 @@
+#include "Sphere/SphereCoverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+struct Part
+{
+  double SolidAngle = 0.0;
+  Index NumberOfFolds = 0;
+};
+
+Part measure(const Points& positions, const Triangles& faces, Index begin, Index end)
+{
+  Part part;
+  for (Index r = begin; r < end; ++r)
+  {
+    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
+                  c = positions.row(faces(r, 2));
+    const Vector3 ab = b - a, ac = c - a;
+    const double volume = ab.cross(ac).dot(a); // det(a, b, c), exact for small triangles
+    part.SolidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+    // A vertex is known to 1e-16, so the area to that times the longest edge.
+    const double longest =
+      std::sqrt(std::max({ ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm() }));
+    part.NumberOfFolds += volume < -1e-15 * longest;
+  }
+  return part;
+}
+}
+
+SphereCoverage measureSphereCoverage(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+{
+  const Index blockSize = 1024;
+  std::vector<Part> parts((faces.rows() + blockSize - 1) / blockSize);
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
+    { parts[begin / blockSize] = measure(positions, faces, begin, end); });
+  SphereCoverage coverage;
+  double solidAngle = 0.0;
+  for (const Part& part : parts)
+  {
+    solidAngle += part.SolidAngle;
+    coverage.NumberOfFolds += part.NumberOfFolds;
+  }
+  const double sphere = 4.0 * std::acos(-1.0);
+  coverage.Degree = static_cast<int>(std::lround(solidAngle / sphere));
+  return coverage;
+}
+}

@@ -1,0 +1,25 @@
+/// How often a map to the sphere covers it, and where it folds.
+
+#ifndef ConformalSphereCoverage_h
+#define ConformalSphereCoverage_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+namespace conformal
+{
+struct SphereCoverage
+{
+  int Degree = 0; ///< sum of the solid angles over 4 pi: 1 for a map one to one, -1 for a mirror
+  Index NumberOfFolds = 0; ///< triangles clockwise seen from outside, by more than rounding
+};
+
+/// Solid angles of a triangle mesh on the unit sphere.
+///
+/// @param[in] positions  #N by 3 unit vectors
+/// @param[in] faces      #R by 3 ids of a closed surface
+SphereCoverage measureSphereCoverage(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
+}
+
+#endif

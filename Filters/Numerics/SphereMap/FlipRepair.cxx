@@ -1,0 +1,288 @@
+#include "SphereMap/FlipRepair.h"
+
+#include "Linear/HarmonicExtension.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+constexpr int Rounds = 14;
+constexpr int KernelPasses = 5;
+constexpr int SweepsAfter = 15;
+constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
+
+class Repair
+{
+public:
+  Repair(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
+    const EdgeWeights& strings, const VertexRings& rings)
+    : Positions(positions)
+    , Places(points)
+    , Faces(triangles)
+    , Strings(strings)
+    , Rings(rings)
+    , Marks(positions.size(), 0)
+  {
+  }
+
+  // The vertices of bad triangles and so many rings around them, in connected sets.
+  std::vector<std::vector<int>> patches(const std::vector<int>& bad, int rings)
+  {
+    const int mark = ++this->Mark;
+    std::vector<int> ids;
+    for (int r : bad)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->take(this->Faces(r, k), mark, ids);
+      }
+    }
+    std::size_t begin = 0;
+    for (int i = 0; i < rings; ++i)
+    {
+      const std::size_t end = ids.size();
+      for (; begin < end; ++begin)
+      {
+        for (int other : this->Rings[ids[begin]])
+        {
+          this->take(other, mark, ids);
+        }
+      }
+    }
+    std::vector<std::vector<int>> result;
+    const int taken = ++this->Mark;
+    for (int id : ids)
+    {
+      if (this->Marks[id] == mark)
+      {
+        this->Marks[id] = taken;
+        std::vector<int> patch = { id };
+        for (std::size_t i = 0; i < patch.size(); ++i)
+        {
+          for (int other : this->Rings[patch[i]])
+          {
+            if (this->Marks[other] == mark)
+            {
+              this->Marks[other] = taken;
+              patch.push_back(other);
+            }
+          }
+        }
+        result.push_back(std::move(patch));
+      }
+    }
+    return result;
+  }
+
+  // Whether the patch is good now; otherwise it is as before.
+  bool layOut(const std::vector<int>& patch)
+  {
+    const std::vector<Vector3> before = this->placesOf(patch);
+    this->intoKernels(patch);
+    if (this->good(patch))
+    {
+      return true;
+    }
+    this->restore(patch, before);
+    if (this->asMembrane(patch))
+    {
+      this->intoKernels(patch);
+      if (this->good(patch))
+      {
+        return true;
+      }
+    }
+    this->restore(patch, before);
+    return false;
+  }
+
+private:
+  void take(int id, int mark, std::vector<int>& ids)
+  {
+    if (this->Marks[id] != mark)
+    {
+      this->Marks[id] = mark;
+      ids.push_back(id);
+    }
+  }
+
+  bool good(int v) const
+  {
+    const Ring& ring = this->Rings[v];
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (!(determinant(this->Positions[v], this->Positions[ring[i]],
+              this->Positions[ring[(i + 1) % ring.size()]]) >= LeastSafeDeterminant))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool good(const std::vector<int>& patch) const
+  {
+    return std::all_of(patch.begin(), patch.end(), [this](int v) { return this->good(v); });
+  }
+
+  void intoKernels(const std::vector<int>& patch)
+  {
+    for (int pass = 0; pass < KernelPasses; ++pass)
+    {
+      for (int v : patch)
+      {
+        if (!this->good(v))
+        {
+          if (const std::optional<Vector3> place = kernelCentroid(this->Positions, this->Rings[v]))
+          {
+            this->Positions[v] = *place;
+          }
+        }
+      }
+    }
+  }
+
+  // False if the patch and its border do not lie well within one half of the sphere.
+  bool asMembrane(const std::vector<int>& patch)
+  {
+    std::vector<int> ids = patch;
+    const int mark = ++this->Mark;
+    for (int id : patch)
+    {
+      this->Marks[id] = mark;
+    }
+    for (int id : patch)
+    {
+      for (int other : this->Rings[id])
+      {
+        this->take(other, mark, ids);
+      }
+    }
+    const Index size = static_cast<Index>(ids.size()), inner = static_cast<Index>(patch.size());
+    Vector3 middle = Vector3::Zero();
+    for (Index i = inner; i < size; ++i)
+    {
+      middle += this->Positions[ids[i]];
+    }
+    middle.normalize();
+    const Vector3 x = middle.unitOrthogonal(), y = middle.cross(x);
+    Columns plane = Columns::Zero(size, 2);
+    for (Index i = inner; i < size; ++i)
+    {
+      const Vector3& place = this->Positions[ids[i]];
+      const double height = middle.dot(place);
+      constexpr double lowest = 0.2;
+      if (!(height > lowest))
+      {
+        return false;
+      }
+      plane.row(i) << x.dot(place) / height, y.dot(place) / height;
+    }
+    std::vector<int> localIds(this->Positions.size(), -1), free(inner);
+    Points places(size, 3);
+    for (Index i = 0; i < size; ++i)
+    {
+      localIds[ids[i]] = static_cast<int>(i);
+      places.row(i) = this->Places.row(ids[i]);
+    }
+    EdgeWeights positive;
+    positive.Neighbors.Offsets = { 0 };
+    for (Index i = 0; i < inner; ++i)
+    {
+      free[i] = static_cast<int>(i);
+      const int v = patch[i];
+      for (int k = this->Strings.Neighbors.Offsets[v]; k < this->Strings.Neighbors.Offsets[v + 1];
+           ++k)
+      {
+        positive.Neighbors.Ids.push_back(localIds[this->Strings.Neighbors.Ids[k]]);
+        positive.Weights.push_back(
+          std::clamp(this->Strings.Weights[k], WeakestString, StrongestString));
+      }
+      positive.Neighbors.Offsets.push_back(static_cast<int>(positive.Neighbors.Ids.size()));
+    }
+    extendHarmonically(positive, places, free, plane);
+    for (Index i = 0; i < inner; ++i)
+    {
+      this->Positions[patch[i]] = (middle + plane(i, 0) * x + plane(i, 1) * y).normalized();
+    }
+    return true;
+  }
+
+  std::vector<Vector3> placesOf(const std::vector<int>& patch) const
+  {
+    std::vector<Vector3> places;
+    places.reserve(patch.size());
+    for (int id : patch)
+    {
+      places.push_back(this->Positions[id]);
+    }
+    return places;
+  }
+
+  void restore(const std::vector<int>& patch, const std::vector<Vector3>& places)
+  {
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      this->Positions[patch[i]] = places[i];
+    }
+  }
+
+  std::vector<Vector3>& Positions;
+  const Points& Places;
+  const Triangles& Faces;
+  const EdgeWeights& Strings;
+  const VertexRings& Rings;
+  std::vector<int> Marks;
+  int Mark = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles)
+{
+  std::vector<int> bad;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    if (!(determinant(positions[triangles(r, 0)], positions[triangles(r, 1)],
+            positions[triangles(r, 2)]) >= LeastSafeDeterminant))
+    {
+      bad.push_back(static_cast<int>(r));
+    }
+  }
+  return bad;
+}
+
+//------------------------------------------------------------------------------
+bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
+  const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes,
+  const Progress& progress)
+{
+  Repair repair(positions, points, triangles, strings, rings);
+  for (int round = 0; round < Rounds; ++round)
+  {
+    const std::vector<int> bad = badTriangles(positions, triangles);
+    if (bad.empty())
+    {
+      return true;
+    }
+    const std::vector<std::vector<int>> patches = repair.patches(bad, round);
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      if (2 * patches[i].size() > positions.size())
+      {
+        return false;
+      }
+      if (repair.layOut(patches[i]))
+      {
+        relaxVertices(positions, patches[i], rings, shapes, AnglesOnly, SweepsAfter);
+      }
+      report(progress, (round + static_cast<double>(i) / patches.size()) / Rounds);
+    }
+  }
+  return badTriangles(positions, triangles).empty();
+}
+}

@@ -1,0 +1,167 @@
+#include "SphereMap/GlobalConformalMap.h"
+
+#include "Base/Steps.h"
+#include "Base/UnitBox.h"
+#include "Linear/EdgeWeights.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Sphere/MoebiusTransform.h"
+#include "Sphere/SphereOrientation.h"
+#include "SphereMap/GuYauMap.h"
+#include "SphereMap/HarmonicSphereMap.h"
+#include "SphereMap/ProgressiveSphereMap.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+void check(const GlobalConformalMapOptions& options)
+{
+  if (!(options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0))
+  {
+    throw std::invalid_argument("AreaBalance must lie in [0, 1]");
+  }
+  if (options.MaximumNumberOfIterations < 0)
+  {
+    throw std::invalid_argument("MaximumNumberOfIterations must not be negative");
+  }
+  if (!(options.Tolerance >= 0.0))
+  {
+    throw std::invalid_argument("Tolerance must be a number, at least 0");
+  }
+}
+
+double workOfMap(const GlobalConformalMapOptions& options, Index numberOfVertices)
+{
+  constexpr double ofProgressiveMap = 65000.0, ofDescents = 60000.0; // for each vertex
+  const auto size = static_cast<double>(numberOfVertices);
+  return options.Method == GlobalConformalMethod::GuYau ? ofDescents * size
+    : options.AreaBalance > 0.0                         ? ofProgressiveMap * size
+                                                        : workOfHarmonicMap(numberOfVertices);
+}
+
+Points balanced(const Points& places, const Triangles& triangles, double balance,
+  Index mostRelaxations, const Progress& progress)
+{
+  ProgressiveSphereMapOptions options;
+  options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
+  options.AreaBalance = balance;
+  options.MaximumNumberOfRelaxations = mostRelaxations;
+  return mapToSphere(places, triangles, options, progress).Positions;
+}
+
+// With as little more balance of areas as leaves room for every triangle. Insertions that first
+// have to make room can take a second each, so few are allowed while there is another attempt.
+Points progressive(
+  const Points& places, const Triangles& triangles, double leastBalance, const Progress& progress)
+{
+  constexpr Index fewRelaxations = 10;
+  constexpr double share = 0.8; // of what is left of the progress, for each attempt
+  double begin = 0.0, last = -1.0;
+  for (double balance : { leastBalance, 0.02, 0.05, 0.2, 0.5 })
+  {
+    if (balance < leastBalance || balance == last)
+    {
+      continue;
+    }
+    const double end = begin + share * (1.0 - begin);
+    try
+    {
+      return balanced(places, triangles, balance, fewRelaxations, partOf(progress, begin, end));
+    }
+    catch (const std::runtime_error&)
+    {
+      begin = end;
+      last = balance;
+    }
+  }
+  // The surface is shapeless, or too strange: as if all triangles were equal.
+  return balanced(Points::Zero(places.rows(), 3), triangles, 0.5, std::numeric_limits<Index>::max(),
+    partOf(progress, begin, 1.0));
+}
+
+// Turned to where it agrees best with the directions from the surface's middle.
+void turn(Points& positions, const Points& places, const Triangles& triangles)
+{
+  const Eigen::VectorXd areas = vertexAreas(places, triangles);
+  const Eigen::RowVector3d middle = areas.transpose() * places / areas.sum();
+  MoebiusTransform rotation;
+  rotation.Rotation = closestRotation(positions, places.rowwise() - middle, areas);
+  rotation.applyTo(positions);
+}
+
+void mapRobustly(const Points& places, const Triangles& triangles, double areaBalance,
+  GlobalConformalMapResult& result, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const bool conformal = areaBalance == 0.0;
+  if (conformal)
+  {
+    HarmonicSphereMap map =
+      mapHarmonically(places, triangles, parallelFor, partOf(progress, 0.0, 0.95));
+    result.NumberOfIterations = map.NumberOfSolves;
+    result.Converged = map.OneToOne;
+    result.Tier = map.Repaired ? GlobalConformalTier::Repaired : GlobalConformalTier::Harmonic;
+    result.Positions = std::move(map.Positions);
+  }
+  if (!result.Converged)
+  {
+    result.Tier = GlobalConformalTier::Progressive;
+    result.Positions =
+      progressive(places, triangles, areaBalance, partOf(progress, conformal ? 0.95 : 0.0, 1.0));
+    result.Converged = true;
+  }
+  turn(result.Positions, places, triangles);
+}
+}
+
+//------------------------------------------------------------------------------
+GlobalConformalMapResult globalConformalMap(const Points& points, const Triangles& triangles,
+  const GlobalConformalMapOptions& options, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  check(options);
+  const bool published = options.Method == GlobalConformalMethod::GuYau;
+  // The check, the box and the strings, the map, its figures.
+  const auto size = static_cast<double>(points.rows());
+  Steps steps(
+    progress, { 465.0 * size, 190.0 * size, workOfMap(options, points.rows()), 15.0 * size });
+  requireGenusZero(triangles, points.rows(), steps.next());
+  steps.next();
+  const Points places = inUnitBox(points);
+  GlobalConformalMapResult result;
+  if (published)
+  {
+    GuYauOptions guYau;
+    guYau.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
+    guYau.Tolerance = options.Tolerance;
+    GuYauResult map = mapByGuYau(places, triangles, guYau, parallelFor, steps.next());
+    result.Positions = std::move(map.Positions);
+    result.Energy = map.Energy;
+    result.NumberOfIterations = map.NumberOfIterations;
+    result.Converged = map.Converged && map.NumberOfInfiniteStringConstants == 0;
+    result.NumberOfNegativeStringConstants = map.NumberOfNegativeStringConstants;
+    result.NumberOfInfiniteStringConstants = map.NumberOfInfiniteStringConstants;
+  }
+  else
+  {
+    const StringConstants strings = harmonicStrings(places, triangles);
+    result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
+    result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
+    mapRobustly(places, triangles, options.AreaBalance, result, parallelFor, steps.next());
+    result.Energy = stringEnergy(strings.Strings, result.Positions);
+  }
+  steps.next();
+  result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
+  result.Converged = result.Converged && result.NumberOfFlippedTriangles == 0;
+  report(progress, 1.0);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+double workOfGlobalConformalMap(const GlobalConformalMapOptions& options, Index numberOfVertices)
+{
+  return 670.0 * static_cast<double>(numberOfVertices) + workOfMap(options, numberOfVertices);
+}
+}

@@ -1,0 +1,270 @@
+#include "SphereMap/HarmonicSphereMap.h"
+
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Sphere/MoebiusTransform.h"
+#include "SphereMap/FlipRepair.h"
+#include "SphereMap/PuncturedSphereMap.h"
+#include "SphereMap/SurfaceShapes.h"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index SmallMesh = 20000; // vertices; all of these are relaxed
+constexpr int SweepsOfSmallMesh = 10;
+constexpr int SweepsOfMisshapen = 20;
+constexpr int RingsAround = 4;           // misshapen triangles
+constexpr double Misshapen = 1.5;        // Dirichlet energy over area, 1 being conformal
+constexpr double LargestBadShare = 0.02; // of the triangles, to be repaired
+constexpr double LimbShare = 0.01;       // of the mean area ratio, around a bad puncture
+
+std::vector<Vector3> toVector(const Points& points)
+{
+  std::vector<Vector3> result(points.rows());
+  for (Index v = 0; v < points.rows(); ++v)
+  {
+    result[v] = points.row(v);
+  }
+  return result;
+}
+
+Points toPoints(const std::vector<Vector3>& vectors)
+{
+  Points result(static_cast<Index>(vectors.size()), 3);
+  for (Index v = 0; v < result.rows(); ++v)
+  {
+    result.row(v) = vectors[v];
+  }
+  return result;
+}
+
+// What steps of an attempt take for each vertex, in nanoseconds as in Steps.
+double workOfPuncture(Index size)
+{
+  return 1700.0 + 9.0 * std::sqrt(static_cast<double>(size));
+}
+
+double workOfRelaxing(Index size)
+{
+  return size < SmallMesh ? 230.0 * SweepsOfSmallMesh : 55.0;
+}
+
+double workOfAttempt(Index size)
+{
+  return workOfPuncture(size) + workOfRelaxing(size) + 180.0;
+}
+
+class Mapper
+{
+public:
+  Mapper(const Points& places, const Triangles& triangles, const ParallelFor& parallelFor)
+    : Places(places)
+    , Faces(triangles)
+    , Threads(parallelFor)
+    , Shapes(places, triangles)
+    , Angles(places, triangles, SurfaceShapes::Weight::RegularArea)
+    , Rings(triangles, places.rows())
+    , Areas(vertexAreas(places, triangles))
+  {
+    Points cotangents(triangles.rows(), 3);
+    for (Index r = 0; r < triangles.rows(); ++r)
+    {
+      const auto& quarters = this->shapeOf(r).Cotangents;
+      cotangents.row(r) << 4.0 * quarters[0], 4.0 * quarters[1], 4.0 * quarters[2];
+    }
+    this->Strings = cotangentWeights(triangles, places.rows(), cotangents);
+  }
+
+  HarmonicSphereMap run(Steps& steps) const
+  {
+    const Index puncture = choosePuncture(this->Places, this->Faces);
+    HarmonicSphereMap map = this->attempt(puncture, steps.next());
+    const bool solved = map.Positions.rows() > 0;
+    if (solved && (!map.OneToOne || this->areaRatioAround(map.Positions, puncture) < LimbShare))
+    {
+      const Index better = choosePuncture(this->Places, this->Faces, map.Positions);
+      HarmonicSphereMap other = this->attempt(better, steps.next());
+      if (other.OneToOne &&
+        (!map.OneToOne ||
+          stringEnergy(this->Strings, other.Positions) <
+            stringEnergy(this->Strings, map.Positions)))
+      {
+        map = std::move(other);
+      }
+      map.NumberOfSolves = 2;
+    }
+    return map;
+  }
+
+private:
+  SourceTriangle shapeOf(Index r) const
+  {
+    return this->Shapes.triangle(this->Faces(r, 0), this->Faces(r, 1), this->Faces(r, 2));
+  }
+
+  // Without positions if the equations have no solution in floating point.
+  HarmonicSphereMap attempt(Index puncture, const Progress& progress) const
+  {
+    Steps steps(progress,
+      { workOfPuncture(this->Places.rows()), 105.0, workOfRelaxing(this->Places.rows()), 75.0 });
+    HarmonicSphereMap map;
+    map.NumberOfSolves = 1;
+    try
+    {
+      map.Positions = punctureToSphere(
+        this->Places, this->Faces, this->Strings, puncture, this->Threads, steps.next());
+      steps.next();
+      centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
+      if (this->improve(map, steps.next()))
+      {
+        steps.next();
+        centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
+        map.OneToOne = badTriangles(toVector(map.Positions), this->Faces).empty();
+      }
+    }
+    catch (const std::runtime_error&)
+    {
+      map.Positions.resize(0, 3);
+    }
+    return map;
+  }
+
+  // Takes folds out and relaxes triangles; whether none is bad in the end.
+  bool improve(HarmonicSphereMap& map, const Progress& progress) const
+  {
+    std::vector<Vector3> positions = toVector(map.Positions);
+    const double bad = static_cast<double>(badTriangles(positions, this->Faces).size());
+    if (bad > 10.0 + LargestBadShare * static_cast<double>(this->Faces.rows()))
+    {
+      return false;
+    }
+    if (bad > 0.0)
+    {
+      map.Repaired = true;
+      if (!repairFlips(positions, this->Places, this->Faces, this->Strings, this->Rings,
+            this->Angles, partOf(progress, 0.0, 0.8)))
+      {
+        return false;
+      }
+    }
+    const bool all = this->Places.rows() < SmallMesh;
+    const std::vector<int> ids = all ? this->allVertices() : this->misshapenVertices(positions);
+    const int sweeps = all ? SweepsOfSmallMesh : SweepsOfMisshapen;
+    const double total = static_cast<double>(ids.size()) * sweeps;
+    const double begin = bad > 0.0 ? 0.8 : 0.0;
+    relaxVertices(positions, ids, this->Rings, this->Angles, AnglesOnly, sweeps,
+      [&, count = Index(0)]() mutable
+      {
+        if (++count % 1024 == 0)
+        {
+          report(progress, begin + (1.0 - begin) * static_cast<double>(count) / total);
+        }
+      });
+    map.Positions = toPoints(positions);
+    return true;
+  }
+
+  std::vector<int> allVertices() const
+  {
+    std::vector<int> ids(this->Places.rows());
+    std::iota(ids.begin(), ids.end(), 0);
+    return ids;
+  }
+
+  std::vector<int> misshapenVertices(const std::vector<Vector3>& positions) const
+  {
+    std::vector<char> chosen(positions.size(), 0);
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      const auto ids = this->Faces.row(r);
+      const Vector3 &a = positions[ids[0]], &b = positions[ids[1]], &c = positions[ids[2]];
+      const auto& cotangents = this->shapeOf(r).Cotangents;
+      const double dirichlet = cotangents[0] * (c - b).squaredNorm() +
+        cotangents[1] * (a - c).squaredNorm() + cotangents[2] * (b - a).squaredNorm();
+      if (dirichlet > Misshapen * 0.5 * determinant(a, b, c))
+      {
+        chosen[ids[0]] = chosen[ids[1]] = chosen[ids[2]] = 1;
+      }
+    }
+    std::vector<int> ids;
+    for (std::size_t v = 0; v < chosen.size(); ++v)
+    {
+      if (chosen[v])
+      {
+        ids.push_back(static_cast<int>(v));
+      }
+    }
+    for (int i = 0; i < RingsAround; ++i)
+    {
+      for (std::size_t j = 0, size = ids.size(); j < size; ++j)
+      {
+        for (int other : this->Rings[ids[j]])
+        {
+          if (!chosen[other])
+          {
+            chosen[other] = 1;
+            ids.push_back(other);
+          }
+        }
+      }
+    }
+    return ids;
+  }
+
+  // Of areas on the sphere and on the surface, the largest one around a corner of the triangle.
+  double areaRatioAround(const Points& positions, Index puncture) const
+  {
+    double largest = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = this->Faces(puncture, k);
+      std::vector<Corner> corners;
+      this->Shapes.cornersOf(v, this->Rings[v], corners);
+      double onSphere = 0.0, onSurface = 0.0;
+      for (std::size_t i = 0; i < corners.size(); ++i)
+      {
+        const Vector3 a = positions.row(v), b = positions.row(corners[i].Neighbor),
+                      c = positions.row(corners[(i + 1) % corners.size()].Neighbor);
+        onSphere += 0.5 * (b - a).cross(c - a).norm();
+        onSurface += corners[i].Source.Area;
+      }
+      largest = std::max(largest, onSphere / onSurface);
+    }
+    return largest;
+  }
+
+  const Points& Places;
+  const Triangles& Faces;
+  const ParallelFor& Threads;
+  SurfaceShapes Shapes, Angles;
+  VertexRings Rings;
+  Eigen::VectorXd Areas;
+  EdgeWeights Strings;
+};
+}
+
+//------------------------------------------------------------------------------
+HarmonicSphereMap mapHarmonically(const Points& points, const Triangles& triangles,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
+  // kept back for it, so that the progress jumps by that at the end of all others.
+  const double work = workOfAttempt(points.rows());
+  Steps steps(progress, { 340.0, work, 0.2 * work });
+  steps.next();
+  const Mapper mapper(points, triangles, parallelFor);
+  return mapper.run(steps);
+}
+
+//------------------------------------------------------------------------------
+double workOfHarmonicMap(Index numberOfVertices)
+{
+  return static_cast<double>(numberOfVertices) * (340.0 + 1.2 * workOfAttempt(numberOfVertices));
+}
+}

@@ -1,0 +1,31 @@
+/// A conformal map of a closed surface to the sphere, as far as linear equations and repairs lead.
+
+#ifndef ConformalHarmonicSphereMap_h
+#define ConformalHarmonicSphereMap_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+namespace conformal
+{
+struct HarmonicSphereMap
+{
+  Points Positions;         ///< #V by 3 unit vectors, centered by area
+  bool OneToOne = false;    ///< no triangle is bad (badTriangles); else Positions are of no use
+  bool Repaired = false;    ///< folds were taken out
+  Index NumberOfSolves = 0; ///< global ones
+};
+
+/// punctureToSphere; repairFlips where it folds; once more with another puncture, if the first one
+/// lies on a limb or left too much to be repaired; vertices of misshapen triangles, or all of a
+/// small mesh, moved to where angles are kept better.
+/// @param[in] points  #V by 3, about of size one
+/// @post the result does not depend on the number of threads
+HarmonicSphereMap mapHarmonically(const Points& points, const Triangles& triangles,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// What mapHarmonically() takes, in nanoseconds as in Steps.
+double workOfHarmonicMap(Index numberOfVertices);
+}
+
+#endif

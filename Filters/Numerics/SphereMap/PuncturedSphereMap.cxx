@@ -1,0 +1,345 @@
+#include "SphereMap/PuncturedSphereMap.h"
+
+#include "Base/Steps.h"
+#include "Linear/HarmonicExtension.h"
+#include "Mesh/MeshTopology.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+using Complex = std::complex<double>;
+using Plane = Eigen::VectorXcd;
+
+constexpr Index BlockSize = 1 << 12;
+constexpr int MostPowers = 5;
+constexpr double CapShare = 0.35;       // of the vertices, the outermost ones
+constexpr double LargestSquared = 0.25; // Beltrami coefficients beyond are the mesh's own
+constexpr double Fit = 1.4;             // the powers are fitted up to here, the cap beginning at 1
+
+constexpr double WorstIrregularity = 1e6;
+
+// 0 for an equilateral triangle.
+double irregularity(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  const double twiceArea = (b - a).cross(c - a).norm();
+  return sides < WorstIrregularity * twiceArea ? sides / (2.0 * std::sqrt(3.0) * twiceArea) - 1.0
+                                               : WorstIrregularity;
+}
+
+// A triangle in its own plane, its first corner at 0.
+std::array<Complex, 2> flattened(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 base = b - a, side = c - a;
+  const double length = base.norm();
+  return { Complex(length),
+    Complex(base.dot(side), base.cross(side).norm()) / std::max(length, 1e-300) };
+}
+
+// Works on the map to the plane from triangle to triangle.
+class PlaneMap
+{
+public:
+  PlaneMap(
+    const Points& points, const Triangles& triangles, const ParallelFor& parallelFor, Plane& map)
+    : Places(points)
+    , Faces(triangles)
+    , Threads(parallelFor)
+    , Map(map)
+    , VertexAreas(vertexAreas(points, triangles))
+  {
+    this->VertexAreas /= this->VertexAreas.sum();
+  }
+
+  // Centre at 0 and a size at which the sphere gets about half of the surface on either side: there
+  // |z| has the mean pi/2.
+  void normalize()
+  {
+    const Complex mean = this->Map.dot(this->VertexAreas.cast<Complex>());
+    this->Map.array() -= std::conj(mean);
+    const double size = this->Map.cwiseAbs().dot(this->VertexAreas) / (2.0 * std::atan(1.0));
+    if (!(size > 0.0 && std::isfinite(size)))
+    {
+      throw std::runtime_error("the surface has shrunk to a point");
+    }
+    this->Map /= size;
+  }
+
+  // Add sum d_k conj(z)^k, k = 1 ... Powers, so that the Beltrami coefficients vanish in the mean
+  // over the sphere. Only up to a radius; `robustly` leaves out the triangles that are misshapen.
+  template <int Powers>
+  void correct(double radius, bool robustly)
+  {
+    using Matrix = Eigen::Matrix<Complex, Powers, Powers>;
+    using Vector = Eigen::Matrix<Complex, Powers, 1>;
+    const Index blocks = (this->Faces.rows() + BlockSize - 1) / BlockSize;
+    std::vector<Matrix> matrices(blocks, Matrix::Zero());
+    std::vector<Vector> sides(blocks, Vector::Zero());
+    forBlocks(this->Threads, this->Faces.rows(), BlockSize,
+      [&](Index begin, Index end)
+      {
+        Matrix& matrix = matrices[begin / BlockSize];
+        Vector& side = sides[begin / BlockSize];
+        for (Index r = begin; r < end; ++r)
+        {
+          const auto [z, weight, wanted] = this->beltrami(r);
+          const double largest = robustly ? LargestSquared : 1.0; // beyond 1 it is flipped
+          if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < largest))
+          {
+            continue;
+          }
+          Vector row;
+          Complex power = 1.0;
+          for (int k = 0; k < Powers; ++k)
+          {
+            row[k] = static_cast<double>(k + 1) * power;
+            power *= std::conj(z) / radius;
+          }
+          matrix += weight * row.conjugate() * row.transpose();
+          side += weight * wanted * row.conjugate();
+        }
+      });
+    Matrix matrix = Matrix::Zero();
+    Vector side = Vector::Zero();
+    for (Index block = 0; block < blocks; ++block)
+    {
+      matrix += matrices[block];
+      side += sides[block];
+    }
+    matrix.diagonal().array() += 1e-12;
+    const Vector found = matrix.ldlt().solve(side);
+    if (!found.allFinite())
+    {
+      throw std::runtime_error("no triangle is left to correct the map by");
+    }
+    for (Index v = 0; v < this->Map.size(); ++v)
+    {
+      const Complex z = std::conj(this->Map[v]);
+      if (std::norm(z) > radius * radius)
+      {
+        continue;
+      }
+      Complex power = z;
+      for (int k = 0; k < Powers; ++k)
+      {
+        this->Map[v] += found[k] * power;
+        power *= z / radius;
+      }
+    }
+  }
+
+private:
+  struct Beltrami
+  {
+    Complex Center; // of the triangle in the plane
+    double Area;    // on the sphere, about
+    Complex Wanted; // the derivative by conj(z) of what has to be added
+  };
+
+  // The derivatives of z by the triangle's own plane and by its conjugate, up to a common factor.
+  Beltrami beltrami(Index r) const
+  {
+    const int a = this->Faces(r, 0), b = this->Faces(r, 1), c = this->Faces(r, 2);
+    const auto [base, side] =
+      flattened(this->Places.row(a), this->Places.row(b), this->Places.row(c));
+    const Complex p = this->Map[b] - this->Map[a], q = this->Map[c] - this->Map[a];
+    const Complex byPlane = p * std::conj(side) - q * std::conj(base);
+    const Complex byConjugate = base * q - side * p;
+    const Complex center = (this->Map[a] + this->Map[b] + this->Map[c]) / 3.0;
+    const double stretch = 1.0 / (1.0 + std::norm(center));
+    const double area = std::abs(p.real() * q.imag() - p.imag() * q.real());
+    const double size = std::norm(byPlane);
+    return { center, size > 0.0 ? area * stretch * stretch : 0.0,
+      size > 0.0 ? byConjugate * byPlane / size : Complex(0.0) };
+  }
+
+  const Points& Places;
+  const Triangles& Faces;
+  const ParallelFor& Threads;
+  Plane& Map;
+  Eigen::VectorXd VertexAreas;
+};
+
+// The radius outside of which the cap lies.
+double capRadius(const Plane& map)
+{
+  std::vector<double> radii(map.size());
+  for (Index v = 0; v < map.size(); ++v)
+  {
+    radii[v] = std::abs(map[v]);
+  }
+  const auto place = radii.begin() + static_cast<Index>((1.0 - CapShare) * map.size());
+  std::nth_element(radii.begin(), place, radii.end());
+  return std::max(1.0, *place);
+}
+}
+
+//------------------------------------------------------------------------------
+Index choosePuncture(const Points& points, const Triangles& triangles)
+{
+  const Index size = triangles.rows();
+  const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
+  std::vector<double> irregularities(size), aroundVertex(points.rows(), 0.0);
+  std::vector<int> valences(points.rows(), 0);
+  std::vector<Vector3> middles(size);
+  Vector3 center = Vector3::Zero();
+  double area = 0.0;
+  for (Index r = 0; r < size; ++r)
+  {
+    const Vector3 a = corner(r, 0), b = corner(r, 1), c = corner(r, 2);
+    irregularities[r] = irregularity(a, b, c);
+    middles[r] = (a + b + c) / 3.0;
+    const double own = (b - a).cross(c - a).norm();
+    center += own * middles[r];
+    area += own;
+    for (int k = 0; k < 3; ++k)
+    {
+      aroundVertex[triangles(r, k)] += irregularities[r];
+      ++valences[triangles(r, k)];
+    }
+  }
+  center = area > 0.0 ? Vector3(center / area) : middles[0];
+  double radius = 0.0;
+  for (const Vector3& middle : middles)
+  {
+    radius += (middle - center).norm() / static_cast<double>(size);
+  }
+  Index best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (Index r = 0; r < size; ++r)
+  {
+    double score = irregularities[r];
+    for (int k = 0; k < 3; ++k)
+    {
+      score += aroundVertex[triangles(r, k)] / (3.0 * valences[triangles(r, k)]);
+    }
+    constexpr double farness = 0.3;
+    score += farness * std::max(0.0, (middles[r] - center).norm() / std::max(radius, 1e-300) - 1.0);
+    if (score < least)
+    {
+      least = score;
+      best = r;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+Index choosePuncture(
+  const Points& points, const Triangles& triangles, const Points& spherePositions)
+{
+  Index best = 0;
+  double greatest = -1.0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const auto corner = [&](const Points& of, int k) { return Vector3(of.row(triangles(r, k))); };
+    const auto twiceArea = [&](const Points& of)
+    {
+      const Vector3 a = corner(of, 0);
+      return (corner(of, 1) - a).cross(corner(of, 2) - a).norm();
+    };
+    const double irregular = irregularity(corner(points, 0), corner(points, 1), corner(points, 2));
+    if (irregular == WorstIrregularity)
+    {
+      continue; // of no area
+    }
+    const double score =
+      std::pow(1.0 + irregular, -4.0) * twiceArea(spherePositions) / twiceArea(points);
+    if (score > greatest)
+    {
+      greatest = score;
+      best = r;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+Points punctureToSphere(const Points& points, const Triangles& triangles,
+  const EdgeWeights& strings, Index puncture, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  const Index size = points.rows();
+  const double root = std::sqrt(static_cast<double>(size));
+  // For each vertex; the second system has about a third of them.
+  Steps steps(progress, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
+  const Eigen::RowVector3i held = triangles.row(puncture);
+  const auto [base, side] =
+    flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));
+  Columns values = Columns::Zero(size, 2);
+  values.row(held[1]) << base.real(), 0.0;
+  values.row(held[2]) << side.real(), -side.imag(); // turned over: all others lie inside
+  std::vector<int> free;
+  for (int v = 0; v < size; ++v)
+  {
+    if (v != held[0] && v != held[1] && v != held[2])
+    {
+      free.push_back(v);
+    }
+  }
+  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
+  const Progress correcting = steps.next();
+
+  Plane map = values.col(0).cast<Complex>() + Complex(0.0, 1.0) * values.col(1).cast<Complex>();
+  PlaneMap plane(points, triangles, parallelFor, map);
+  plane.normalize();
+  constexpr double everywhere = 1e30;
+  constexpr int rounds = 6, roundsForAll = 3;
+  for (int i = 0; i < rounds; ++i)
+  {
+    plane.correct<1>(everywhere, i >= roundsForAll);
+    plane.normalize();
+    report(correcting, (i + 1.0) / rounds);
+  }
+  steps.next();
+  const double radius = capRadius(map);
+  free.clear();
+  for (int v = 0; v < size; ++v)
+  {
+    if (std::abs(map[v]) > radius)
+    {
+      free.push_back(v);
+    }
+  }
+  plane.correct<MostPowers>(Fit * radius, true);
+  for (Index v = 0; v < size; ++v)
+  {
+    const Complex w = 1.0 / map[v];
+    values.row(v) << w.real(), w.imag();
+  }
+  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
+  steps.next();
+
+  Points positions(size, 3);
+  for (Index v = 0; v < size; ++v)
+  {
+    const Complex z = map[v];
+    const double square = std::norm(z);
+    positions.row(v) << 2.0 * z.real(), 2.0 * z.imag(), 1.0 - square;
+    positions.row(v) /= 1.0 + square;
+  }
+  for (int v : free)
+  {
+    const Eigen::RowVector2d w = values.row(v);
+    const double square = w.squaredNorm();
+    positions.row(v) << 2.0 * w[0], -2.0 * w[1], square - 1.0;
+    positions.row(v) /= 1.0 + square;
+  }
+  if (!positions.allFinite())
+  {
+    throw std::runtime_error("the surface has left the numbers' range");
+  }
+  return positions;
+}
+}

@@ -1,0 +1,459 @@
+#include "Surface/CurvedSeamlessSurface.h"
+
+#include "Base/CoordinateFrame.h"
+#include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+#include "Sphere/SphereCoverage.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 256;
+constexpr double WorkOfLocator = 400.0; // for each triangle
+
+void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* what)
+{
+  if (!surface.differentiable())
+  {
+    throw std::invalid_argument(std::string("domes of the sphere have no ") + what +
+      ": take DomeHeight None, Curvature or Fitted");
+  }
+}
+
+/// |J u x J v| for u, v, p orthonormal: J's cofactors take u x v = p to J u x J v.
+double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
+{
+  Eigen::Matrix3d cofactors;
+  cofactors << j.col(1).cross(j.col(2)), j.col(2).cross(j.col(0)), j.col(0).cross(j.col(1));
+  return (cofactors * p).norm();
+}
+
+/// The faces turned to be counter-clockwise on the sphere, or an exception if it is not covered
+/// just once.
+Triangles facesOfMap(const Points& sphere, const Triangles& faces, const ParallelFor& parallelFor)
+{
+  Triangles turned = faces;
+  SphereCoverage coverage = measureSphereCoverage(sphere, turned, parallelFor);
+  if (coverage.Degree < 0)
+  {
+    turned.col(1).swap(turned.col(2));
+    coverage = measureSphereCoverage(sphere, turned, parallelFor);
+  }
+  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
+  {
+    throw std::invalid_argument("the map must cover the sphere just once, but it covers it " +
+      std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
+      " triangles folded over");
+  }
+  return turned;
+}
+}
+
+//------------------------------------------------------------------------------
+void copyUnitVectors(
+  const PointView& vectors, const char* what, double* units, const ParallelFor& parallelFor)
+{
+  std::atomic<Index> bad{ vectors.size() }; // the first one
+  forBlocks(parallelFor, vectors.size(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Vector3 unit = unitVector(vectors[i]);
+        Eigen::Map<Vector3>(units + 3 * i) = unit;
+        if (!unit.allFinite())
+        {
+          Index first = bad;
+          while (i < first && !bad.compare_exchange_weak(first, i))
+          {
+          }
+          return;
+        }
+      }
+    });
+  if (bad < vectors.size())
+  {
+    throw std::invalid_argument(
+      std::string(what) + " " + std::to_string(bad) + " is zero or not finite: no direction");
+  }
+}
+
+//------------------------------------------------------------------------------
+Points unitVectors(const PointView& vectors, const char* what, const ParallelFor& parallelFor)
+{
+  Points units(vectors.size(), 3);
+  copyUnitVectors(vectors, what, units.data(), parallelFor);
+  return units;
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points& model,
+  const Triangles& faces, const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
+  const ParallelFor& parallelFor, const Progress& progress)
+  : Options(options)
+  , Sphere(unitVectors(sphere, "sphere position", parallelFor))
+  , Model(model)
+  , Faces(facesOfMap(this->Sphere, faces, parallelFor))
+{
+  const auto size = static_cast<double>(faces.rows());
+  const double cloudSize = cloud ? static_cast<double>(cloud->size()) : 0.0;
+  const bool fits = options.DomeHeight == DomeHeight::Fitted;
+  Steps steps(progress,
+    { 20.0 * size, 60.0 * size, WorkOfLocator * size,
+      (options.SeamMode == SeamMode::EdgeMatched ? 1500.0 : 500.0) * size,
+      fits ? (1.0 + options.Fit.NumberOfFitRounds) * (2500.0 * cloudSize + 5000.0 * size)
+           : 300.0 * size,
+      50.0 * size });
+  steps.next();
+  if (sphere.rows() != model.rows() || !model.allFinite())
+  {
+    throw std::invalid_argument("the model needs one finite position for each sphere position");
+  }
+  if (!(options.VertexShift >= 0.0 && options.VertexShift <= 1.0))
+  {
+    throw std::invalid_argument("VertexShift must lie in [0, 1]");
+  }
+  const Vector3 mean = model.colwise().mean();
+  Points centered = model.rowwise() - mean.transpose();
+  this->HeightUnit = centered.rowwise().stableNorm().maxCoeff();
+  if (this->HeightUnit > 0.0)
+  {
+    centered /= this->HeightUnit;
+  }
+  const double rounding = 1e-12;
+  this->InsideOut = signedVolume(centered, this->Faces) < -rounding;
+  steps.next();
+  const Adjacency around = vertexTriangles(this->Faces, model.rows());
+  this->Neighbors = triangleNeighbors(this->Faces, around, parallelFor);
+  this->Locator =
+    SphereLocator(this->Sphere, this->Faces, this->Neighbors, parallelFor, steps.next());
+  this->Flat = FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode,
+    parallelFor, steps.next());
+  const Progress curving = steps.next();
+  if (this->differentiable())
+  {
+    this->curve(around, cloud, parallelFor, curving);
+  }
+  else
+  {
+    this->Domes = SphereDomes(this->Sphere, this->Model, this->Faces, this->Neighbors, this->Flat,
+      this->InsideOut, parallelFor, curving);
+    this->scaleDomes();
+  }
+  steps.next();
+  this->Degenerate.resize(faces.rows(), 0);
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    this->Degenerate[r] |=
+      this->Flat.degenerate(r) || !(this->differentiable() || this->Domes.defined(r));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples* cloud,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  Points normals = Points::Zero(this->Model.rows(), 3);
+  if (this->Options.DomeHeight != DomeHeight::None)
+  {
+    normals = vertexNormals(this->Model, this->Faces, around, parallelFor);
+  }
+  this->Curved = CurvedTriangles(this->Model, normals, this->Faces);
+  if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
+  {
+    const Points lowered =
+      lowerVertices(this->Curved, around, this->Options.VertexShift, parallelFor);
+    normals = vertexNormals(lowered, this->Faces, around, parallelFor);
+    this->Curved = CurvedTriangles(lowered, normals, this->Faces);
+  }
+  if (this->Options.DomeHeight == DomeHeight::Fitted)
+  {
+    if (!cloud || cloud->empty())
+    {
+      throw std::invalid_argument("domes can be fitted to a cloud only, and there is none");
+    }
+    this->Curved =
+      fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, parallelFor, progress);
+  }
+  this->Degenerate = flattenFolds(this->Curved, parallelFor);
+}
+
+//------------------------------------------------------------------------------
+// Root of the areas around each vertex, model to network. Scaled domes rise by it, published ones
+// by the largest radius.
+void CurvedSeamlessSurface::scaleDomes()
+{
+  this->Scales.assign(this->Model.rows(), this->HeightUnit);
+  if (this->Options.DomeHeight != DomeHeight::Scaled)
+  {
+    return;
+  }
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(this->Model.rows());
+  Eigen::VectorXd solidAngles = areas;
+  const auto area = [&](const Points& points, Index r, double unit)
+  {
+    const Vector3 a = points.row(this->Faces(r, 0)) / unit,
+                  b = points.row(this->Faces(r, 1)) / unit,
+                  c = points.row(this->Faces(r, 2)) / unit;
+    return (b - a).cross(c - a).norm();
+  };
+  const double unit = this->HeightUnit > 0.0 ? this->HeightUnit : 1.0;
+  for (Index r = 0; r < this->Faces.rows(); ++r)
+  {
+    const double ofModel = area(this->Model, r, unit), ofSphere = area(this->Sphere, r, 1.0);
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[this->Faces(r, k)] += ofModel;
+      solidAngles[this->Faces(r, k)] += ofSphere;
+    }
+  }
+  for (std::size_t i = 0; i < this->Scales.size(); ++i)
+  {
+    this->Scales[i] = solidAngles[i] > 0.0 ? unit * std::sqrt(areas[i] / solidAngles[i]) : 0.0;
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedSeamlessSurface::onSphere(Index triangle, const Vector3& barycentric) const
+{
+  Vector3 flat = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    flat += barycentric[k] * this->Sphere.row(this->Faces(triangle, k)).transpose();
+  }
+  return flat.normalized();
+}
+
+//------------------------------------------------------------------------------
+// Rows: the change of the barycentric coordinates of p' with p.
+Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3& direction) const
+{
+  Eigen::Matrix3d slopes;
+  Vector3 sides;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 a = this->Sphere.row(this->Faces(triangle, (k + 1) % 3)),
+                  b = this->Sphere.row(this->Faces(triangle, (k + 2) % 3));
+    slopes.row(k) = a.cross(b - a); // of det(a, b, p), with p
+    sides[k] = (a - direction).cross(b - direction).dot(direction);
+  }
+  const double sum = sides.sum();
+  return (slopes - sides / sum * slopes.colwise().sum()) / sum;
+}
+
+//------------------------------------------------------------------------------
+void CurvedSeamlessSurface::Evaluator::moveTo(Index triangle)
+{
+  if (triangle != this->Last)
+  {
+    this->Last = static_cast<int>(triangle);
+    this->Flat.emplace(this->Surface.Flat, triangle);
+    if (this->Surface.differentiable())
+    {
+      this->Curved = this->Surface.Curved[triangle];
+      if (this->Surface.Options.DomeHeight != DomeHeight::None)
+      {
+        this->Shading = ShadingNormals(this->Curved);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::onDomes(
+  Index triangle, const Vector3& p, const Vector3& q) const
+{
+  const CurvedSeamlessSurface& s = this->Surface;
+  const auto ids = s.Faces.row(triangle);
+  Image image;
+  image.Position =
+    q[0] * s.Model.row(ids[0]) + q[1] * s.Model.row(ids[1]) + q[2] * s.Model.row(ids[2]);
+  image.Normal = s.Domes.normal(triangle);
+  image.Triangle = static_cast<int>(triangle);
+  const double height = s.Domes.height(triangle, p);
+  if (height > 0.0)
+  {
+    const double scale =
+      p[0] * s.Scales[ids[0]] + p[1] * s.Scales[ids[1]] + p[2] * s.Scales[ids[2]];
+    image.Position += scale * height * s.Domes.direction(triangle, q);
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
+  const Vector3& direction, Eigen::Matrix3d* derivative)
+{
+  const CurvedSeamlessSurface& s = this->Surface;
+  if (derivative)
+  {
+    requireDifferentiable(s, "derivative along their ridges");
+  }
+  const SphereLocation location = s.Locator.locate(direction, this->Last);
+  const int r = location.Triangle;
+  if (r < 0)
+  {
+    throw std::invalid_argument("not a unit vector");
+  }
+  this->moveTo(r);
+  Eigen::Matrix3d ofMap;
+  const Vector3& p = location.Barycentric;
+  const Vector3 q = this->Flat->toModel(p, derivative ? &ofMap : nullptr);
+  if (!s.differentiable())
+  {
+    return this->onDomes(r, p, q);
+  }
+  Image image;
+  image.Triangle = r;
+  image.Position = this->Curved.position(q);
+  image.Normal =
+    s.Options.DomeHeight == DomeHeight::None ? this->Curved.surfaceNormal(q) : this->Shading(q);
+  if (s.InsideOut)
+  {
+    image.Normal = -image.Normal;
+  }
+  if (derivative && s.Flat.degenerate(r))
+  {
+    derivative->setZero();
+  }
+  else if (derivative)
+  {
+    *derivative = this->Curved.derivative(q) * ofMap * s.projection(r, direction);
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedSeamlessSurface::Evaluator::direction(Index triangle, const Vector3& barycentric)
+{
+  this->moveTo(triangle);
+  return this->Surface.onSphere(triangle, this->Flat->toNetwork(barycentric));
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessInverse::CurvedSeamlessInverse(
+  const CurvedSeamlessSurface& surface, const ParallelFor& parallelFor)
+  : Tree(surface.curvedTriangles(), parallelFor)
+{
+  requireDifferentiable(surface, "inverse");
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessInverse::Foot CurvedSeamlessInverse::evaluate(
+  const Vector3& point, CurvedSeamlessSurface::Evaluator& evaluator, int hint) const
+{
+  Foot foot;
+  foot.OnSurface = this->Tree.closestPoint(point, hint);
+  foot.Direction = evaluator.direction(foot.OnSurface.Triangle, foot.OnSurface.Barycentric);
+  return foot;
+}
+
+//------------------------------------------------------------------------------
+void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
+  const SurfaceSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+{
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  if (samples.differentiates())
+  {
+    requireDifferentiable(surface, "derivative along their ridges");
+  }
+  forBlocks(parallelFor, directions.size(), BlockSize, progress,
+    [&](Index begin, Index end)
+    {
+      CurvedSeamlessSurface::Evaluator evaluator(surface);
+      for (Index i = begin; i < end; ++i)
+      {
+        Eigen::Matrix3d derivative;
+        const CurvedSeamlessSurface::Image image =
+          evaluator.evaluate(directions[i], samples.differentiates() ? &derivative : nullptr);
+        if (samples.Positions)
+        {
+          Eigen::Map<Vector3>(samples.Positions + 3 * i) = image.Position;
+        }
+        if (samples.Normals)
+        {
+          Eigen::Map<Vector3>(samples.Normals + 3 * i) = image.Normal;
+        }
+        if (samples.Derivatives)
+        {
+          Eigen::Map<RowMajor>(samples.Derivatives + 9 * i) = derivative;
+        }
+        if (samples.Metrics)
+        {
+          Eigen::Map<RowMajor>(samples.Metrics + 9 * i) = derivative.transpose() * derivative;
+        }
+        if (samples.AreaElements)
+        {
+          samples.AreaElements[i] = areaElement(derivative, directions[i]);
+        }
+        if (samples.Degenerate)
+        {
+          samples.Degenerate[i] = surface.degenerate()[image.Triangle];
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
+  double* feet, const ParallelFor& parallelFor, const Progress& progress)
+{
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    if (!points[i].allFinite())
+    {
+      throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
+    }
+  }
+  const CurvedSeamlessInverse inverse(surface, parallelFor);
+  forBlocks(parallelFor, points.size(), BlockSize, progress,
+    [&](Index begin, Index end)
+    {
+      CurvedSeamlessSurface::Evaluator evaluator(surface);
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const CurvedSeamlessInverse::Foot foot = inverse.evaluate(points[i], evaluator, hint);
+        hint = foot.OnSurface.Triangle;
+        Eigen::Map<Vector3>(directions + 3 * i) = foot.Direction;
+        if (feet)
+        {
+          Eigen::Map<Vector3>(feet + 3 * i) = foot.OnSurface.Position;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, const Points& model,
+  const Triangles& faces, const Points& directions, const CurvedSeamlessSurfaceOptions& options,
+  const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
+{
+  report(progress, 0.0);
+  const double shareOfMesh = options.DomeHeight == DomeHeight::Fitted ? 0.95 : 0.5;
+  const CurvedSeamlessSurface surface(
+    sphere, model, faces, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
+  CurvedSeamlessSurfaceResult result;
+  result.Directions = unitVectors(directions, "direction", parallelFor);
+  result.Positions.resize(directions.rows(), 3);
+  result.Normals.resize(directions.rows(), 3);
+  result.Degenerate.resize(directions.rows());
+  result.NumberOfDegenerateTriangles = surface.numberOfDegenerateTriangles();
+  SurfaceSamples samples;
+  samples.Positions = result.Positions.data();
+  samples.Normals = result.Normals.data();
+  samples.Degenerate = result.Degenerate.data();
+  evaluate(surface, result.Directions, samples, parallelFor, partOf(progress, shareOfMesh, 1.0));
+  report(progress, 1.0);
+  return result;
+}
+}

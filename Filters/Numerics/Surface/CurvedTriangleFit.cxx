@@ -1,0 +1,427 @@
+#include "Surface/CurvedTriangleFit.h"
+
+#include "Base/AcrossProcesses.h"
+#include "Cloud/LocalScale.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+using Unknowns = Points; // #V by 3: offset along the normal, two tilts times the length around
+using Blocks = std::vector<Eigen::Matrix3d>;
+
+constexpr double OutlierRatio = 6.0;
+constexpr double NormalShare = 0.1;   // of the smoothness, for the normals
+constexpr double LargestTilt = 0.5;   // of a normal in one round
+constexpr double LargestSlant = 0.95; // cosine, below which a foot lies on a crease
+constexpr int LargestNumberOfSteps = 60;
+constexpr double Accuracy = 1e-8; // of the square of the preconditioned residual
+
+/// Two directions across each normal.
+struct Frame
+{
+  Vector3 N, E1, E2;
+  double Length;
+};
+
+std::vector<Frame> framesOf(const CurvedTriangles& surface, const Adjacency& neighbors)
+{
+  std::vector<Frame> frames(surface.positions().rows());
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    Frame& frame = frames[i];
+    const Index v = static_cast<Index>(i);
+    frame.N = surface.normals().row(v);
+    frame.E1 = frame.N.unitOrthogonal();
+    frame.E2 = frame.N.cross(frame.E1);
+    double sum = 0.0;
+    for (const int* j = neighbors.begin(v); j != neighbors.end(v); ++j)
+    {
+      sum += (surface.positions().row(*j) - surface.positions().row(v)).norm();
+    }
+    const double least = 1e-9; // in units of the cloud's radius
+    frame.Length = std::max(sum / std::max(1, neighbors.size(v)), least);
+  }
+  return frames;
+}
+
+/// The normal equations: for every triangle 9 by 9, gathered to blocks of vertex and neighbor.
+class Equations
+{
+public:
+  Equations(const Triangles& faces, const Adjacency& neighbors)
+    : Faces(faces)
+    , Neighbors(neighbors)
+    , Sums(faces.rows() * 54 + 1, 0.0)
+    , Diagonal(neighbors.Offsets.size() - 1)
+    , Across(neighbors.Ids.size())
+  {
+  }
+
+  void clear() { std::fill(this->Sums.begin(), this->Sums.end(), 0.0); }
+
+  void add(Index triangle, const Eigen::Matrix<double, 9, 1>& row, double residual, double weight)
+  {
+    double* sums = this->Sums.data() + 54 * triangle;
+    for (int i = 0; i < 9; ++i)
+    {
+      const double weighted = weight * row[i];
+      for (int j = i; j < 9; ++j)
+      {
+        *sums++ += weighted * row[j];
+      }
+      *sums++ += weighted * residual;
+    }
+    this->Sums.back() += weight;
+  }
+
+  /// All that was added, and nothing else, to be carried on by another process.
+  std::vector<double>& sums() { return this->Sums; }
+
+  /// The weight of all that was added.
+  double weight() const { return this->Sums.back(); }
+
+  /// @return the right-hand side
+  Unknowns assemble()
+  {
+    std::fill(this->Diagonal.begin(), this->Diagonal.end(), Eigen::Matrix3d::Zero());
+    std::fill(this->Across.begin(), this->Across.end(), Eigen::Matrix3d::Zero());
+    Unknowns right = Unknowns::Zero(static_cast<Index>(this->Diagonal.size()), 3);
+    for (Index r = 0; r < this->Faces.rows(); ++r)
+    {
+      const double* sums = this->Sums.data() + 54 * r;
+      Eigen::Matrix<double, 9, 9> matrix;
+      for (int i = 0; i < 9; ++i)
+      {
+        for (int j = i; j < 9; ++j)
+        {
+          matrix(i, j) = matrix(j, i) = *sums++;
+        }
+        right(this->Faces(r, i / 3), i % 3) += *sums++;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const int v = this->Faces(r, k);
+        this->Diagonal[v] += matrix.block<3, 3>(3 * k, 3 * k);
+        for (const int l : { (k + 1) % 3, (k + 2) % 3 })
+        {
+          this->Across[this->place(v, this->Faces(r, l))] += matrix.block<3, 3>(3 * k, 3 * l);
+        }
+      }
+    }
+    return right;
+  }
+
+  Blocks& diagonal() { return this->Diagonal; }
+
+  /// matrix times unknowns, plus stiffness L^T L of the offsets.
+  Unknowns times(const Unknowns& x, double stiffness, const ParallelFor& parallelFor) const
+  {
+    Unknowns y(x.rows(), 3);
+    Eigen::VectorXd bent(x.rows());
+    constexpr Index BlockSize = 1024;
+    forBlocks(parallelFor, x.rows(), BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          Vector3 sum = this->Diagonal[i] * x.row(i).transpose();
+          double ring = 0.0;
+          for (int at = this->Neighbors.Offsets[i]; at < this->Neighbors.Offsets[i + 1]; ++at)
+          {
+            sum += this->Across[at] * x.row(this->Neighbors.Ids[at]).transpose();
+            ring += x(this->Neighbors.Ids[at], 0);
+          }
+          y.row(i) = sum;
+          bent[i] = x(i, 0) - ring / this->Neighbors.size(i);
+        }
+      });
+    forBlocks(parallelFor, x.rows(), BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          double sum = bent[i];
+          for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
+          {
+            sum -= bent[*j] / this->Neighbors.size(*j);
+          }
+          y(i, 0) += stiffness * sum;
+        }
+      });
+    return y;
+  }
+
+private:
+  std::size_t place(int vertex, int neighbor) const
+  {
+    const int* found =
+      std::lower_bound(this->Neighbors.begin(vertex), this->Neighbors.end(vertex), neighbor);
+    return static_cast<std::size_t>(found - this->Neighbors.Ids.data());
+  }
+
+  const Triangles& Faces;
+  const Adjacency& Neighbors;
+  std::vector<double> Sums; // the upper triangle and the right-hand side, row by row; the weight
+  Blocks Diagonal, Across;
+};
+
+/// Conjugate gradients, preconditioned by the blocks of the vertices, from 0.
+Unknowns solve(Equations& equations, const Unknowns& right, double stiffness,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  Blocks inverse = equations.diagonal();
+  for (Eigen::Matrix3d& block : inverse)
+  {
+    block(0, 0) += stiffness; // about the diagonal of L^T L
+    block = block.inverse().eval();
+  }
+  const auto precondition = [&](const Unknowns& r)
+  {
+    Unknowns z(r.rows(), 3);
+    for (Index i = 0; i < r.rows(); ++i)
+    {
+      z.row(i) = inverse[i] * r.row(i).transpose();
+    }
+    return z;
+  };
+  Unknowns x = Unknowns::Zero(right.rows(), 3), r = right, z = precondition(r), p = z;
+  double square = r.cwiseProduct(z).sum();
+  const double first = square;
+  for (int step = 0; step < LargestNumberOfSteps && square > Accuracy * first; ++step)
+  {
+    const Unknowns q = equations.times(p, stiffness, parallelFor);
+    const double length = square / p.cwiseProduct(q).sum();
+    x += length * p;
+    r -= length * q;
+    z = precondition(r);
+    const double next = r.cwiseProduct(z).sum();
+    p = z + next / square * p;
+    square = next;
+    report(progress, (step + 1.0) / LargestNumberOfSteps);
+  }
+  return x;
+}
+
+/// How a point of a triangle, seen along a direction, moves with the unknowns of its corners.
+Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::vector<Frame>& frames,
+  const FootPoint& foot, const Vector3& direction)
+{
+  const auto ids = surface.faces().row(foot.Triangle);
+  const Vector3& m = foot.Barycentric;
+  const double bubble = 0.5 * m[0] * m[1] * m[2];
+  Eigen::Matrix<double, 9, 1> row;
+  Vector3 seen;
+  for (int k = 0; k < 3; ++k)
+  {
+    seen[k] = frames[ids[k]].N.dot(direction);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    const Frame& own = frames[ids[i]];
+    const Vector3 at = surface.positions().row(ids[i]);
+    double offset = m[i] * seen[i];
+    double tilts[2] = { 0.0, 0.0 };
+    for (const int j : { (i + 1) % 3, (i + 2) % 3 })
+    {
+      const double out = m[i] * m[i] * m[j] + bubble, in = m[j] * m[j] * m[i] + bubble;
+      offset += out * seen[i] - in * own.N.dot(frames[ids[j]].N) * seen[j];
+      const Vector3 edge = Vector3(surface.positions().row(ids[j])) - at;
+      const double rise = edge.dot(own.N);
+      tilts[0] -= out * (edge.dot(own.E1) * seen[i] + rise * own.E1.dot(direction));
+      tilts[1] -= out * (edge.dot(own.E2) * seen[i] + rise * own.E2.dot(direction));
+    }
+    row.segment<3>(3 * i) << offset, tilts[0] / own.Length, tilts[1] / own.Length;
+  }
+  return row;
+}
+
+/// The feet of all samples on all threads, handed out in order on the calling one. Several
+/// processes keep theirs until it is their turn to carry on the sums of the body.
+template <typename Body>
+void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
+  std::vector<int>& hints, std::vector<double>& sums, const ParallelFor& parallelFor,
+  const Progress& progress, Body body)
+{
+  const CurvedTriangleTree tree(surface, parallelFor);
+  constexpr Index BlockSize = 256;
+  constexpr Index ChunkSize = 64 * BlockSize;
+  const bool keep = samples.reduce().NumberOfRanks > 1;
+  std::vector<FootPoint> all(keep ? samples.size() : std::min(ChunkSize, samples.size()));
+  for (Index first = 0; first < samples.size(); first += ChunkSize)
+  {
+    const Index size = std::min(ChunkSize, samples.size() - first);
+    FootPoint* const feet = all.data() + (keep ? first : 0);
+    forBlocks(parallelFor, size, BlockSize,
+      [&](Index begin, Index end)
+      {
+        int last = -1; // neighbours in the scan are often neighbours in space
+        for (Index i = begin; i < end; ++i)
+        {
+          int& hint = hints[first + i];
+          feet[i] = tree.closestPoint(samples[first + i], hint < 0 ? last : hint);
+          hint = last = feet[i].Triangle;
+        }
+      });
+    for (Index i = 0; i < size && !keep; ++i)
+    {
+      body(first + i, feet[i]);
+    }
+    report(progress, static_cast<double>(first + size) / static_cast<double>(samples.size()));
+  }
+  if (keep)
+  {
+    inTurn(samples.reduce(), sums.data(), static_cast<Index>(sums.size()),
+      [&]()
+      {
+        for (Index i = 0; i < samples.size(); ++i)
+        {
+          body(i, all[i]);
+        }
+      });
+  }
+}
+
+/// Lengths in the samples' unit, or back in their own.
+CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& samples, bool restore)
+{
+  Points positions = surface.positions();
+  for (Index i = 0; i < positions.rows(); ++i)
+  {
+    const Vector3 x = positions.row(i);
+    positions.row(i) = restore ? samples.restore(x) : samples.normalize(x);
+  }
+  return CurvedTriangles(positions, surface.normals(), surface.faces());
+}
+
+/// The surface with the unknowns taken in.
+CurvedTriangles moved(
+  const CurvedTriangles& surface, const std::vector<Frame>& frames, const Unknowns& step)
+{
+  Points positions = surface.positions(), normals = surface.normals();
+  for (Index i = 0; i < positions.rows(); ++i)
+  {
+    const Frame& frame = frames[i];
+    positions.row(i) += step(i, 0) * frame.N;
+    Vector3 tilt = (step(i, 1) * frame.E1 + step(i, 2) * frame.E2) / frame.Length;
+    const double size = tilt.norm();
+    tilt *= size > LargestTilt ? LargestTilt / size : 1.0;
+    normals.row(i) = (frame.N + tilt).normalized();
+  }
+  return CurvedTriangles(positions, normals, surface.faces());
+}
+
+/// What holds the surface where samples do not.
+void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames, double stiffness,
+  double least, Equations& equations, Unknowns& right)
+{
+  const Points usual = vertexNormals(surface.positions(), surface.faces());
+  for (Index i = 0; i < right.rows(); ++i)
+  {
+    const Vector3 normal = usual.row(i);
+    const double hold = NormalShare * stiffness / 16.0; // of tilts times length
+    equations.diagonal()[i].diagonal() += Vector3(least, hold + least, hold + least);
+    right(i, 1) += hold * frames[i].Length * frames[i].E1.dot(normal);
+    right(i, 2) += hold * frames[i].Length * frames[i].E2.dot(normal);
+  }
+}
+
+/// A cloud may cover a part of the surface, or more than it, but not be of another unit.
+void requireOneSize(const Points& positions)
+{
+  constexpr double largest = 0x1p16, smallest = 0x1p-16;
+  const double extent =
+    (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
+  if (!(positions.cwiseAbs().maxCoeff() <= largest && extent >= smallest))
+  {
+    throw std::invalid_argument(
+      "the cloud must be of the surface's size and place for the surface to be fitted to it");
+  }
+}
+
+/// Vertices where normals cancel take any direction across.
+CurvedTriangles withNormals(const CurvedTriangles& surface)
+{
+  Points normals = surface.normals();
+  for (Index i = 0; i < normals.rows(); ++i)
+  {
+    if (normals.row(i).isZero(0.0))
+    {
+      normals.row(i) = Vector3::UnitZ();
+    }
+  }
+  return CurvedTriangles(surface.positions(), normals, surface.faces());
+}
+}
+
+//------------------------------------------------------------------------------
+CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingSamples& samples,
+  const CurvedTriangleFitOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (options.NumberOfFitRounds < 0 ||
+    !(options.FitSmoothness >= 0.0 && std::isfinite(options.FitSmoothness)))
+  {
+    throw std::invalid_argument("NumberOfFitRounds and FitSmoothness must not be negative");
+  }
+  CurvedTriangles surface = withNormals(inUnit(start, samples, false));
+  requireOneSize(surface.positions());
+  const Triangles& faces = start.faces();
+  const Index size = surface.positions().rows();
+  const Adjacency neighbors = vertexNeighbors(faces, size);
+  Equations equations(faces, neighbors);
+  LocalScale scale(size, OutlierRatio);
+  std::vector<int> hints(samples.size(), -1);
+  const double steps = options.NumberOfFitRounds + 1.0;
+  // Before anything moves: outliers must not pull even once.
+  for (int round = -1; round < options.NumberOfFitRounds; ++round)
+  {
+    const std::vector<Frame> frames = framesOf(surface, neighbors);
+    const double begin = (round + 1) / steps;
+    equations.clear();
+    std::vector<double> none;
+    forEachCurvedFoot(surface, samples, hints, round < 0 ? none : equations.sums(), parallelFor,
+      partOf(progress, begin, begin + 0.8 / steps),
+      [&](Index i, const FootPoint& foot)
+      {
+        const double weight = samples.weight(i);
+        const bool use = round >= 0 && !scale.outlying(foot, faces);
+        scale.add(foot, faces, weight);
+        if (!use)
+        {
+          return;
+        }
+        const Vector3 way = samples[i] - foot.Position;
+        Vector3 direction = surface[foot.Triangle].surfaceNormal(foot.Barycentric);
+        const double along = direction.dot(way);
+        if (along * along < LargestSlant * LargestSlant * foot.SquareDistance)
+        {
+          direction = way / std::sqrt(foot.SquareDistance);
+        }
+        equations.add(
+          foot.Triangle, motion(surface, frames, foot, direction), direction.dot(way), weight);
+      });
+    scale.update(neighbors, samples.reduce());
+    if (round < 0 || equations.weight() == 0.0)
+    {
+      continue;
+    }
+    const double perVertex = equations.weight() / static_cast<double>(size);
+    const double stiffness = options.FitSmoothness * perVertex;
+    Unknowns right = equations.assemble();
+    addPriors(surface, frames, stiffness, 1e-6 * perVertex, equations, right);
+    const Unknowns step = solve(equations, right, stiffness, parallelFor,
+      partOf(progress, begin + 0.8 / steps, begin + 1.0 / steps));
+    surface = moved(surface, frames, step);
+  }
+  return inUnit(surface, samples, true);
+}
+}

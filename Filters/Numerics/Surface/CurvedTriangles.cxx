@@ -1,0 +1,478 @@
+#include "Surface/CurvedTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 256;
+}
+
+CurvedTriangle::CurvedTriangle(
+  const std::array<Vector3, 3>& positions, const std::array<Vector3, 3>& normals)
+  : W(positions)
+  , N(normals)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      this->Rise(k, j) = (this->W[j] - this->W[k]).dot(this->N[k]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+ShadingNormals::ShadingNormals(const CurvedTriangle& triangle)
+{
+  const std::array<Vector3, 3>& w = triangle.positions();
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Ends[k] = triangle.normals()[k].normalized();
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    // The mean of the two normals, mirrored at the plane across the edge.
+    const Vector3 edge = w[(k + 2) % 3] - w[(k + 1) % 3];
+    const Vector3 sum = this->Ends[(k + 1) % 3] + this->Ends[(k + 2) % 3];
+    const double square = edge.squaredNorm();
+    this->Middles[k] =
+      (square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum).normalized();
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 ShadingNormals::operator()(const Vector3& barycentric) const
+{
+  const Vector3& m = barycentric;
+  const std::array<Vector3, 3>&e = this->Ends, &c = this->Middles;
+  const Vector3 ends = m[0] * m[0] * e[0] + m[1] * m[1] * e[1] + m[2] * m[2] * e[2];
+  const Vector3 middles = m[1] * m[2] * c[0] + m[2] * m[0] * c[1] + m[0] * m[1] * c[2];
+  return (ends + middles).normalized();
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedTriangle::position(const Vector3& barycentric) const
+{
+  const Vector3& m = barycentric;
+  const double bubble = 0.5 * m[0] * m[1] * m[2];
+  // Sums over the corners in pairs, and flat and dome apart: on an edge the third corner adds
+  // zeros, so that both sides come to the same bits.
+  const Vector3 flat = m[0] * this->W[0] + m[1] * this->W[1] + m[2] * this->W[2];
+  Vector3 dome = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const double linear = m[i] * this->Rise(k, i) + m[j] * this->Rise(k, j);
+    const double sum = this->Rise(k, i) + this->Rise(k, j);
+    dome += (m[k] * m[k] * linear + bubble * sum) * this->N[k];
+  }
+  return flat - dome;
+}
+
+//------------------------------------------------------------------------------
+Eigen::Matrix3d CurvedTriangle::derivative(const Vector3& barycentric) const
+{
+  const Vector3& m = barycentric;
+  Eigen::Matrix3d derivative;
+  for (int with = 0; with < 3; ++with)
+  {
+    const double ofBubble = 0.5 * m[(with + 1) % 3] * m[(with + 2) % 3];
+    Vector3 column = this->W[with];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const double linear = m[i] * this->Rise(k, i) + m[j] * this->Rise(k, j);
+      const double own = with == k ? 2.0 * m[k] * linear : m[k] * m[k] * this->Rise(k, with);
+      column -= (own + ofBubble * (this->Rise(k, i) + this->Rise(k, j))) * this->N[k];
+    }
+    derivative.col(with) = column;
+  }
+  return derivative;
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedTriangle::surfaceNormal(const Vector3& barycentric) const
+{
+  const Eigen::Matrix3d derivative = this->derivative(barycentric);
+  const Vector3 along = derivative.col(1) - derivative.col(0),
+                across = derivative.col(2) - derivative.col(0);
+  return along.stableNormalized().cross(across.stableNormalized()).stableNormalized();
+}
+
+//------------------------------------------------------------------------------
+Vector3 CurvedTriangle::rise(int edge) const
+{
+  const int i = (edge + 1) % 3, j = (edge + 2) % 3;
+  return -(this->Rise(i, j) * this->N[i] + this->Rise(j, i) * this->N[j]) / 8.0;
+}
+
+//------------------------------------------------------------------------------
+// On the edge from corner k to corner j, near k.
+Vector3 CurvedTriangle::controlPoint(int k, int j) const
+{
+  return (2.0 * this->W[k] + this->W[j] - this->Rise(k, j) * this->N[k]) / 3.0;
+}
+
+//------------------------------------------------------------------------------
+Box CurvedTriangle::bounds() const
+{
+  Box box;
+  Vector3 middle = (this->W[0] + this->W[1] + this->W[2]) / 3.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    box.extend(this->W[k]);
+    for (const int j : { (k + 1) % 3, (k + 2) % 3 })
+    {
+      box.extend(this->controlPoint(k, j));
+      middle -= this->Rise(k, j) / 12.0 * this->N[k];
+    }
+  }
+  box.extend(middle);
+  return box;
+}
+
+//------------------------------------------------------------------------------
+bool CurvedTriangle::folds() const
+{
+  const Vector3 up = (this->W[1] - this->W[0]).cross(this->W[2] - this->W[0]);
+  if (up.isZero(0.0))
+  {
+    return false;
+  }
+  // Control points b_ijk at (i, j, k) / 3. Derivatives towards corners 1 and 2 are means of their
+  // differences, so that they turn the same way everywhere if all pairs of these do.
+  const Vector3 b300 = this->W[0], b030 = this->W[1], b003 = this->W[2],
+                b210 = this->controlPoint(0, 1), b120 = this->controlPoint(1, 0),
+                b021 = this->controlPoint(1, 2), b012 = this->controlPoint(2, 1),
+                b102 = this->controlPoint(2, 0), b201 = this->controlPoint(0, 2);
+  const Vector3 b111 = (b210 + b120 + b021 + b012 + b102 + b201) / 4.0 - (b300 + b030 + b003) / 6.0;
+  const std::array<Vector3, 6> along{ b210 - b300, b120 - b210, b030 - b120, b111 - b201,
+    b021 - b111, b012 - b102 };
+  const std::array<Vector3, 6> across{ b201 - b300, b111 - b210, b021 - b120, b102 - b201,
+    b012 - b111, b003 - b102 };
+  const auto turnsAlike = [&](const Vector3& u)
+  {
+    const Vector3 side = up.cross(u);
+    return std::all_of(
+      across.begin(), across.end(), [&](const Vector3& v) { return side.dot(v) > 0.0; });
+  };
+  if (std::all_of(along.begin(), along.end(), turnsAlike))
+  {
+    return false;
+  }
+  const int cuts = 12;
+  for (int i = 0; i <= cuts; ++i)
+  {
+    for (int j = 0; i + j <= cuts; ++j)
+    {
+      const double x = static_cast<double>(i) / cuts, y = static_cast<double>(j) / cuts;
+      const Eigen::Matrix3d d = this->derivative({ 1.0 - x - y, x, y });
+      if (!((d.col(1) - d.col(0)).cross(d.col(2) - d.col(0)).dot(up) > 0.0))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+CurvedTriangles::CurvedTriangles(
+  const Points& positions, const Points& normals, const Triangles& faces)
+  : Positions(positions)
+  , Normals(normals)
+  , Faces(faces)
+{
+}
+
+//------------------------------------------------------------------------------
+CurvedTriangle CurvedTriangles::operator[](Index triangle) const
+{
+  std::array<Vector3, 3> positions, normals;
+  for (int k = 0; k < 3; ++k)
+  {
+    positions[k] = this->Positions.row(this->Faces(triangle, k));
+    normals[k] = this->Normals.row(this->Faces(triangle, k));
+  }
+  return CurvedTriangle(positions, normals);
+}
+
+//------------------------------------------------------------------------------
+Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
+  const ParallelFor& parallelFor)
+{
+  struct Domes
+  {
+    double Area;
+    std::array<Vector3, 3> Heights; // over the middle of the edge opposite
+  };
+  const Points& normals = surface.normals();
+  const Triangles& faces = surface.faces();
+  std::vector<Domes> domes(faces.rows());
+  forBlocks(parallelFor, faces.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        const CurvedTriangle triangle = surface[r];
+        const std::array<Vector3, 3>& w = triangle.positions();
+        domes[r] = { 0.5 * (w[1] - w[0]).cross(w[2] - w[0]).norm(),
+          { triangle.rise(0), triangle.rise(1), triangle.rise(2) } };
+      }
+    });
+  Points lowered = surface.positions();
+  forBlocks(parallelFor, lowered.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        Vector3 volume = Vector3::Zero();
+        double area = 0.0;
+        for (const int* r = around.begin(i); r != around.end(i); ++r)
+        {
+          const Domes& its = domes[*r];
+          for (int k = 0; k < 3; ++k)
+          {
+            // Integrals of the bubble 4 m_i m_j against m_k, and against m_i or m_j.
+            const double weight = faces(*r, k) == i ? 1.0 / 15.0 : 2.0 / 15.0;
+            volume += its.Area * weight * its.Heights[k];
+          }
+          area += its.Area / 3.0;
+        }
+        if (area > 0.0)
+        {
+          const Vector3 normal = normals.row(i);
+          lowered.row(i) -= share * normal.dot(volume) / area * normal;
+        }
+      }
+    });
+  return lowered;
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const ParallelFor& parallelFor)
+{
+  const Triangles& faces = surface.faces();
+  std::vector<unsigned char> flattened(faces.rows(), 0), folds(faces.rows(), 0);
+  std::vector<unsigned char> changed(surface.positions().rows(), 1);
+  const int mostRounds = 20; // after which normals are of no length
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    forBlocks(parallelFor, faces.rows(), BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index r = begin; r < end; ++r)
+        {
+          const bool asks = changed[faces(r, 0)] || changed[faces(r, 1)] || changed[faces(r, 2)];
+          folds[r] = asks && surface[r].folds();
+          flattened[r] |= folds[r];
+        }
+      });
+    if (std::count(folds.begin(), folds.end(), 1) == 0)
+    {
+      break;
+    }
+    Points normals = surface.normals();
+    std::fill(changed.begin(), changed.end(), 0);
+    for (Index r = 0; r < faces.rows(); ++r)
+    {
+      for (int k = 0; folds[r] && k < 3; ++k)
+      {
+        const int i = faces(r, k);
+        normals.row(i) = 0.7 * surface.normals().row(i); // domes halve
+        changed[i] = 1;
+      }
+    }
+    surface = CurvedTriangles(surface.positions(), normals, faces);
+  }
+  return flattened;
+}
+
+//------------------------------------------------------------------------------
+NormalJumps measureNormalJumps(
+  const CurvedTriangles& surface, const Triangles& neighbors, const ParallelFor& parallelFor)
+{
+  const Triangles& faces = surface.faces();
+  const std::array<double, 5> shares{ 0.1, 0.3, 0.5, 0.7, 0.9 };
+  std::vector<NormalJumps> blocks((faces.rows() + BlockSize - 1) / BlockSize);
+  forBlocks(parallelFor, faces.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      NormalJumps& jumps = blocks[begin / BlockSize];
+      for (Index r = begin; r < end; ++r)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const Index other = neighbors(r, k);
+          if (other < r)
+          {
+            continue;
+          }
+          const CurvedTriangle own = surface[r], its = surface[other];
+          for (const double share : shares)
+          {
+            Vector3 here = Vector3::Zero(), there = Vector3::Zero();
+            here[k] = 1.0 - share;
+            here[(k + 1) % 3] = share;
+            for (int l = 0; l < 3; ++l)
+            {
+              const int id = faces(other, l);
+              there[l] = id == faces(r, k)    ? 1.0 - share
+                : id == faces(r, (k + 1) % 3) ? share
+                                              : 0.0;
+            }
+            const Vector3 a = own.surfaceNormal(here), b = its.surfaceNormal(there);
+            const double jump = std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::acos(-1.0);
+            jumps.Mean += jump / static_cast<double>(shares.size());
+            jumps.Largest = std::max(jumps.Largest, jump);
+          }
+        }
+      }
+    });
+  NormalJumps all;
+  for (const NormalJumps& jumps : blocks)
+  {
+    all.Mean += jumps.Mean;
+    all.Largest = std::max(all.Largest, jumps.Largest);
+  }
+  all.Mean /= std::max(1.5 * static_cast<double>(faces.rows()), 1.0);
+  return all;
+}
+
+//------------------------------------------------------------------------------
+CurvedTriangleTree::CurvedTriangleTree(
+  const CurvedTriangles& surface, const ParallelFor& parallelFor)
+  : Placed(surface.faces().rows())
+  , PlaceOf(surface.faces().rows())
+{
+  const Index size = surface.faces().rows();
+  std::vector<Box> boxes(size);
+  forBlocks(parallelFor, size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        boxes[r] = surface[r].bounds();
+      }
+    });
+  this->Tree = buildBoxTree(boxes, parallelFor);
+  forBlocks(parallelFor, size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index place = begin; place < end; ++place)
+      {
+        const int triangle = this->Tree.Items[place];
+        this->Placed[place] = { surface[triangle], boxes[triangle] };
+        this->PlaceOf[triangle] = static_cast<int>(place);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// The closest point of the tangent triangle is the next guess, or one on the way there: seen from
+// the far side of a bulge the whole way is too long.
+FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwhile) const
+{
+  const CurvedTriangle& patch = this->Placed[place].Triangle;
+  const std::array<Vector3, 3>& w = patch.positions();
+  const auto footFrom = [&](const Vector3& barycentric)
+  {
+    FootPoint foot;
+    foot.Triangle = this->Tree.Items[place];
+    foot.Barycentric = barycentric.cwiseMax(0.0); // steps end on edges to rounding only
+    foot.Position = patch.position(foot.Barycentric);
+    foot.SquareDistance = (x - foot.Position).squaredNorm();
+    return foot;
+  };
+  FootPoint best = footFrom(closestPointOfTriangle(x, w[0], w[1], w[2]).Barycentric);
+  double share = 1.0;
+  const int mostSteps = 50;
+  for (int step = 0; step < mostSteps; ++step)
+  {
+    const Eigen::Matrix3d derivative = patch.derivative(best.Barycentric);
+    const Vector3 tangent = best.Position - derivative * best.Barycentric;
+    const Vector3 way = closestPointOfTriangle(x, tangent + derivative.col(0),
+                          tangent + derivative.col(1), tangent + derivative.col(2))
+                          .Barycentric -
+      best.Barycentric;
+    // The foot moves by this, and by less and less from there.
+    const double move = (derivative * way).norm();
+    const bool hopeless = std::sqrt(best.SquareDistance) - 2.0 * move > std::sqrt(worthwhile);
+    if (share * way.cwiseAbs().maxCoeff() < 1e-15 || hopeless)
+    {
+      break;
+    }
+    const FootPoint next = footFrom(best.Barycentric + share * way);
+    const double rounding = 1.0 + 1e-15;
+    if (next.SquareDistance <= rounding * best.SquareDistance)
+    {
+      best = next;
+      share = std::min(1.0, 2.0 * share);
+    }
+    else
+    {
+      share *= 0.5;
+    }
+  }
+  return best;
+}
+
+//------------------------------------------------------------------------------
+FootPoint CurvedTriangleTree::closestPoint(const Vector3& x, int hint) const
+{
+  FootPoint best;
+  if (this->Tree.Nodes.empty())
+  {
+    return best;
+  }
+  if (hint >= 0)
+  {
+    best = this->footAt(this->PlaceOf[hint], x, best.SquareDistance);
+  }
+  std::array<std::pair<double, int>, 64> stack; // the depth is the logarithm of an int
+  int depth = 0;
+  stack[depth++] = { 0.0, 0 };
+  while (depth > 0)
+  {
+    const auto [distance, index] = stack[--depth];
+    if (distance > best.SquareDistance)
+    {
+      continue;
+    }
+    const BoxTree::Node& node = this->Tree.Nodes[index];
+    for (int place = node.First; place < node.First + node.Count; ++place)
+    {
+      if (this->Tree.Items[place] == hint ||
+        this->Placed[place].Bounds.squareDistance(x) > best.SquareDistance)
+      {
+        continue;
+      }
+      const FootPoint foot = this->footAt(place, x, best.SquareDistance);
+      if (foot.SquareDistance < best.SquareDistance ||
+        (foot.SquareDistance == best.SquareDistance && foot.Triangle < best.Triangle))
+      {
+        best = foot;
+      }
+    }
+    if (node.Count == 0)
+    {
+      std::pair<double, int> near{ this->Tree.Nodes[index + 1].Bounds.squareDistance(x),
+        index + 1 };
+      std::pair<double, int> far{ this->Tree.Nodes[node.Second].Bounds.squareDistance(x),
+        node.Second };
+      if (far.first < near.first)
+      {
+        std::swap(near, far);
+      }
+      stack[depth++] = far;
+      stack[depth++] = near;
+    }
+  }
+  return best;
+}
+}

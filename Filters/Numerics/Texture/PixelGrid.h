@@ -1,0 +1,56 @@
+/// Pixels of an image and the places (s, t) of it.
+
+#ifndef ConformalPixelGrid_h
+#define ConformalPixelGrid_h
+
+#include "Base/Types.h"
+#include "Texture/SphereProjection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace conformal
+{
+/// What the nearest four pixels have to say at a place.
+struct PixelMix
+{
+  std::array<Index, 4> Pixels;
+  std::array<double, 4> Weights; ///< >= 0, of sum 1
+};
+
+/// Rows of pixels from bottom to top; the middle of pixel (i, j) is the place
+/// ((i + 1/2) / Width, (j + 1/2) / Height) of the image.
+struct PixelGrid
+{
+  Index Width = 0;
+  Index Height = 0;
+
+  Index size() const { return this->Width * this->Height; }
+  Vector2 middleOf(Index pixel) const
+  {
+    const Index column = pixel % this->Width, row = pixel / this->Width;
+    return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
+      (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
+  }
+  /// Bilinear; beyond the border what is there.
+  PixelMix mixAt(const Vector2& st) const
+  {
+    const auto along = [](double x, Index size)
+    {
+      const double place =
+        std::clamp(x * static_cast<double>(size) - 0.5, 0.0, static_cast<double>(size) - 1.0);
+      const auto first = std::min(static_cast<Index>(place), std::max<Index>(size - 2, 0));
+      return std::pair(first, place - static_cast<double>(first));
+    };
+    const auto [i, u] = along(st[0], this->Width);
+    const auto [j, v] = along(st[1], this->Height);
+    const Index right = std::min(i + 1, this->Width - 1), above = std::min(j + 1, this->Height - 1);
+    return { { j * this->Width + i, j * this->Width + right, above * this->Width + i,
+               above * this->Width + right },
+      { (1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v } };
+  }
+};
+}
+
+#endif

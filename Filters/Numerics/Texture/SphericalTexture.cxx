@@ -1,0 +1,63 @@
+#include "Texture/SphericalTexture.h"
+
+#include "Base/Steps.h"
+#include "Texture/SeamSplit.h"
+
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+void check(const SphericalTextureOptions& options)
+{
+  for (double factor : { options.Scale[0], options.Scale[1] })
+  {
+    if (!(factor >= MinimumScale && factor <= MaximumScale))
+    {
+      throw std::invalid_argument("Scale must lie between 0.001 and 1000");
+    }
+  }
+  if (!(options.Margin >= 0.0 && options.Margin <= MaximumMargin))
+  {
+    throw std::invalid_argument("Margin must lie between 0 and 1/4");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
+  const Points& spherePositions, const SphericalTextureOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  check(options);
+  const auto size = static_cast<double>(spherePositions.rows());
+  // The view, for each vertex, as chooseSphereView() has it; the coordinates; the seams.
+  Steps steps(progress,
+    { (options.UseViewPoint ? 1310.0 : 160.0) * size, 50.0 * size,
+      options.SplitSeam ? 350.0 * size : 0.0 });
+  SphericalTexture texture;
+  texture.Image = { options.Projection,
+    chooseSphereView(points, triangles, spherePositions, options, steps.next()),
+    options.FieldOfView, options.Scale, options.Margin };
+  texture.Coordinates.resize(spherePositions.rows(), 2);
+  texture.OutsideImage.resize(spherePositions.rows());
+  constexpr Index blockSize = 1 << 12;
+  forBlocks(parallelFor, spherePositions.rows(), blockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const WrappedPlace place =
+          wrapped(sphereToTexture(spherePositions.row(i), texture.Image), options.Wrap);
+        texture.Coordinates.row(i) = place.Coordinates;
+        texture.OutsideImage[i] = place.IsOutside;
+      }
+    });
+  if (options.SplitSeam)
+  {
+    splitAtSeams(texture, triangles, spherePositions, options.Wrap, parallelFor, steps.next());
+  }
+  return texture;
+}
+}

@@ -1,0 +1,297 @@
+#include "Texture/SphericalTextureImage.h"
+
+#include "Base/AcrossProcesses.h"
+#include "Base/Steps.h"
+#include "Base/UnitBox.h"
+#include "Search/PointTree.h"
+#include "Search/TriangleTree.h"
+#include "Sphere/SphereLocator.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr double WorkOfLocator = 400.0, WorkOfPixel = 350.0; // for each triangle, for each pixel
+
+// The locator wants triangles counter-clockwise on the sphere; a mirrored map has them turned.
+Triangles turnedOutwards(const Triangles& faces, const Points& spherePositions)
+{
+  double volume = 0.0;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const Vector3 a = spherePositions.row(faces(r, 0)), b = spherePositions.row(faces(r, 1)),
+                  c = spherePositions.row(faces(r, 2));
+    volume += a.cross(b).dot(c);
+  }
+  Triangles result = faces;
+  if (volume < 0.0)
+  {
+    result.col(1).swap(result.col(2));
+  }
+  return result;
+}
+
+SurfacePlace placeIn(const Triangles& faces, int triangle, const Vector3& barycentric)
+{
+  return { { faces(triangle, 0), faces(triangle, 1), faces(triangle, 2) }, barycentric };
+}
+
+Vector3 positionOf(const SurfacePlace& place, const PointView& points)
+{
+  Vector3 sum = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += place.Weights[k] * points[place.Ids[k]];
+  }
+  return sum;
+}
+
+// To another surface's place; the hint is what it was told or left there for the pixel before.
+using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
+
+void paint(const SphereMappedSurface& surface, const SphereImage& image, const PixelGrid& grid,
+  const Replace& replace, double pixelWork, const PixelSink& sink, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  if (grid.Width < 1 || grid.Height < 1)
+  {
+    throw std::invalid_argument("an image has at least one pixel");
+  }
+  if (surface.Faces.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  Steps steps(progress,
+    { 20.0 * static_cast<double>(surface.Faces.rows()),
+      WorkOfLocator * static_cast<double>(surface.Faces.rows()),
+      pixelWork * static_cast<double>(grid.size()) });
+  steps.next();
+  const Triangles faces = turnedOutwards(surface.Faces, surface.SpherePositions);
+  const SphereLocator locator(surface.SpherePositions, faces, {}, steps.next());
+  constexpr Index blockSize = 1 << 10;
+  forBlocks(parallelFor, grid.size(), blockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::vector<SurfacePlace> places(end - begin);
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const SphereLocation location = locator.locate(textureToSphere(grid.middleOf(i), image));
+        if (location.Triangle >= 0)
+        {
+          places[i - begin] =
+            replace(placeIn(faces, location.Triangle, location.Barycentric), hint);
+        }
+      }
+      sink(begin, places);
+    });
+}
+
+// The closest places of a cloud, or of a surface, of which processes have parts.
+class ClosestPlaces
+{
+public:
+  struct Found
+  {
+    SurfacePlace Place; // ids of this process; -1 for places of other processes
+    double SquareDistance = std::numeric_limits<double>::infinity();
+  };
+
+  ClosestPlaces(const PointView& cloud, const Triangles& faces, const Reduce& reduce,
+    const ParallelFor& parallelFor, const Progress& progress)
+    : NumberOfOwn(cloud.size())
+  {
+    std::int64_t sizes[] = { cloud.size(), faces.rows() };
+    reduce.sum(sizes, 2);
+    if (sizes[0] == 0)
+    {
+      throw std::invalid_argument("there are no points to take values from");
+    }
+    this->HasTriangles = sizes[1] > 0;
+    if (!this->HasTriangles)
+    {
+      this->Near = PointTree(cloud, progress);
+      return;
+    }
+    Points positions(cloud.size(), 3);
+    for (Index i = 0; i < cloud.size(); ++i)
+    {
+      positions.row(i) = cloud[i];
+    }
+    this->FirstOwn = shareOf(reduce, cloud.size()).Before;
+    this->Faces = gatherTriangles(reduce, faces, cloud.size());
+    positions = gatherRows(reduce, positions);
+    if (!positions.allFinite())
+    {
+      throw std::invalid_argument("points to take values from are not finite");
+    }
+    this->Surface = TriangleTree(positions, this->Faces, parallelFor, progress);
+  }
+
+  // Whether places are closest of all processes' and not only of this one's.
+  bool knowsAll() const { return this->HasTriangles; }
+
+  Found operator()(const Vector3& x, int& hint) const
+  {
+    Found found;
+    if (!this->HasTriangles)
+    {
+      const Neighbor neighbor = this->Near.nearest(x);
+      if (neighbor.Id >= 0)
+      {
+        found.Place = { { neighbor.Id, neighbor.Id, neighbor.Id }, { 1.0, 0.0, 0.0 } };
+        found.SquareDistance = neighbor.SquareDistance;
+      }
+      return found;
+    }
+    const FootPoint foot = this->Surface.closestPoint(x, hint);
+    hint = foot.Triangle;
+    if (hint < 0) // squares of distances have left the numbers' range
+    {
+      return found;
+    }
+    SurfacePlace place = placeIn(this->Faces, foot.Triangle, foot.Barycentric);
+    const Index own = place.Ids[0] - this->FirstOwn;
+    if (own >= 0 && own < this->NumberOfOwn)
+    {
+      for (int& id : place.Ids)
+      {
+        id -= static_cast<int>(this->FirstOwn);
+      }
+      found = { place, foot.SquareDistance };
+    }
+    return found;
+  }
+
+private:
+  Index FirstOwn = 0, NumberOfOwn;
+  bool HasTriangles = false;
+  PointTree Near;
+  TriangleTree Surface;
+  Triangles Faces;
+};
+
+// The points of the surface that pixels show, not finite in holes; none without a surface.
+Points pixelPositions(const SphereMappedSurface& surface, const SphereImage& image,
+  const PixelGrid& grid, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (surface.Faces.rows() == 0)
+  {
+    return Points(0, 3);
+  }
+  unitBoxOf(surface.Positions); // throws where they are not finite
+  Points positions(grid.size(), 3);
+  const PixelSink place = [&](Index first, const std::vector<SurfacePlace>& places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      positions.row(first + static_cast<Index>(i)) = places[i].Ids[0] < 0
+        ? Vector3(Vector3::Constant(std::numeric_limits<double>::infinity()))
+        : positionOf(places[i], surface.Positions);
+    }
+  };
+  paintSphericalTexture(surface, image, grid, place, parallelFor, progress);
+  return positions;
+}
+}
+
+//------------------------------------------------------------------------------
+void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage& image,
+  const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  paint(
+    surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel, sink,
+    parallelFor, progress);
+}
+
+//------------------------------------------------------------------------------
+void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
+  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+  const PixelSink& sink, const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr double pixelWork = WorkOfPixel + 700.0; // with a query
+  const auto cloudSize = static_cast<double>(cloud.size());
+  const auto numberOfFaces = static_cast<double>(cloudFaces.rows());
+  Steps steps(progress,
+    { 20.0 * cloudSize + (cloudFaces.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
+      WorkOfLocator * static_cast<double>(surface.Faces.rows()) +
+        pixelWork * static_cast<double>(grid.size()) });
+  const ClosestPlaces closest(cloud, cloudFaces, {}, parallelFor, steps.next());
+  unitBoxOf(surface.Positions); // throws where they are not finite
+  paint(
+    surface, image, grid,
+    [&](const SurfacePlace& place, int& hint)
+    { return closest(positionOf(place, surface.Positions), hint).Place; },
+    pixelWork, sink, parallelFor, steps.next());
+}
+
+//------------------------------------------------------------------------------
+void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
+  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+  const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  if (reduce.NumberOfRanks == 1)
+  {
+    paintSphericalTexture(surface, cloud, cloudFaces, image, grid, sink, parallelFor, progress);
+    return;
+  }
+  constexpr double begin = 0.3; // of the search, after its tree and the pixels' positions
+  const ClosestPlaces closest(
+    cloud, cloudFaces, reduce, parallelFor, partOf(progress, 0.0, 0.5 * begin));
+  const Points wanted =
+    pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.5 * begin, begin));
+  // So many at a time: all pixels are sent to all processes, and the distances back.
+  constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
+  for (Index first = 0; first < grid.size(); first += ChunkSize)
+  {
+    const Index size = std::min(ChunkSize, grid.size() - first);
+    const bool isOwner = wanted.rows() > 0;
+    const Points positions =
+      gatherRows(reduce, isOwner ? Points(wanted.middleRows(first, size)) : Points(0, 3));
+    if (positions.rows() != size)
+    {
+      throw std::invalid_argument("one process must have the surface, with triangles");
+    }
+    std::vector<SurfacePlace> places(size);
+    std::vector<double> squares(size, std::numeric_limits<double>::infinity());
+    const auto fraction = [&](Index done) {
+      return begin + (1.0 - begin) * static_cast<double>(done) / static_cast<double>(grid.size());
+    };
+    forBlocks(parallelFor, size, BlockSize,
+      partOf(progress, fraction(first), fraction(first + size)),
+      [&](Index firstOf, Index lastOf)
+      {
+        int hint = -1;
+        for (Index i = firstOf; i < lastOf; ++i)
+        {
+          if (positions.row(i).allFinite()) // else it is a hole
+          {
+            const ClosestPlaces::Found found = closest(positions.row(i), hint);
+            places[i] = found.Place;
+            squares[i] = found.SquareDistance;
+          }
+        }
+      });
+    if (!closest.knowsAll())
+    {
+      const std::vector<Least> nearest = least(reduce, squares);
+      for (Index i = 0; i < size; ++i)
+      {
+        if (nearest[i].Rank != reduce.Rank)
+        {
+          places[i] = SurfacePlace();
+        }
+      }
+    }
+    sink(first, places);
+  }
+}
+}

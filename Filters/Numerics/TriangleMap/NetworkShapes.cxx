@@ -1,0 +1,146 @@
+#include "TriangleMap/NetworkShapes.h"
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace conformal
+{
+using namespace halfdisk;
+
+//------------------------------------------------------------------------------
+NetworkShapes::NetworkShapes(
+  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+  : Uses(faces.rows())
+{
+  // Triangles are alike if their squared edges, as shares of the sum, are. Counted from the
+  // longest edge, so that turned triangles meet as well. In flat triangles the edges say too little
+  // about the angles: each has a shape to itself.
+  struct Key
+  {
+    std::int64_t First, Second;
+    bool operator==(const Key& k) const { return First == k.First && Second == k.Second; }
+  };
+  struct Hash
+  {
+    std::size_t operator()(const Key& k) const
+    {
+      return static_cast<std::size_t>(k.First) * 0x9e3779b97f4a7c15u ^
+        static_cast<std::size_t>(k.Second);
+    }
+  };
+  const double resolution = 1e12;
+  std::vector<Key> keys(faces.rows());
+  const Index blockSize = 1024;
+  forBlocks(parallelFor, faces.rows(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        Vector3 squares;
+        for (int k = 0; k < 3; ++k)
+        {
+          squares[k] =
+            (positions.row(faces(r, next(k))) - positions.row(faces(r, previous(k)))).squaredNorm();
+        }
+        int longest = 0;
+        squares.maxCoeff(&longest);
+        squares /= squares.sum();
+        const double base = squares[longest], second = squares[next(longest)],
+                     third = squares[previous(longest)];
+        const double height2 = base * second - 0.25 * std::pow(base + second - third, 2);
+        const bool isFlat = !(height2 > 0.0025 * base * base);
+        this->Uses[r].Rotation = longest;
+        keys[r] = isFlat
+          ? Key{ -1 - r, 0 }
+          : Key{ std::llround(base * resolution), std::llround(second * resolution) };
+      }
+    });
+
+  std::unordered_map<Key, int, Hash> shapeOfKey;
+  std::vector<int> firstUse, numberOfUses;
+  for (Index r = 0; r < faces.rows(); ++r)
+  {
+    const auto [entry, isNew] = shapeOfKey.emplace(keys[r], static_cast<int>(firstUse.size()));
+    if (isNew)
+    {
+      firstUse.push_back(static_cast<int>(r));
+      numberOfUses.push_back(0);
+    }
+    this->Uses[r].Shape = entry->second;
+    ++numberOfUses[entry->second];
+  }
+
+  const int enoughUses = 8; // tables take as long as mapping a few points without
+  this->Shapes.resize(firstUse.size());
+  this->TableOfShape.assign(firstUse.size(), -1);
+  int numberOfTables = 0;
+  for (std::size_t i = 0; i < firstUse.size(); ++i)
+  {
+    if (numberOfUses[i] >= enoughUses)
+    {
+      this->TableOfShape[i] = numberOfTables++;
+    }
+  }
+  this->Tables.resize(numberOfTables);
+  const Index shapesPerBlock = 16;
+  forBlocks(parallelFor, static_cast<Index>(firstUse.size()), shapesPerBlock,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const int r = firstUse[i], rotation = this->Uses[r].Rotation;
+        TriangleShape& shape = this->Shapes[i];
+        shape = TriangleShape(positions.row(faces(r, rotation)),
+          positions.row(faces(r, next(rotation))), positions.row(faces(r, previous(rotation))));
+        if (this->TableOfShape[i] >= 0 && !shape.degenerate())
+        {
+          this->Tables[this->TableOfShape[i]] = TriangleMap::makeTable(shape);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+TriangleShape NetworkShapes::shape(Index triangle) const
+{
+  const Use& use = this->Uses[triangle];
+  const TriangleShape& turned = this->Shapes[use.Shape];
+  TriangleShape shape = turned;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int own = (k + use.Rotation) % 3;
+    shape.Angles[own] = turned.Angles[k];
+    shape.Sines[own] = turned.Sines[k];
+    shape.Cosines[own] = turned.Cosines[k];
+  }
+  return shape;
+}
+
+//------------------------------------------------------------------------------
+TriangleMap NetworkShapes::map(Index triangle) const
+{
+  const Use& use = this->Uses[triangle];
+  const int table = this->TableOfShape[use.Shape];
+  return TriangleMap(
+    this->shape(triangle), table < 0 ? nullptr : &this->Tables[table], use.Rotation);
+}
+
+//------------------------------------------------------------------------------
+Vector3 NetworkShapes::toModel(
+  Index triangle, const TriangleShape& model, const Vector3& barycentric) const
+{
+  return model.degenerate() || this->degenerate(triangle)
+    ? barycentric
+    : model.fromHalfDisk(this->map(triangle).toHalfDisk(barycentric));
+}
+
+//------------------------------------------------------------------------------
+Vector3 NetworkShapes::toNetwork(
+  Index triangle, const TriangleShape& model, const Vector3& barycentric) const
+{
+  return model.degenerate() || this->degenerate(triangle)
+    ? barycentric
+    : this->map(triangle).fromHalfDisk(model.toHalfDisk(barycentric));
+}
+}

@@ -1,0 +1,36 @@
+#include "Cloud/StrayPoints.h"
+
+#include "Mesh/GeodesicSphere.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using conformal::Index;
+using conformal::Points;
+using conformal::strayPoints;
+
+TEST(StrayPoints, AreThoseBesideTheSurface)
+{
+  Points points = conformal::makeGeodesicSphere(30).Positions;
+  const std::vector<std::uint8_t> none = strayPoints(points);
+  EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
+  for (Index i : { 100, 2000, 7000 })
+  {
+    points.row(i) *= 1.2;
+  }
+  points.row(5000) *= 0.7;
+  const std::vector<std::uint8_t> some = strayPoints(points);
+  for (Index i : { 100, 2000, 5000, 7000 })
+  {
+    EXPECT_EQ(some[i], 1) << i;
+  }
+  EXPECT_EQ(std::count(some.begin(), some.end(), 1), 4);
+}
+
+TEST(StrayPoints, FewPointsAreNoSurface)
+{
+  const Points points = conformal::makeGeodesicSphere(1).Positions.topRows(8);
+  const std::vector<std::uint8_t> marks = strayPoints(points);
+  EXPECT_EQ(marks, std::vector<std::uint8_t>(8, 0));
+}

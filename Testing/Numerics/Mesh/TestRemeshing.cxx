@@ -1,0 +1,187 @@
+#include "Mesh/Remeshing.h"
+
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Search/TriangleTree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+using conformal::Index;
+using conformal::Points;
+using conformal::remesh;
+using conformal::RemeshingOptions;
+using conformal::Triangles;
+using conformal::Vector3;
+
+namespace
+{
+struct Surface
+{
+  Points Positions;
+  conformal::Triangles Triangles;
+};
+
+// An ellipsoid; stretched triangles where its axes differ.
+Surface ellipsoid(int frequency, const Vector3& axes)
+{
+  const auto sphere = conformal::makeGeodesicSphere(frequency);
+  return { sphere.Positions * axes.asDiagonal(), sphere.Faces };
+}
+
+RemeshingOptions exactly(Index count)
+{
+  RemeshingOptions options;
+  options.NumberOfVertices = count;
+  options.NumberOfIterations = 6;
+  options.MeetNumber = true;
+  return options;
+}
+
+double smallestAngle(const Surface& surface, Index r)
+{
+  double smallest = 4.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 at = surface.Positions.row(surface.Triangles(r, k));
+    const Vector3 u = Vector3(surface.Positions.row(surface.Triangles(r, (k + 1) % 3))) - at;
+    const Vector3 v = Vector3(surface.Positions.row(surface.Triangles(r, (k + 2) % 3))) - at;
+    smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)));
+  }
+  return smallest * 180.0 / std::acos(-1.0);
+}
+
+double meanSmallestAngle(const Surface& surface)
+{
+  double sum = 0.0;
+  for (Index r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    sum += smallestAngle(surface, r);
+  }
+  return sum / static_cast<double>(surface.Triangles.rows());
+}
+
+double farthest(const Points& points, const Surface& from)
+{
+  const conformal::TriangleTree tree(from.Positions, from.Triangles);
+  double square = 0.0;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    square = std::max(square, tree.closestPoint(points.row(i)).SquareDistance);
+  }
+  return std::sqrt(square);
+}
+
+bool isGenusZero(const Surface& surface)
+{
+  return conformal::checkGenusZero(surface.Triangles, surface.Positions.rows(), surface.Positions)
+    .isGenusZero();
+}
+}
+
+// From many vertices to few and from few to many.
+TEST(Remeshing, MeetsTheNumberWithEvenTriangles)
+{
+  for (const Index count : { 300, 1500, 6000 })
+  {
+    Surface surface = ellipsoid(12, { 3.0, 1.0, 0.7 });
+    const double before = meanSmallestAngle(surface);
+    remesh(surface.Positions, surface.Triangles, exactly(count));
+    EXPECT_EQ(surface.Positions.rows(), count);
+    EXPECT_EQ(surface.Triangles.rows(), 2 * count - 4);
+    EXPECT_TRUE(isGenusZero(surface));
+    EXPECT_LT(before, 35.0);
+    EXPECT_GT(meanSmallestAngle(surface), 50.0) << count;
+    for (Index r = 0; r < surface.Triangles.rows(); ++r)
+    {
+      ASSERT_GT(smallestAngle(surface, r), 15.0) << count;
+    }
+  }
+}
+
+TEST(Remeshing, StaysOnTheSurface)
+{
+  const Surface original = ellipsoid(24, { 1.5, 1.0, 0.8 });
+  Surface surface = original;
+  remesh(surface.Positions, surface.Triangles, exactly(1500));
+  // The sagitta of an edge of length 0.11 where the radius is 0.4 is 0.004.
+  EXPECT_LT(farthest(surface.Positions, original), 0.01);
+  EXPECT_LT(farthest(original.Positions, surface), 0.02);
+  EXPECT_NEAR(conformal::signedVolume(surface.Positions, surface.Triangles) /
+      conformal::signedVolume(original.Positions, original.Triangles),
+    1.0, 0.02);
+}
+
+TEST(Remeshing, DoesNotDependOnTheOrderOfBlocks)
+{
+  Surface one = ellipsoid(16, { 2.0, 1.0, 0.7 }), other = one;
+  remesh(one.Positions, one.Triangles, exactly(1000));
+  const auto backwards = [](Index count, const std::function<void(Index)>& body)
+  {
+    for (Index i = count; i-- > 0;)
+    {
+      body(i);
+    }
+  };
+  remesh(other.Positions, other.Triangles, exactly(1000), backwards);
+  EXPECT_EQ(one.Positions, other.Positions);
+  EXPECT_EQ(one.Triangles, other.Triangles);
+}
+
+TEST(Remeshing, ScalesBitByBitWithPowersOfTwo)
+{
+  Surface one = ellipsoid(10, { 2.0, 1.0, 0.7 }), other = one;
+  other.Positions *= 8.0;
+  remesh(one.Positions, one.Triangles, exactly(500));
+  remesh(other.Positions, other.Triangles, exactly(500));
+  EXPECT_EQ(8.0 * one.Positions, other.Positions);
+  EXPECT_EQ(one.Triangles, other.Triangles);
+}
+
+// The smallest closed surface, and one that has too few vertices to collapse any.
+TEST(Remeshing, KeepsTheTopologyOfTheSmallest)
+{
+  Surface tetrahedron;
+  tetrahedron.Positions.resize(4, 3);
+  tetrahedron.Positions << 1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1;
+  tetrahedron.Triangles.resize(4, 3);
+  tetrahedron.Triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  for (const Index count : { 4, 100 })
+  {
+    Surface surface = tetrahedron;
+    remesh(surface.Positions, surface.Triangles, exactly(count));
+    EXPECT_TRUE(isGenusZero(surface));
+    EXPECT_TRUE(surface.Positions.allFinite());
+    EXPECT_EQ(surface.Positions.rows(), count);
+  }
+}
+
+TEST(Remeshing, ReportsProgressAndStops)
+{
+  Surface surface = ellipsoid(10, { 2.0, 1.0, 0.7 });
+  double last = 0.0;
+  const auto rising = [&](double fraction)
+  {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    return true;
+  };
+  remesh(surface.Positions, surface.Triangles, exactly(500), {}, rising);
+  EXPECT_EQ(last, 1.0);
+  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, exactly(500), {},
+                 [](double fraction) { return fraction < 0.3; }),
+    conformal::Aborted);
+}
+
+TEST(Remeshing, RefusesOptionsOutOfRange)
+{
+  Surface surface = ellipsoid(4, { 1.0, 1.0, 1.0 });
+  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, exactly(3)), std::invalid_argument);
+  RemeshingOptions options;
+  options.NumberOfIterations = -1;
+  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, options), std::invalid_argument);
+}

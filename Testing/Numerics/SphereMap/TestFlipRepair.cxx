@@ -1,0 +1,105 @@
+#include "SphereMap/FlipRepair.h"
+
+#include "Mesh/GeodesicSphere.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+using conformal::Index;
+using conformal::Vector3;
+
+namespace
+{
+// The identity map of the sphere, to be folded.
+class FlipRepair : public testing::Test
+{
+protected:
+  FlipRepair()
+    : Shapes(Sphere.Positions, Sphere.Faces)
+    , Rings(Sphere.Faces, Sphere.Positions.rows())
+    , Strings(conformal::harmonicStrings(Sphere.Positions, Sphere.Faces).Strings)
+  {
+    for (Index v = 0; v < this->Sphere.Positions.rows(); ++v)
+    {
+      this->Positions.emplace_back(this->Sphere.Positions.row(v));
+    }
+  }
+  std::size_t bad() const
+  {
+    return conformal::badTriangles(this->Positions, this->Sphere.Faces).size();
+  }
+  bool repair()
+  {
+    return conformal::repairFlips(this->Positions, this->Sphere.Positions, this->Sphere.Faces,
+      this->Strings, this->Rings, this->Shapes);
+  }
+  double largestDistance() const
+  {
+    double largest = 0.0;
+    for (std::size_t v = 0; v < this->Positions.size(); ++v)
+    {
+      const Vector3 before = this->Sphere.Positions.row(static_cast<Index>(v));
+      largest = std::max(largest, (this->Positions[v] - before).norm());
+    }
+    return largest;
+  }
+
+  const conformal::GeodesicSphere Sphere = conformal::makeGeodesicSphere(16);
+  const conformal::SurfaceShapes Shapes;
+  const conformal::VertexRings Rings;
+  const conformal::EdgeWeights Strings;
+  std::vector<Vector3> Positions;
+};
+}
+
+TEST_F(FlipRepair, LeavesAGoodMapAlone)
+{
+  EXPECT_TRUE(this->repair());
+  EXPECT_EQ(this->largestDistance(), 0.0);
+}
+
+TEST_F(FlipRepair, PutsOneVertexBack)
+{
+  const int v = 500;
+  const Vector3 far = this->Positions[this->Rings[v][0]] - this->Positions[v];
+  this->Positions[v] = (this->Positions[v] + 1.5 * far).normalized();
+  ASSERT_GT(this->bad(), 0u);
+  EXPECT_TRUE(this->repair());
+  EXPECT_EQ(this->bad(), 0u);
+  EXPECT_LT(this->largestDistance(), 0.01); // nearly to where it was: relaxed
+}
+
+// Turned upside down, vertices one by one find no kernel.
+TEST_F(FlipRepair, UnfoldsAPatch)
+{
+  const Vector3 pole = this->Positions[40];
+  for (Vector3& place : this->Positions)
+  {
+    if ((place - pole).norm() < 0.25)
+    {
+      place = (2.0 * place.dot(pole) * pole - place).normalized();
+    }
+  }
+  const Vector3 across = pole.unitOrthogonal();
+  for (Vector3& place : this->Positions)
+  {
+    if ((place - pole).norm() < 0.25)
+    {
+      place -= 2.0 * place.dot(across) * across;
+    }
+  }
+  ASSERT_GT(this->bad(), 20u);
+  EXPECT_TRUE(this->repair());
+  EXPECT_EQ(this->bad(), 0u);
+}
+
+TEST_F(FlipRepair, GivesUpWhereAllIsFolded)
+{
+  for (Vector3& place : this->Positions)
+  {
+    place = -place;
+  }
+  EXPECT_FALSE(this->repair());
+}

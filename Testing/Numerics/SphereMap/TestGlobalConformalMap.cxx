@@ -1,0 +1,446 @@
+#include "SphereMap/GlobalConformalMap.h"
+
+#include "Base/Random.h"
+#include "Measure/Distortion.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Sphere/MoebiusTransform.h"
+#include "Sphere/SphereOrientation.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+using conformal::GeodesicSphere;
+using conformal::globalConformalMap;
+using conformal::GlobalConformalMapOptions;
+using conformal::GlobalConformalMapResult;
+using conformal::GlobalConformalMethod;
+using conformal::GlobalConformalTier;
+using conformal::Index;
+using conformal::Points;
+using conformal::Vector3;
+
+namespace
+{
+const double Pi = std::acos(-1.0);
+
+GeodesicSphere shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
+{
+  GeodesicSphere sphere = conformal::makeGeodesicSphere(frequency);
+  for (Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    sphere.Positions.row(i) = move(sphere.Positions.row(i));
+  }
+  return sphere;
+}
+
+// Smooth, without symmetry, its triangles acute.
+GeodesicSphere bumpy(int frequency)
+{
+  return shaped(frequency,
+    [](const Vector3& n)
+    { return Vector3(n * (1.0 + 0.15 * std::sin(3.0 * n[0] + 1.0) * std::cos(2.0 * n[1]))); });
+}
+
+GeodesicSphere noisy(int frequency, double amount)
+{
+  conformal::Random random(1);
+  return shaped(
+    frequency, [&](const Vector3& n) { return Vector3(n * (1.0 + amount * random.uniform())); });
+}
+
+// A closed tube of circumference 2 pi; length in circumferences.
+GeodesicSphere tube(double length, int sides = 16)
+{
+  std::vector<std::pair<double, double>> profile; // radius, height
+  const int cap = sides / 4;
+  for (int i = 1; i < cap; ++i)
+  {
+    profile.emplace_back(std::sin(0.5 * Pi * i / cap), -std::cos(0.5 * Pi * i / cap));
+  }
+  const int rings = static_cast<int>(length * sides);
+  const double step = 2.0 * Pi / sides;
+  for (int i = 0; i <= rings; ++i)
+  {
+    profile.emplace_back(1.0, i * step);
+  }
+  for (int i = cap - 1; i > 0; --i)
+  {
+    profile.emplace_back(std::sin(0.5 * Pi * i / cap), rings * step + std::cos(0.5 * Pi * i / cap));
+  }
+  const int size = static_cast<int>(profile.size());
+  GeodesicSphere mesh;
+  mesh.Positions.resize(2 + size * sides, 3);
+  mesh.Positions.row(0) << 0.0, 0.0, -1.0;
+  const int last = 1 + size * sides;
+  mesh.Positions.row(last) << 0.0, 0.0, rings * step + 1.0;
+  std::vector<int> ids;
+  const auto id = [&](int ring, int k) { return 1 + ring * sides + k % sides; };
+  for (int k = 0; k < sides; ++k)
+  {
+    for (int i = 0; i < size; ++i)
+    {
+      mesh.Positions.row(id(i, k)) << profile[i].first * std::cos(k * step),
+        profile[i].first * std::sin(k * step), profile[i].second;
+      if (i + 1 < size)
+      {
+        ids.insert(ids.end(), { id(i, k), id(i, k + 1), id(i + 1, k + 1) });
+        ids.insert(ids.end(), { id(i, k), id(i + 1, k + 1), id(i + 1, k) });
+      }
+    }
+    ids.insert(ids.end(), { 0, id(0, k + 1), id(0, k) });
+    ids.insert(ids.end(), { last, id(size - 1, k), id(size - 1, k + 1) });
+  }
+  mesh.Faces = Eigen::Map<conformal::Triangles>(ids.data(), static_cast<Index>(ids.size()) / 3, 3);
+  return mesh;
+}
+
+// Triangles split into three, again and again, at random.
+GeodesicSphere valenceThree(int splits)
+{
+  conformal::Random random(1);
+  std::vector<Vector3> points = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
+  std::vector<std::array<int, 3>> faces = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
+  for (int i = 0; i < splits; ++i)
+  {
+    const Index r = random.index(static_cast<Index>(faces.size()));
+    const auto [a, b, c] = faces[r];
+    const int middle = static_cast<int>(points.size());
+    points.push_back((points[a] + points[b] + points[c]) / 3.0);
+    faces[r] = { a, b, middle };
+    faces.push_back({ b, c, middle });
+    faces.push_back({ c, a, middle });
+  }
+  GeodesicSphere mesh;
+  mesh.Positions.resize(static_cast<Index>(points.size()), 3);
+  mesh.Faces.resize(static_cast<Index>(faces.size()), 3);
+  for (Index i = 0; i < mesh.Positions.rows(); ++i)
+  {
+    mesh.Positions.row(i) = points[i];
+  }
+  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  {
+    mesh.Faces.row(r) << faces[r][0], faces[r][1], faces[r][2];
+  }
+  return mesh;
+}
+
+// By plain floating point too, as other programs look.
+void expectOneToOne(const GeodesicSphere& mesh, const Points& map)
+{
+  ASSERT_EQ(map.rows(), mesh.Positions.rows());
+  ASSERT_TRUE(map.allFinite());
+  EXPECT_LT((map.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
+  EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Faces), 0);
+  double solidAngle = 0.0;
+  Index flips = 0;
+  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  {
+    const Vector3 a = map.row(mesh.Faces(r, 0)), b = map.row(mesh.Faces(r, 1)),
+                  c = map.row(mesh.Faces(r, 2));
+    const double volume = a.dot(b.cross(c));
+    flips += !(volume > 0.0);
+    solidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  EXPECT_EQ(flips, 0);
+  EXPECT_NEAR(solidAngle, 4.0 * Pi, 1e-9);
+}
+
+GlobalConformalMapResult mapOf(
+  const GeodesicSphere& mesh, const GlobalConformalMapOptions& options = {})
+{
+  return globalConformalMap(mesh.Positions, mesh.Faces, options);
+}
+
+double meanK(const GeodesicSphere& mesh, const Points& map)
+{
+  return conformal::measureDistortion(mesh.Positions, mesh.Faces, map).MeanQuasiConformalError;
+}
+}
+
+// Nothing to do: centred and turned as it is, the sphere is its own map.
+TEST(GlobalConformalMap, OfTheSphereIsTheSphere)
+{
+  const auto sphere = conformal::makeGeodesicSphere(20);
+  const auto map = mapOf(sphere);
+  expectOneToOne(sphere, map.Positions);
+  EXPECT_LT((map.Positions - sphere.Positions).rowwise().norm().maxCoeff(), 2e-3);
+  EXPECT_NEAR(map.Energy, 4.0 * Pi, 0.05);
+  EXPECT_EQ(map.Tier, GlobalConformalTier::Harmonic);
+  EXPECT_TRUE(map.Converged);
+}
+
+TEST(GlobalConformalMap, IsConformalMoreAndMoreWithTheMesh)
+{
+  double last = 0.1;
+  for (int frequency : { 10, 20, 40 })
+  {
+    const auto mesh = bumpy(frequency);
+    const auto map = mapOf(mesh);
+    expectOneToOne(mesh, map.Positions);
+    const double error = meanK(mesh, map.Positions) - 1.0;
+    EXPECT_LT(error, 0.6 * last) << frequency;
+    last = error;
+  }
+  EXPECT_LT(last, 0.01);
+}
+
+// Centred by area, and turned with the surface, wherever and of whatever size it is.
+TEST(GlobalConformalMap, IsCanonical)
+{
+  auto mesh = bumpy(15);
+  const auto map = mapOf(mesh);
+  Vector3 mean = Vector3::Zero();
+  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  {
+    const Vector3 a = mesh.Positions.row(mesh.Faces(r, 0));
+    const double area = (mesh.Positions.row(mesh.Faces(r, 1)).transpose() - a)
+                          .cross(mesh.Positions.row(mesh.Faces(r, 2)).transpose() - a)
+                          .norm();
+    for (int k = 0; k < 3; ++k)
+    {
+      mean += area * map.Positions.row(mesh.Faces(r, k)).transpose();
+    }
+  }
+  EXPECT_LT(mean.norm(), 1e-9);
+
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(1.0, Vector3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+  GeodesicSphere moved = mesh;
+  moved.Positions = (100.0 * mesh.Positions * turn.transpose()).eval();
+  moved.Positions.rowwise() += Eigen::RowVector3d(1e3, -2e3, 5e2);
+  const Points expected = map.Positions * turn.transpose();
+  EXPECT_LT((mapOf(moved).Positions - expected).rowwise().norm().maxCoeff(), 1e-6);
+}
+
+TEST(GlobalConformalMap, NeverFolds)
+{
+  const auto spikes = shaped(16,
+    [](const Vector3& n)
+    { return Vector3(n * (1.0 + 3.0 * std::pow(std::abs(n[0] * n[1] * n[2]) * 5.19, 6.0))); });
+  const auto needles =
+    shaped(12, [](const Vector3& n) { return Vector3(n[0], 0.01 * n[1], n[2]); });
+  const auto neck = shaped(16,
+    [](const Vector3& n)
+    {
+      const double radius = 0.05 + n[2] * n[2];
+      return Vector3(radius * n[0], radius * n[1], 1.5 * n[2]);
+    });
+  GeodesicSphere bottles = tube(8.0, 32); // joined by necks of needles
+  for (Index v = 0; v < bottles.Positions.rows(); ++v)
+  {
+    bottles.Positions.row(v).head<2>() *=
+      0.02 + std::abs(std::cos(0.375 * bottles.Positions(v, 2)));
+  }
+  for (const auto& mesh : { spikes, needles, neck, bottles, noisy(16, 0.02), noisy(16, 0.3),
+         noisy(8, 1.5), valenceThree(60), valenceThree(600), conformal::makeGeodesicSphere(1) })
+  {
+    const auto map = mapOf(mesh);
+    expectOneToOne(mesh, map.Positions);
+    EXPECT_TRUE(map.Converged);
+    EXPECT_GE(map.Energy, 4.0 * Pi * 0.5);
+  }
+}
+
+TEST(GlobalConformalMap, NeverFoldsTubes)
+{
+  for (double length : { 1.0, 3.0, 5.0, 10.0, 30.0, 50.0 })
+  {
+    const auto mesh = tube(length);
+    const auto map = mapOf(mesh);
+    expectOneToOne(mesh, map.Positions);
+    EXPECT_EQ(
+      map.Tier, length < 4.0 ? GlobalConformalTier::Harmonic : GlobalConformalTier::Progressive)
+      << length;
+  }
+}
+
+// Triangles without area, a surface that is a line, and one that is a point.
+TEST(GlobalConformalMap, NeverFoldsWhatHasNoArea)
+{
+  const auto line = shaped(6, [](const Vector3& n) { return Vector3(n[0], 0.0, 0.0); });
+  const auto point = shaped(6, [](const Vector3&) { return Vector3(1.0, 2.0, 3.0); });
+  GeodesicSphere partly = bumpy(10);
+  conformal::Random random(1);
+  for (int i = 0; i < 100; ++i)
+  {
+    partly.Positions.row(random.index(partly.Positions.rows())) = partly.Positions.row(0);
+  }
+  for (const auto& mesh : { line, point, partly })
+  {
+    const auto map = mapOf(mesh);
+    expectOneToOne(mesh, map.Positions);
+    EXPECT_GT(map.NumberOfInfiniteStringConstants, 0);
+  }
+}
+
+TEST(GlobalConformalMap, RepairsAFewFolds)
+{
+  GeodesicSphere mesh = conformal::makeGeodesicSphere(20);
+  conformal::Random random(4);
+  for (Index v = 0; v < mesh.Positions.rows(); v += 7) // tangentially, which makes needles
+  {
+    const Vector3 n = mesh.Positions.row(v), along = n.unitOrthogonal();
+    mesh.Positions.row(v) += 0.18 * (random.uniform() - 0.5) * along.transpose();
+  }
+  const auto map = mapOf(mesh);
+  EXPECT_EQ(map.Tier, GlobalConformalTier::Repaired);
+  expectOneToOne(mesh, map.Positions);
+  EXPECT_GT(map.NumberOfNegativeStringConstants, 0);
+}
+
+TEST(GlobalConformalMap, BalanceTradesAnglesForAreas)
+{
+  const auto mesh = shaped(12, [](const Vector3& n) { return Vector3(n[0], n[1], 4.0 * n[2]); });
+  double lastArea = std::numeric_limits<double>::infinity(), lastAngle = 0.0;
+  for (double balance : { 0.0, 0.1, 0.3, 0.6, 1.0 })
+  {
+    GlobalConformalMapOptions options;
+    options.AreaBalance = balance;
+    const auto map = mapOf(mesh, options);
+    expectOneToOne(mesh, map.Positions);
+    const auto distortion = conformal::measureDistortion(mesh.Positions, mesh.Faces, map.Positions);
+    EXPECT_LT(distortion.AreaDistortionDeviation, lastArea);
+    EXPECT_GT(distortion.MeanQuasiConformalError, lastAngle);
+    lastArea = distortion.AreaDistortionDeviation;
+    lastAngle = distortion.MeanQuasiConformalError;
+  }
+  EXPECT_LT(lastArea, 0.35);
+}
+
+// On acute triangles both methods find the same map, but for a Moebius transform.
+TEST(GlobalConformalMap, GuYauAgreesOnAcuteTriangles)
+{
+  const auto mesh = bumpy(10);
+  GlobalConformalMapOptions options;
+  options.Method = GlobalConformalMethod::GuYau;
+  options.Tolerance = 1e-9;
+  options.MaximumNumberOfIterations = 20000;
+  const auto published = mapOf(mesh, options), robust = mapOf(mesh);
+  EXPECT_EQ(published.NumberOfNegativeStringConstants, 0);
+  EXPECT_EQ(published.NumberOfFlippedTriangles, 0);
+  EXPECT_TRUE(published.Converged);
+  EXPECT_GT(published.NumberOfIterations, 10);
+  const double k = meanK(mesh, robust.Positions);
+  EXPECT_NEAR(meanK(mesh, published.Positions), k, 0.01 * k);
+  Points moved = published.Positions;
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(moved.rows());
+  conformal::closestMoebiusTransform(moved, robust.Positions, ones).applyTo(moved);
+  EXPECT_LT((moved - robust.Positions).rowwise().norm().maxCoeff(), 0.02);
+}
+
+// What the paper says of it: obtuse triangles make it fold.
+TEST(GlobalConformalMap, GuYauFoldsWithObtuseTriangles)
+{
+  const auto mesh = noisy(16, 0.8);
+  GlobalConformalMapOptions options;
+  options.Method = GlobalConformalMethod::GuYau;
+  options.MaximumNumberOfIterations = 2000;
+  const auto published = mapOf(mesh, options), robust = mapOf(mesh);
+  EXPECT_GT(published.NumberOfNegativeStringConstants, 100);
+  EXPECT_GT(published.NumberOfFlippedTriangles, 10);
+  EXPECT_TRUE(published.Positions.allFinite());
+  EXPECT_EQ(robust.NumberOfFlippedTriangles, 0);
+}
+
+TEST(GlobalConformalMap, GuYauCountsInfiniteStringConstants)
+{
+  GeodesicSphere mesh = conformal::makeGeodesicSphere(6);
+  mesh.Positions.row(mesh.Faces(10, 0)) = mesh.Positions.row(mesh.Faces(10, 1));
+  GlobalConformalMapOptions options;
+  options.Method = GlobalConformalMethod::GuYau;
+  options.MaximumNumberOfIterations = 100;
+  const auto map = mapOf(mesh, options);
+  EXPECT_EQ(map.NumberOfInfiniteStringConstants, 5); // of the two triangles beside the edge
+  EXPECT_TRUE(map.Positions.allFinite());
+}
+
+TEST(GlobalConformalMap, SameBitsOnTwoThreads)
+{
+  const auto parallelFor = [](Index count, const std::function<void(Index)>& body)
+  {
+    std::thread other(
+      [&]()
+      {
+        for (Index i = 1; i < count; i += 2)
+        {
+          body(i);
+        }
+      });
+    for (Index i = 0; i < count; i += 2)
+    {
+      body(i);
+    }
+    other.join();
+  };
+  const auto mesh = bumpy(40);
+  for (auto method : { GlobalConformalMethod::Robust, GlobalConformalMethod::GuYau })
+  {
+    GlobalConformalMapOptions options;
+    options.Method = method;
+    options.MaximumNumberOfIterations = 20;
+    const auto one = globalConformalMap(mesh.Positions, mesh.Faces, options);
+    const auto two = globalConformalMap(mesh.Positions, mesh.Faces, options, parallelFor);
+    EXPECT_EQ(one.Positions, two.Positions);
+    EXPECT_EQ(one.Energy, two.Energy);
+  }
+}
+
+TEST(GlobalConformalMap, ReportsProgressAndStops)
+{
+  GlobalConformalMapOptions published, balanced;
+  published.Method = GlobalConformalMethod::GuYau;
+  published.MaximumNumberOfIterations = 50;
+  balanced.AreaBalance = 0.5;
+  const auto smooth = bumpy(12), rough = noisy(12, 0.3);
+  for (const auto& options : { GlobalConformalMapOptions(), published, balanced })
+  {
+    for (const auto& mesh : { smooth, rough })
+    {
+      double last = -1.0;
+      int calls = 0;
+      globalConformalMap(mesh.Positions, mesh.Faces, options, {},
+        [&](double fraction)
+        {
+          EXPECT_GE(fraction, last);
+          EXPECT_LE(fraction, 1.0);
+          last = fraction;
+          return ++calls > 0;
+        });
+      EXPECT_EQ(last, 1.0);
+      EXPECT_GT(calls, 5);
+      for (double end : { 0.01, 0.2, 0.5 })
+      {
+        EXPECT_THROW(globalConformalMap(mesh.Positions, mesh.Faces, options, {},
+                       [end](double fraction) { return fraction < end; }),
+          conformal::Aborted);
+      }
+    }
+  }
+}
+
+TEST(GlobalConformalMap, RefusesWhatItCannotMap)
+{
+  const auto mesh = bumpy(4);
+  const conformal::Triangles open = mesh.Faces.bottomRows(mesh.Faces.rows() - 1);
+  EXPECT_THROW(globalConformalMap(mesh.Positions, open), std::invalid_argument);
+  Points bad = mesh.Positions;
+  bad(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(globalConformalMap(bad, mesh.Faces), std::invalid_argument);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  GlobalConformalMapOptions options[4];
+  options[0].AreaBalance = nan;
+  options[1].AreaBalance = 1.5;
+  options[2].Tolerance = nan;
+  options[3].MaximumNumberOfIterations = -1;
+  for (const auto& wrong : options)
+  {
+    EXPECT_THROW(mapOf(mesh, wrong), std::invalid_argument);
+  }
+}

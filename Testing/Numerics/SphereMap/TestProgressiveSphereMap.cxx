@@ -1,0 +1,148 @@
+#include "SphereMap/ProgressiveSphereMap.h"
+
+#include "Base/Random.h"
+#include "Measure/Distortion.h"
+#include "Mesh/GeodesicSphere.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+using conformal::Index;
+using conformal::mapToSphere;
+using conformal::Points;
+using conformal::ProgressiveSphereMapOptions;
+using conformal::ProgressiveSphereMapResult;
+using conformal::Vector3;
+
+namespace
+{
+// A geodesic sphere with every point moved.
+conformal::GeodesicSphere shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
+{
+  conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(frequency);
+  for (Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    sphere.Positions.row(i) = move(sphere.Positions.row(i));
+  }
+  return sphere;
+}
+
+conformal::GeodesicSphere limb(double length)
+{
+  return shaped(12, [length](const Vector3& n) { return Vector3(n[0], n[1], length * n[2]); });
+}
+
+void expectOneToOne(const conformal::GeodesicSphere& mesh, const ProgressiveSphereMapResult& map)
+{
+  ASSERT_EQ(map.Positions.rows(), mesh.Positions.rows());
+  EXPECT_EQ(map.NumberOfFlippedTriangles, 0);
+  double solidAngle = 0.0;
+  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  {
+    const Vector3 a = map.Positions.row(mesh.Faces(r, 0)), b = map.Positions.row(mesh.Faces(r, 1)),
+                  c = map.Positions.row(mesh.Faces(r, 2));
+    const double volume = (b - a).cross(c - a).dot(a);
+    EXPECT_GT(volume, 0.0);
+    solidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  EXPECT_NEAR(solidAngle, 4.0 * std::acos(-1.0), 1e-9);
+  EXPECT_LT((map.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
+}
+}
+
+TEST(ProgressiveSphereMap, CoversTheSphereOnceWithoutFolds)
+{
+  const auto spikes = shaped(10,
+    [](const Vector3& n)
+    { return Vector3(n * (1.0 + 2.0 * std::pow(std::abs(n[0] * n[1] * n[2]) * 5.19, 6.0))); });
+  conformal::Random random(1);
+  const auto rough =
+    shaped(10, [&](const Vector3& n) { return Vector3(n * (1.0 + 0.3 * random.uniform())); });
+  for (const auto& mesh : { limb(1.0), limb(0.05), limb(12.0), limb(60.0), spikes, rough,
+         conformal::makeGeodesicSphere(1) })
+  {
+    expectOneToOne(mesh, mapToSphere(mesh.Positions, mesh.Faces));
+  }
+}
+
+// Triangles of no height, and points in one place.
+TEST(ProgressiveSphereMap, DegenerateTrianglesDoNotFold)
+{
+  auto mesh = limb(1.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    mesh.Positions.row(mesh.Faces(7, k)) = mesh.Positions.row(mesh.Faces(7, 0));
+    mesh.Positions.row(mesh.Faces(500, k))[2] = 0.3;
+    mesh.Positions.row(mesh.Faces(500, k))[1] = 0.2;
+  }
+  expectOneToOne(mesh, mapToSphere(mesh.Positions, mesh.Faces));
+}
+
+TEST(ProgressiveSphereMap, ASphereIsMappedNearlyWithoutDistortion)
+{
+  const auto sphere = limb(1.0);
+  const auto map = mapToSphere(sphere.Positions, sphere.Faces);
+  expectOneToOne(sphere, map);
+  const auto distortion =
+    conformal::measureDistortion(sphere.Positions, sphere.Faces, map.Positions);
+  EXPECT_LT(distortion.MeanQuasiConformalError, 1.1);
+  EXPECT_LT(distortion.AreaDistortionDeviation, 0.2);
+}
+
+TEST(ProgressiveSphereMap, BalanceTradesAnglesForAreas)
+{
+  const auto mesh = limb(4.0);
+  double lastArea = std::numeric_limits<double>::infinity(), lastAngle = 0.0;
+  for (double balance : { 0.0, 0.3, 0.6, 1.0 })
+  {
+    ProgressiveSphereMapOptions options;
+    options.AreaBalance = balance;
+    const auto map = mapToSphere(mesh.Positions, mesh.Faces, options);
+    expectOneToOne(mesh, map);
+    const auto distortion = conformal::measureDistortion(mesh.Positions, mesh.Faces, map.Positions);
+    EXPECT_LT(distortion.AreaDistortionDeviation, lastArea);
+    EXPECT_GT(distortion.MeanQuasiConformalError, lastAngle);
+    lastArea = distortion.AreaDistortionDeviation;
+    lastAngle = distortion.MeanQuasiConformalError;
+  }
+}
+
+TEST(ProgressiveSphereMap, RefusesWhatItCannotMap)
+{
+  const auto mesh = limb(1.0);
+  const conformal::Triangles open = mesh.Faces.bottomRows(mesh.Faces.rows() - 1);
+  EXPECT_THROW(mapToSphere(mesh.Positions, open), std::invalid_argument);
+  Points bad = mesh.Positions;
+  bad(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(mapToSphere(bad, mesh.Faces), std::invalid_argument);
+  for (double balance : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
+  {
+    ProgressiveSphereMapOptions options;
+    options.AreaBalance = balance;
+    EXPECT_THROW(mapToSphere(mesh.Positions, mesh.Faces, options), std::invalid_argument);
+  }
+}
+
+TEST(ProgressiveSphereMap, ReportsProgressAndStops)
+{
+  const auto mesh = limb(2.0);
+  double last = -1.0;
+  int calls = 0;
+  mapToSphere(mesh.Positions, mesh.Faces, {},
+    [&](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      return ++calls > 0;
+    });
+  EXPECT_GT(calls, 5);
+  EXPECT_THROW(
+    mapToSphere(mesh.Positions, mesh.Faces, {}, [](double fraction) { return fraction < 0.5; }),
+    conformal::Aborted);
+}
