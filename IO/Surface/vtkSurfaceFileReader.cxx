@@ -265,6 +265,8 @@ int vtkSurfaceFileReader::RequestData(
     "values replaced by 0 that are not finite");
   this->Warn(
     output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are not points");
+  this->Warn(output, "NumberOfUnreadBytes", result.Data.UnreadBytes,
+    "bytes not read behind all that the header promises; the header or the file is wrong");
   return 1;
 }
 

@@ -27,6 +27,15 @@ int vtkSurfaceFileWriter::FillInputPortInformation(int, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkSurfaceFileWriter::Write()
 {
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    if (this->GetNumberOfInputConnections(port) == 0)
+    {
+      this->SetErrorCode(vtkErrorCode::UserError);
+      vtkErrorMacro(<< "input port " << port << " has no data to write: set them before Write()");
+      return 0;
+    }
+  }
   this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
   const int isWritten = this->Superclass::Write();
   return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;

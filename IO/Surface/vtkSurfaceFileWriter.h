@@ -18,11 +18,12 @@
  *
  * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
  * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or
- * another control character (UserError). A symbolic link stays a link, and the file that it points
- * at is replaced or made. A replaced file keeps its permissions, and its owner and group as far as
- * the system allows; its other hard links keep the old content. While a file is written, it has a
- * name of its own in the same folder, ".conformalsom-" and 16 digits, and the permissions of the
- * file that it replaces.
+ * another control character (UserError). A port without input is a UserError, too. A symbolic link
+ * stays a link, and the file that it points at is replaced or made. A replaced file keeps its
+ * permissions other than setuid, setgid and sticky bits, and its owner and group as far as the
+ * system allows; its other hard links keep the old content. While a file is written, it has a name
+ * of its own in the same folder, ".conformalsom-" and 16 digits, and the permissions of the file
+ * that it replaces.
  */
 
 #ifndef vtkSurfaceFileWriter_h

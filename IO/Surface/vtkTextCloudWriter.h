@@ -5,7 +5,8 @@
  * Input port 0: vtkPolyData. What is written is one point on a line, all its numbers between
  * blanks; a remark at the start names the columns if there are more than x, y and z. Arrays of
  * several components other than active normals and colors (3 unsigned chars) become several
- * columns. Polygons are left out. Numbers are written so that they are read back the same.
+ * columns; a name that another column has gets "_" behind it. Polygons are left out. Numbers are
+ * written so that they are read back the same.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

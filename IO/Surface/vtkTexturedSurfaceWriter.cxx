@@ -21,6 +21,8 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <system_error>
+#include <vector>
 
 vtkStandardNewMacro(vtkTexturedSurfaceWriter);
 
@@ -139,6 +141,23 @@ std::string LowerCaseExtension(const std::filesystem::path& path)
   }
   return extension;
 }
+
+using Paths = std::vector<std::filesystem::path>;
+
+// Which of the files beside a surface that is new are there, and so perhaps somebody else's.
+std::string ForeignFiles(const std::filesystem::path& surface, const Paths& besides)
+{
+  std::string names;
+  std::error_code ignored; // writing says what is wrong
+  for (const std::filesystem::path& path : besides)
+  {
+    if (!std::filesystem::exists(surface, ignored) && std::filesystem::exists(path, ignored))
+    {
+      names += (names.empty() ? "" : " and ") + path.u8string();
+    }
+  }
+  return names;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -187,17 +206,31 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
     return;
   }
   const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
+  const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
+  const std::string foreign =
+    ForeignFiles(path, extension == ".obj" ? Paths{ texture, material } : Paths{ texture });
   if (extension == ".ply")
   {
     const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), progress);
     WriteTogether({ { texture.u8string(), png }, { this->FileName, ply } });
+    this->WarnOfReplaced(foreign);
     return;
   }
-  const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
   const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
   WriteTogether(
     { { texture.u8string(), png }, { material.u8string(), mtl }, { this->FileName, obj } });
+  this->WarnOfReplaced(foreign);
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::WarnOfReplaced(const std::string& files)
+{
+  if (!files.empty())
+  {
+    vtkWarningMacro(<< "replaced " << files << ", though " << this->FileName
+                    << " was not there before: files beside a surface have its name");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,9 @@
  * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
  *   vertices, and beside it the texture (".png") of the same name.
  *
+ * The files beside ".obj" and ".ply" are replaced as the one named by FileName is, whoever made
+ * them. A warning says so if they were there and that one was not.
+ *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
@@ -69,6 +72,8 @@ protected:
 private:
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
+
+  void WarnOfReplaced(const std::string& files);
 
   bool RepeatTexture = false;
 };

@@ -263,6 +263,10 @@ TEST(ConformalPLYReader, WarnsOnceOfWhatItLeavesOut)
   const Reading values(folder.write(
     "values.ply", samples::replaced(samples::AsciiMesh(), "0.25 0.5 -1", "nan inf -1")));
   ExpectWarned(values, "NumberOfReplacedValues", 2);
+
+  const Reading more(folder.write("more.ply", samples::AsciiCloud() + "1 2 3\n"));
+  ExpectWarned(more, "NumberOfUnreadBytes", 6);
+  EXPECT_EQ(more.Output->GetNumberOfPoints(), 3);
   contract::ExpectArray(values.Output->GetPointData(), "TCoords", VTK_FLOAT, 2, 4);
 }
 

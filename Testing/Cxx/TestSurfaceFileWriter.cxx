@@ -122,6 +122,26 @@ TEST(SurfaceFileWriter, EveryWriterRefusesWhatItCannotWriteAndLeavesNoFile)
   }
 }
 
+TEST(SurfaceFileWriter, EveryWriterSaysWhichInputIsMissing)
+{
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    for (int port = 0; port < setUp.Writer->GetNumberOfInputPorts(); ++port)
+    {
+      SCOPED_TRACE(setUp.label() + " " + std::to_string(port));
+      const TemporaryFolder folder;
+      contract::Observed observed(setUp.Writer);
+      setUp.Writer->SetInputData(0, contract::RichSphere());
+      setUp.Writer->SetInputConnection(port, nullptr);
+      setUp.Writer->SetFileName(folder.file("a" + setUp.Endings.back()).c_str());
+      EXPECT_EQ(setUp.Writer->Write(), 0);
+      EXPECT_EQ(setUp.Writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+      observed.ExpectError("input port " + std::to_string(port) + " has no data");
+      EXPECT_EQ(folder.numberOfFiles(), 0u);
+    }
+  }
+}
+
 TEST(SurfaceFileWriter, EveryWriterStopsWhenAskedWithoutAWordAndLeavesTheInputAlone)
 {
   std::vector<WriterSetUp> setUps = WriterSetUps();

@@ -408,6 +408,29 @@ TEST(TexturedSurfaceWriter, RefusesWhatCannotBeWritten)
   EXPECT_NE(untextured.Writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
 }
 
+// A picture that is there before the surface is perhaps somebody's own.
+TEST(TexturedSurfaceWriter, WarnsOfFilesThatItReplacesBesideANewSurface)
+{
+  const auto surface = TexturedSphere();
+  const auto picture = Picture(3);
+  for (const std::string ending : { "obj", "ply" })
+  {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a." + ending);
+    Writing(surface, picture, path).Observed.ExpectWarning("");
+    Writing(surface, picture, path).Observed.ExpectWarning(""); // its own files
+    std::filesystem::remove(std::filesystem::u8path(path));
+    const Writing again(surface, picture, path);
+    EXPECT_EQ(again.Result, 1);
+    again.Observed.ExpectWarning("replaced " + folder.file("a.png"));
+    again.Observed.ExpectWarning(ending == "obj" ? "a.mtl" : "was not there before");
+  }
+  const TemporaryFolder folder;
+  folder.write("a.png", "a picture");
+  Writing(surface, picture, folder.file("a.glb")).Observed.ExpectWarning("");
+  EXPECT_EQ(folder.read("a.png"), "a picture");
+}
+
 TEST(TexturedSurfaceWriter, StopsWhenAskedAndLeavesItsInputsAlone)
 {
   const TemporaryFolder folder;

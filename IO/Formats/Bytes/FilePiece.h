@@ -14,6 +14,7 @@ struct FilePiece
   std::uint64_t Count = 1;  ///< at most 2^32
 
   bool isFirst() const { return this->Number == 0; }
+  bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
   /// Where it begins among so many things, and where the next one does.

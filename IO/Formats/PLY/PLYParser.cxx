@@ -101,9 +101,12 @@ private:
       {
         this->Input.skip(piece.begin(count) * leastBytes);
         this->readPoints(values, element, piece.end(count) - piece.begin(count));
-        return;
+        if (!piece.isLast())
+        {
+          return;
+        }
       }
-      if (element.Name == "vertex")
+      else if (element.Name == "vertex")
       {
         this->readPoints(values, element, count);
       }
@@ -124,6 +127,8 @@ private:
         this->skipRecords(values, element, count);
       }
     }
+    TextValues(this->Input).skipBlanks();
+    this->Data.UnreadBytes = this->Input.left();
   }
 
   // Whether a run of points can be read without the others, and means something without faces.

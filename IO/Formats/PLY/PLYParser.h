@@ -29,7 +29,8 @@ struct PLYOptions
 /// cell of a scanner's grid, whose size is in the lines obj_info num_cols and num_rows; neighbors
 /// become triangles. Without these lines it is skipped. Other elements and other lists are skipped.
 ///
-/// A point that is not finite is dropped from a cloud and is an error in a mesh.
+/// A point that is not finite is dropped from a cloud and is an error in a mesh. Bytes behind the
+/// last element, from the first that is no blank, are not read but counted.
 SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options = {},
   const ParseLimits& limits = {}, const ParseProgress& progress = {});
 }

@@ -1,11 +1,11 @@
 #include "PLY/PLYWriter.h"
 
+#include "Bytes/FieldNames.h"
 #include "Bytes/Records.h"
 #include "Bytes/SurfaceWalk.h"
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace conformal
@@ -47,14 +47,13 @@ public:
     this->Arrays.push_back(&array);
     for (std::size_t c = 0; c < array.Components; ++c)
     {
-      std::string name = propertyName(array, c);
-      while (!this->Names.insert(name).second)
-      {
-        name += "_";
-      }
-      this->Text += std::string("property ") + nameOf(array.Type) + " " + name + "\n";
+      this->Text += std::string("property ") + nameOf(array.Type) + " " +
+        this->Names.add(propertyName(array, c)) + "\n";
     }
   }
+
+  // A name that no array may have.
+  void keepFree(const std::string& name) { this->Names.add(name); }
 
   const std::string& text() const { return this->Text; }
 
@@ -93,14 +92,11 @@ private:
         return known.Names[component];
       }
     }
-    std::string name = array.Name.empty() ? "array" : array.Name;
-    std::replace_if(
-      name.begin(), name.end(), [](char c) { return c <= ' '; }, '_');
-    return array.Components == 1 ? name : name + "_" + std::to_string(component);
+    return componentName(array, component);
   }
 
   std::vector<const NamedArray*> Arrays;
-  std::set<std::string> Names;
+  FieldNames Names;
   std::string Text;
 };
 }
@@ -115,6 +111,7 @@ std::string makePLY(const SurfaceData& surface, const ParseProgress& progress)
     points.add(array);
   }
   PLYProperties polygons;
+  polygons.keepFree("vertex_indices");
   for (const NamedArray& array : surface.PolygonArrays)
   {
     polygons.add(array);

@@ -189,6 +189,7 @@ private:
       });
     this->appendArrays(scan.PointArrays, scanId == 0);
     this->Data.DroppedPoints += scan.DroppedPoints;
+    this->Data.UnreadBytes += scan.UnreadBytes;
     this->Data.ReplacedValues += scan.ReplacedValues;
   }
 

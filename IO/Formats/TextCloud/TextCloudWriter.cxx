@@ -1,49 +1,55 @@
 #include "TextCloud/TextCloudWriter.h"
 
+#include "Bytes/FieldNames.h"
 #include "Bytes/SurfaceWalk.h"
-
-#include <algorithm>
 
 namespace conformal
 {
 namespace
 {
-std::string asColumnName(std::string name)
+std::vector<std::string> fieldsOf(const NamedArray& array)
 {
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c <= ' ' || c == ',' || c == ';' || c == '"'; },
-    '_');
-  return name.empty() ? "_" : name;
+  if (array.Name == "Normals" && array.Components == 3)
+  {
+    return { "nx", "ny", "nz" };
+  }
+  if (array.Name == "RGB" && array.Components == 3 && isByte(array.Type))
+  {
+    return { "r", "g", "b" };
+  }
+  std::vector<std::string> fields;
+  for (std::size_t c = 0; c < array.Components; ++c)
+  {
+    fields.push_back(componentName(array, c));
+  }
+  return fields;
+}
+
+// A remark with the names of all columns.
+std::string titleOf(const std::vector<NamedArray>& arrays)
+{
+  FieldNames names(",;\"'#/"); // readers part, quote and begin remarks by these
+  std::string title = "#";
+  const auto add = [&](const std::vector<std::string>& fields)
+  {
+    for (const std::string& field : fields)
+    {
+      title += " " + names.add(field);
+    }
+  };
+  add({ "x", "y", "z" });
+  for (const NamedArray& array : arrays)
+  {
+    add(fieldsOf(array));
+  }
+  return title + "\n";
 }
 }
 
 //------------------------------------------------------------------------------
 std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress)
 {
-  std::string text;
-  for (const NamedArray& array : surface.PointArrays)
-  {
-    if (array.Name == "Normals" && array.Components == 3)
-    {
-      text += " nx ny nz";
-    }
-    else if (array.Name == "RGB" && array.Components == 3 && isByte(array.Type))
-    {
-      text += " r g b";
-    }
-    else if (array.Components == 1)
-    {
-      text += " " + asColumnName(array.Name);
-    }
-    else
-    {
-      for (std::size_t c = 0; c < array.Components; ++c)
-      {
-        text += " " + asColumnName(array.Name) + "_" + std::to_string(c);
-      }
-    }
-  }
-  text = text.empty() ? "" : "# x y z" + text + "\n";
+  std::string text = surface.PointArrays.empty() ? "" : titleOf(surface.PointArrays);
   walk(
     surface, progress,
     [&](std::size_t point)

@@ -10,7 +10,8 @@
 namespace conformal
 {
 /// Points as text with names of the columns in a remark, if there are more than x, y and z. All
-/// arrays; those of several components other than "Normals" and "RGB" become several columns.
+/// arrays; those of several components other than "Normals" and "RGB" become several columns. A
+/// name that another column has gets "_" behind it, as often as it takes.
 /// @throws ParseError if the caller says stop
 std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress = {});
 }

@@ -70,6 +70,43 @@ std::string cloudOf(const std::string& properties, int count, const std::string&
 const std::string XYZ = "property float x\nproperty float y\nproperty float z\n";
 }
 
+// What follows all that the header promises is counted, but for blanks.
+TEST(PLYParser, CountsWhatItDoesNotRead)
+{
+  const auto unread = [](const std::string& bytes)
+  {
+    const conformal::SurfaceResult result = parsePLY(bytes);
+    EXPECT_TRUE(result.Status.ok()) << result.Status.text();
+    return result.Data.UnreadBytes;
+  };
+  const std::string points = "0 0 0\n1 0 0\n";
+  EXPECT_EQ(unread(cloudOf(XYZ, 2, points)), 0u);
+  EXPECT_EQ(unread(cloudOf(XYZ, 2, points + "\r\n \t\n")), 0u);
+  EXPECT_EQ(unread(cloudOf(XYZ, 1, points)), 6u);
+  EXPECT_EQ(unread(cloudOf(XYZ, 2, points + "\n0 1 0\n0 0 1\n")), 12u);
+  for (const bool isLittle : { false, true })
+  {
+    const std::string mesh = samples::BinaryMesh(isLittle);
+    EXPECT_EQ(unread(mesh), 0u);
+    EXPECT_EQ(unread(mesh + "\n"), 0u);
+    EXPECT_EQ(unread(mesh + std::string(7, '\0')), 7u);
+  }
+  // Of several readers the last one sees it.
+  const std::string cloud = "ply\nformat binary_little_endian 1.0\nelement vertex 4\n" + XYZ +
+    "end_header\n" + std::string(4 * 12 + 5, '\1');
+  std::uint64_t sum = 0;
+  for (std::uint64_t piece = 0; piece < 3; ++piece)
+  {
+    conformal::PLYOptions options;
+    options.Piece = { piece, 3 };
+    const conformal::SurfaceResult result = parsePLY(cloud, options);
+    ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+    EXPECT_EQ(result.Data.UnreadBytes, piece == 2 ? 5u : 0u);
+    sum += result.Data.Points.numberOfTuples();
+  }
+  EXPECT_EQ(sum, 4u);
+}
+
 TEST(PLYParser, ReadsEveryAttributeOfAnAsciiMesh)
 {
   const conformal::SurfaceResult result = parsePLY(samples::AsciiMesh());

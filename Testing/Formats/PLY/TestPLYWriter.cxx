@@ -37,6 +37,25 @@ TEST(PLYWriter, IsReadBackTheSameWithAllArrays)
   ExpectSame(read(conformal::makePLY(wide), parse), wide, true);
 }
 
+TEST(PLYWriter, GivesEveryPropertyANameOfItsOwn)
+{
+  SurfaceData data = tetrahedron(true);
+  data.PointArrays.push_back(randomArray<double>("x", ScalarType::Float64, 1, 4, 1));
+  data.PointArrays.push_back(randomArray<double>("gr\xC3\xB6\xC3\x9F"
+                                                 "e",
+    ScalarType::Float64, 1, 4, 2));
+  data.PolygonArrays.push_back(randomArray<double>("vertex_indices", ScalarType::Float64, 1, 4, 3));
+  const SurfaceResult result = read(conformal::makePLY(data),
+    [](conformal::ByteReader& input) { return conformal::parsePLY(input); });
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  ASSERT_EQ(result.Data.PointArrays.size(), 2u);
+  EXPECT_EQ(result.Data.PointArrays[0].Name, "x_");
+  EXPECT_EQ(result.Data.PointArrays[1].Name, data.PointArrays[1].Name);
+  ASSERT_EQ(result.Data.PolygonArrays.size(), 1u);
+  EXPECT_EQ(result.Data.PolygonArrays[0].Name, "vertex_indices_");
+  EXPECT_EQ(result.Data.PolygonIds.size(), data.PolygonIds.size());
+}
+
 TEST(PLYWriter, StopsWhenAsked)
 {
   ExpectStopsWhenAsked(

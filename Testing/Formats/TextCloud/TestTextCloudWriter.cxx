@@ -25,6 +25,44 @@ TEST(TextCloudWriter, IsReadBackTheSame)
   EXPECT_EQ(columns.Data.PointArrays[1].Name, "two_words_1");
 }
 
+// Whatever arrays are called, all of them come back, and none is taken for something else.
+TEST(TextCloudWriter, GivesEveryColumnANameOfItsOwn)
+{
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
+    { { "x", "b", "c" }, { "x_", "b", "c" } }, { { "X", "Y", "vx" }, { "X", "Y", "vx" } },
+    { { "a,b", "a;b", "'a'" }, { "a_b", "a_b_", "_a_" } },
+    { { "", "", "array" }, { "array", "array_", "array__" } },
+    { { "#", "/",
+        "gr\xC3\xB6\xC3\x9F"
+        "e" },
+      { "_", "__",
+        "gr\xC3\xB6\xC3\x9F"
+        "e" } },
+    { { "a_0", "a:2", "a_1" }, { "a_0", "a_0_", "a_1", "a_1_" } }, // a:2 has two components
+  };
+  for (const auto& [given, expected] : cases)
+  {
+    SurfaceData data;
+    data.Points = tetrahedron(true).Points;
+    for (const std::string& name : given)
+    {
+      const bool isPair = name == "a:2";
+      data.PointArrays.push_back(randomArray<double>(
+        isPair ? "a" : name.c_str(), ScalarType::Float64, isPair ? 2 : 1, 4, 1));
+    }
+    const SurfaceResult result = read(conformal::makeTextCloud(data),
+      [](conformal::ByteReader& input) { return conformal::parseTextCloud(input); });
+    ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+    std::vector<std::string> names;
+    for (const conformal::NamedArray& array : result.Data.PointArrays)
+    {
+      EXPECT_EQ(array.Type, ScalarType::Float64) << array.Name;
+      names.push_back(array.Name);
+    }
+    EXPECT_EQ(names, expected);
+  }
+}
+
 TEST(TextCloudWriter, StopsWhenAsked)
 {
   ExpectStopsWhenAsked(
