@@ -86,8 +86,8 @@ int vtkConformalDistortion::RequestData(
       AddNumber(data, "SphereDegree", distortion.SphereDegree);
       AddNumber(data, "NumberOfFlippedTriangles",
         static_cast<long long>(distortion.NumberOfFlippedTriangles));
-      AddNumber(data, "NumberOfDegenerateTriangles",
-        static_cast<long long>(distortion.NumberOfDegenerateTriangles));
+      AddNumber(data, "NumberOfZeroAreaTriangles",
+        static_cast<long long>(distortion.NumberOfZeroAreaTriangles));
     });
 }
 

@@ -19,7 +19,7 @@
  * - "SphereDegree" (double): how often the sphere is covered, 1 for a proper map.
  * - "NumberOfFlippedTriangles" (vtkIdType): triangles turned over by the map, or flat on the
  * sphere.
- * - "NumberOfDegenerateTriangles" (vtkIdType): those without area, left out.
+ * - "NumberOfZeroAreaTriangles" (vtkIdType): those without area, left out.
  *
  * Triangles on the sphere are taken flat, between the places of their corners. That a map to the
  * sphere is conformal is what sections 2 and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal

@@ -4,6 +4,7 @@
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
 #include "Cloud/TrainingSamples.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
@@ -29,19 +30,45 @@ vtkStandardNewMacro(vtkCurvedSeamlessMap);
 
 namespace
 {
-bool IsPolished(vtkFieldData* data)
+int PolishedOf(vtkFieldData* data)
 {
   vtkAbstractArray* array = data->GetAbstractArray("Polished");
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (array && (!numbers || numbers->GetNumberOfTuples() == 0))
+  if (!array)
   {
-    throw std::invalid_argument(
-      "the field array Polished of the surface holds no number. Give it one, or remove it.");
+    return vtkCurvedSeamlessMap::AUTOMATIC;
   }
-  return numbers && numbers->GetComponent(0, 0) != 0.0;
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers || numbers->GetNumberOfTuples() == 0)
+  {
+    throw std::invalid_argument("the field array Polished of the surface holds no number. Give it "
+                                "one, or remove it, or set Polished to Off or On.");
+  }
+  return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
 }
 
-conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self, vtkPolyData* surface)
+// With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
+bool IsPolished(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
+  const vtkConformalConversions::ClosedMesh& mesh)
+{
+  int polished = map->GetPolished();
+  if (polished == vtkCurvedSeamlessMap::AUTOMATIC)
+  {
+    polished = PolishedOf(surface->GetFieldData());
+  }
+  const bool isUsed =
+    map->GetDomeHeight() >= vtkCurvedSeamlessMap::CURVATURE && map->GetVertexShift() > 0.0;
+  if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
+    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Points.rows()))
+  {
+    vtkWarningWithObjectMacro(self,
+      << "the surface has the connectivity of a mesh of vtkConformalSOM, but no field array "
+         "\"Polished\"; it is taken as not polished. Set Polished to On if it was learned in batch "
+         "training, or to Off if it was not.");
+  }
+  return polished == vtkCurvedSeamlessMap::ON;
+}
+
+conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self)
 {
   conformal::CurvedSeamlessSurfaceOptions options;
   options.SeamMode = static_cast<conformal::SeamMode>(self->GetSeamMode());
@@ -49,7 +76,6 @@ conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self, vt
   options.VertexShift = self->GetVertexShift();
   options.Fit.NumberOfFitRounds = self->GetNumberOfFitRounds();
   options.Fit.FitSmoothness = self->GetFitSmoothness();
-  options.Polished = IsPolished(surface->GetFieldData());
   return options;
 }
 
@@ -79,16 +105,17 @@ struct Model
 };
 
 // That of the first process that has a surface, on all of them.
-Model ModelOf(const conformal::CurvedSeamlessSurfaceOptions& options, vtkObject* self,
-  vtkPolyData* surface, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
+Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, vtkConformalConversions::Processes& processes,
+  const conformal::Progress& progress)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
-  model.Options = options;
+  model.Options = OptionsOf(map);
   if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
   {
     auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
+    model.Options.Polished = IsPolished(map, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Points = std::move(mesh.Points);
     model.Triangles = std::move(mesh.Triangles);
@@ -99,8 +126,7 @@ Model ModelOf(const conformal::CurvedSeamlessSurfaceOptions& options, vtkObject*
     model.Points = conformal::gatherRows(reduce, model.Points);
     model.Triangles = conformal::gatherRows(reduce, model.Triangles);
     model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
-    model.Options.Polished =
-      processes.firstWith(surface->GetNumberOfPoints() > 0 && model.Options.Polished) >= 0;
+    model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
   }
   return model;
 }
@@ -226,7 +252,7 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes)
 {
   this->Surface.reset();
-  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this, surface);
+  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this);
   const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
   this->Frame = std::make_unique<conformal::CoordinateFrame>(
     vtkConformalConversions::FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce()));
@@ -237,7 +263,7 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
     { 750.0 * size, 80.0 * cloudSize,
       (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
         (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
-  const Model model = ModelOf(options, self, surface, *this->Frame, processes, steps.next());
+  const Model model = ModelOf(this, self, surface, *this->Frame, processes, steps.next());
   conformal::Points copy;
   const conformal::Progress reading = steps.next();
   const conformal::TrainingSamples samples = fits
@@ -246,7 +272,7 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model.SpherePositions,
     model.Points, model.Triangles, model.Options, fits ? &samples : nullptr,
     vtkConformalConversions::SMPFor(), steps.next());
-  const conformal::Index degenerate = this->Surface->numberOfDegenerateTriangles();
+  const conformal::Index degenerate = this->Surface->numberOfDegeneratePatches();
   if (degenerate > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
@@ -339,9 +365,9 @@ bool vtkCurvedSeamlessMap::ToSphere(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkCurvedSeamlessMap::GetNumberOfDegenerateTriangles()
+vtkIdType vtkCurvedSeamlessMap::GetNumberOfDegeneratePatches()
 {
-  return this->Surface ? this->Surface->numberOfDegenerateTriangles() : 0;
+  return this->Surface ? this->Surface->numberOfDegeneratePatches() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -362,10 +388,12 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
 void vtkCurvedSeamlessMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const domeHeights[] = { "None", "Published", "Scaled", "Curvature", "Fitted" };
+  static const char* const polishedModes[] = { "Automatic", "Off", "On" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SeamMode: " << (this->SeamMode == PER_TRIANGLE ? "PerTriangle" : "EdgeMatched")
      << "\n";
   os << indent << "DomeHeight: " << domeHeights[this->DomeHeight] << "\n";
+  os << indent << "Polished: " << polishedModes[this->Polished] << "\n";
   os << indent << "VertexShift: " << this->VertexShift << "\n";
   os << indent << "NumberOfFitRounds: " << this->NumberOfFitRounds << "\n";
   os << indent << "FitSmoothness: " << this->FitSmoothness << "\n";

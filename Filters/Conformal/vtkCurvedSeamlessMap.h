@@ -12,7 +12,7 @@
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. The map must cover the sphere just once.
  * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
- * fitted to points by least squares, see VertexShift.
+ *   fitted to points by least squares, see the property Polished.
  *
  * The arrays of a call must be different ones. Arrays that do not fit the points or cells of the
  * surface or the cloud are an error.
@@ -77,6 +77,13 @@ public:
     FITTED = 4
   };
 
+  enum PolishedModes
+  {
+    AUTOMATIC = 0,
+    OFF = 1,
+    ON = 2
+  };
+
   ///@{
   /**
    * How the maps of neighboring triangles meet. EDGE_MATCHED (default): as one map, continuous
@@ -108,11 +115,26 @@ public:
 
   ///@{
   /**
-   * CURVATURE and FITTED, for a mesh whose field array "Polished" is not 0: how far its vertices
-   * are moved, as a share of what would keep the volume under the surface. Triangles fitted to
-   * points lie in the middle of these, their vertices outside of ridges; curved triangles through
-   * the vertices would lie too far out. In [0, 1]. Default is 0.75. With 0 and without the array
-   * the surface goes through the points of the mesh.
+   * CURVATURE and FITTED: whether the flat triangles of the mesh were fitted to points by least
+   * squares, as vtkConformalSOM does in batch training. If so, the vertices are moved by
+   * VertexShift; if not, the surface goes through them. AUTOMATIC (default) reads the field array
+   * "Polished" of the mesh, which vtkConformalSOM writes. Without this array the mesh is taken as
+   * not polished; there is a warning if it has the connectivity of a geodesic sphere, as the meshes
+   * of vtkConformalSOM have, since the array may have been lost, for instance in a file.
+   */
+  vtkSetClampMacro(Polished, int, AUTOMATIC, ON);
+  vtkGetMacro(Polished, int);
+  void SetPolishedToAutomatic() { this->SetPolished(AUTOMATIC); }
+  void SetPolishedToOff() { this->SetPolished(OFF); }
+  void SetPolishedToOn() { this->SetPolished(ON); }
+  ///@}
+
+  ///@{
+  /**
+   * CURVATURE and FITTED, for a polished mesh: how far its vertices are moved, as a share of what
+   * would keep the volume under the surface. Triangles fitted to points lie in the middle of these,
+   * their vertices outside of ridges; curved triangles through the vertices would lie too far out.
+   * In [0, 1]. Default is 0.75. With 0 the surface goes through the points of the mesh.
    */
   vtkSetClampMacro(VertexShift, double, 0.0, 1.0);
   vtkGetMacro(VertexShift, double);
@@ -177,7 +199,7 @@ public:
    * sphere, mapped affinely; with CURVATURE and FITTED those that would turn over, and are flatter;
    * with PUBLISHED and SCALED those with a neighbor that faces the opposite way.
    */
-  vtkIdType GetNumberOfDegenerateTriangles();
+  vtkIdType GetNumberOfDegeneratePatches();
 
   /**
    * Mean and largest angle, in degrees, between the surface's own normals on the two sides of an
@@ -200,6 +222,7 @@ private:
 
   int SeamMode = EDGE_MATCHED;
   int DomeHeight = CURVATURE;
+  int Polished = AUTOMATIC;
   double VertexShift = 0.75;
   int NumberOfFitRounds = 6;
   double FitSmoothness = 0.01;

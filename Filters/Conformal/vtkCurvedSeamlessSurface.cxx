@@ -239,8 +239,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       output->GetPointData()->AddArray(directions);
       output->GetPointData()->SetNormals(normals);
       output->GetCellData()->AddArray(DegenerateCells(dense.Faces, degenerate));
-      vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegenerateTriangles",
-        static_cast<long long>(this->Map->GetNumberOfDegenerateTriangles()));
+      vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegeneratePatches",
+        static_cast<long long>(this->Map->GetNumberOfDegeneratePatches()));
     });
 }
 
@@ -320,6 +320,36 @@ void vtkCurvedSeamlessSurface::SetDomeHeightToCurvature()
 void vtkCurvedSeamlessSurface::SetDomeHeightToFitted()
 {
   this->Map->SetDomeHeightToFitted();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetPolished(int polished)
+{
+  this->Map->SetPolished(polished);
+}
+
+//------------------------------------------------------------------------------
+int vtkCurvedSeamlessSurface::GetPolished()
+{
+  return this->Map->GetPolished();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetPolishedToAutomatic()
+{
+  this->Map->SetPolishedToAutomatic();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetPolishedToOff()
+{
+  this->Map->SetPolishedToOff();
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessSurface::SetPolishedToOn()
+{
+  this->Map->SetPolishedToOn();
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. The map must cover the sphere just once.
+ * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
+ *   fitted to points by least squares, see the property Polished.
  *
  * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
  * directions of its points, taken from the point array "SpherePosition" (3 components) where there
@@ -25,7 +27,7 @@
  * SpherePosition.
  * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
  *   degenerate triangle of port 0.
- * - field array "NumberOfDegenerateTriangles" (vtkIdType): of the triangles of port 0, how many
+ * - field array "NumberOfDegeneratePatches" (vtkIdType): of the triangles of port 0, how many
  *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
  *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
  *   faces the opposite way and use their own normal. A warning tells.
@@ -129,6 +131,18 @@ public:
   void SetDomeHeightToScaled();
   void SetDomeHeightToCurvature();
   void SetDomeHeightToFitted();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the mesh was polished by least squares: AUTOMATIC (default, by its field array
+   * "Polished"), OFF or ON: vtkCurvedSeamlessMap::SetPolished.
+   */
+  void SetPolished(int polished);
+  int GetPolished();
+  void SetPolishedToAutomatic();
+  void SetPolishedToOff();
+  void SetPolishedToOn();
   ///@}
 
   ///@{

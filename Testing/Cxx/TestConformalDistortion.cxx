@@ -16,7 +16,7 @@ namespace
 const char* const CellArrays[] = { "AngleDistortion", "AreaDistortion", "QuasiConformalError" };
 const char* const Figures[] = { "MeanAngleDistortion", "MeanQuasiConformalError",
   "AreaDistortionDeviation", "SphereDegree" };
-const char* const Counts[] = { "NumberOfFlippedTriangles", "NumberOfDegenerateTriangles" };
+const char* const Counts[] = { "NumberOfFlippedTriangles", "NumberOfZeroAreaTriangles" };
 
 class ConformalDistortion : public testing::Test
 {

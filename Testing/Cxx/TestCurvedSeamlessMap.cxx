@@ -175,7 +175,7 @@ TEST_F(CurvedSeamlessMap, MapsToTheSurface)
 {
   ASSERT_TRUE(this->Map->Build(Ellipsoid(12)));
   EXPECT_TRUE(this->Map->IsBuilt());
-  EXPECT_EQ(this->Map->GetNumberOfDegenerateTriangles(), 0);
+  EXPECT_EQ(this->Map->GetNumberOfDegeneratePatches(), 0);
   const vtkNew<vtkDoubleArray> directions = RandomDirections(2000);
   vtkNew<vtkDoubleArray> positions, normals;
   ASSERT_TRUE(this->Map->ToSurface(directions, positions, normals));
@@ -312,7 +312,7 @@ TEST_F(CurvedSeamlessMap, DegenerateTrianglesAreCountedWithAWarning)
   EXPECT_TRUE(this->Map->Build(surface));
   EXPECT_TRUE(this->Observer->GetWarning());
   EXPECT_NE(this->Observer->GetWarningMessage().find("2 triangles"), std::string::npos);
-  EXPECT_EQ(this->Map->GetNumberOfDegenerateTriangles(), 2);
+  EXPECT_EQ(this->Map->GetNumberOfDegeneratePatches(), 2);
 }
 
 TEST_F(CurvedSeamlessMap, KnowsHowMuchItsNormalsJump)

@@ -119,7 +119,7 @@ void summarize(Distortion& result, const Measured& measured)
     {
       result.AngleDistortion[r] = result.AreaDistortion[r] = 0.0;
       result.QuasiConformalError[r] = 1.0;
-      ++result.NumberOfDegenerateTriangles;
+      ++result.NumberOfZeroAreaTriangles;
       continue;
     }
     result.AreaDistortion[r] = log;

@@ -23,7 +23,7 @@ struct Distortion
   double AreaDistortionDeviation = 0.0; ///< standard deviation
   double SphereDegree = 0.0;          ///< how often the sphere is covered, whatever its orientation
   Index NumberOfFlippedTriangles = 0; ///< oriented unlike the whole, or flat on the sphere
-  Index NumberOfDegenerateTriangles = 0;
+  Index NumberOfZeroAreaTriangles = 0;
 };
 
 /// Measure the linear maps between the triangles of a mesh and the flat triangles of chords

@@ -151,4 +151,22 @@ GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const P
     });
   return sphere;
 }
+
+//------------------------------------------------------------------------------
+bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices)
+{
+  const Index squared = (numberOfVertices - 2) / 10;
+  const auto f = static_cast<Index>(std::llround(std::sqrt(static_cast<double>(squared))));
+  if (f < 1 || 10 * f * f + 2 != numberOfVertices || triangles.rows() != 20 * f * f)
+  {
+    return false;
+  }
+  std::vector<int> valences(numberOfVertices);
+  for (const int id : triangles.reshaped())
+  {
+    ++valences[id];
+  }
+  return std::count(valences.begin(), valences.end(), 5) == 12 &&
+    std::count(valences.begin(), valences.end(), 6) == numberOfVertices - 12;
+}
 }

@@ -26,6 +26,10 @@ constexpr int MaximumFrequency = 10000;
 /// @throws std::invalid_argument if f is out of range
 GeodesicSphere makeGeodesicSphere(
   int frequency, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// Whether a closed mesh has the connectivity of a geodesic sphere of some frequency: 10 f^2 + 2
+/// vertices, 12 of them with 5 triangles and all others with 6.
+bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices);
 }
 
 #endif

@@ -447,7 +447,7 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, con
   result.Positions.resize(directions.rows(), 3);
   result.Normals.resize(directions.rows(), 3);
   result.Degenerate.resize(directions.rows());
-  result.NumberOfDegenerateTriangles = surface.numberOfDegenerateTriangles();
+  result.NumberOfDegeneratePatches = surface.numberOfDegeneratePatches();
   SurfaceSamples samples;
   samples.Positions = result.Positions.data();
   samples.Normals = result.Normals.data();

@@ -87,7 +87,7 @@ public:
   /// triangleNeighbors of its triangles
   const Triangles& neighbors() const { return this->Neighbors; }
 
-  Index numberOfDegenerateTriangles() const
+  Index numberOfDegeneratePatches() const
   {
     return std::count(this->Degenerate.begin(), this->Degenerate.end(), 1);
   }
@@ -223,7 +223,7 @@ struct CurvedSeamlessSurfaceResult
   Points Positions;                      ///< #P by 3, q
   Points Normals;                        ///< #P by 3, see CurvedSeamlessSurface::Image
   std::vector<unsigned char> Degenerate; ///< #P, 1 in triangles where something is undefined
-  Index NumberOfDegenerateTriangles = 0; ///< of the mesh
+  Index NumberOfDegeneratePatches = 0;   ///< of the mesh
 };
 
 /// Evaluate a surface once, CSS algorithm steps 1 to 11.

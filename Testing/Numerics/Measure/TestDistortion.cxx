@@ -53,7 +53,7 @@ TEST(Distortion, IdentityHasNone)
     const Distortion distortion = measureDistortion(mesh, sphere.Faces, sphere.Positions);
     EXPECT_NEAR(distortion.SphereDegree, 1.0, 1e-12);
     EXPECT_EQ(distortion.NumberOfFlippedTriangles, 0);
-    EXPECT_EQ(distortion.NumberOfDegenerateTriangles, 0);
+    EXPECT_EQ(distortion.NumberOfZeroAreaTriangles, 0);
     EXPECT_NEAR(distortion.AreaDistortionDeviation, 0.0, 1e-12);
     for (Index r = 0; r < sphere.Faces.rows(); ++r)
     {
@@ -165,7 +165,7 @@ TEST(Distortion, LeavesOutWhatHasNoArea)
   Triangles triangles(4, 3);
   triangles << 0, 1, 2, 0, 1, 3, 1, 4, 5, 2, 2, 2; // good, flat mesh, flat on the sphere, a point
   const Distortion distortion = measureDistortion(mesh, triangles, sphere);
-  EXPECT_EQ(distortion.NumberOfDegenerateTriangles, 3);
+  EXPECT_EQ(distortion.NumberOfZeroAreaTriangles, 3);
   EXPECT_NEAR(distortion.MeanAngleDistortion, 20.0, 1e-12);
   for (int r : { 1, 2, 3 })
   {
@@ -174,7 +174,7 @@ TEST(Distortion, LeavesOutWhatHasNoArea)
     EXPECT_EQ(distortion.QuasiConformalError[r], 1.0);
   }
   const Distortion nothing = measureDistortion(Points(Points::Zero(6, 3)), triangles, sphere);
-  EXPECT_EQ(nothing.NumberOfDegenerateTriangles, 4);
+  EXPECT_EQ(nothing.NumberOfZeroAreaTriangles, 4);
   EXPECT_EQ(nothing.MeanQuasiConformalError, 1.0);
 }
 

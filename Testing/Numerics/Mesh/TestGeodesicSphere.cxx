@@ -29,6 +29,21 @@ TEST(GeodesicSphere, CountsAreThePapers)
   }
 }
 
+// Neither other numbers of vertices nor other valences.
+TEST(GeodesicSphere, IsKnownByItsConnectivity)
+{
+  for (int f : Frequencies)
+  {
+    GeodesicSphere sphere = makeGeodesicSphere(f);
+    const Index size = sphere.Positions.rows();
+    EXPECT_TRUE(conformal::hasGeodesicConnectivity(sphere.Faces, size));
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces, size + 1));
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces.topRows(size), size));
+    sphere.Faces(0, 0) = sphere.Faces(sphere.Faces.rows() - 1, 0);
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces, size));
+  }
+}
+
 TEST(GeodesicSphere, IsClosedAndOfEulerNumberTwo)
 {
   for (int f : Frequencies)

@@ -336,7 +336,7 @@ TEST(CurvedSeamlessSurface, TheSpheresOwnDomesGiveTheSphere)
     const GeodesicSphere network = makeGeodesicSphere(f);
     const auto result = buildCurvedSeamlessSurface(
       network.Positions, network.Positions, network.Faces, directions, Published);
-    EXPECT_EQ(result.NumberOfDegenerateTriangles, 0);
+    EXPECT_EQ(result.NumberOfDegeneratePatches, 0);
     return (result.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff();
   };
   EXPECT_NEAR(largestError(3), 2.0e-4, 1e-5);
@@ -704,7 +704,7 @@ TEST(CurvedSeamlessSurface, DegenerateTrianglesAreFlaggedAndFinite)
   const Points directions = randomDirections(5000);
   const auto result =
     buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions);
-  EXPECT_EQ(result.NumberOfDegenerateTriangles, 2);
+  EXPECT_EQ(result.NumberOfDegeneratePatches, 2);
   EXPECT_TRUE(result.Positions.allFinite());
   const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
   EXPECT_EQ(surface.degenerate()[10], 1);
@@ -719,7 +719,7 @@ TEST(CurvedSeamlessSurface, AModelWithoutSizeIsOnePoint)
   const Points model = Points::Constant(network.Positions.rows(), 3, 5.0);
   const auto result =
     buildCurvedSeamlessSurface(network.Positions, model, network.Faces, randomDirections(100));
-  EXPECT_EQ(result.NumberOfDegenerateTriangles, network.Faces.rows());
+  EXPECT_EQ(result.NumberOfDegeneratePatches, network.Faces.rows());
   EXPECT_LT((result.Positions.array() - 5.0).abs().maxCoeff(), 1e-14);
 }
 
@@ -731,8 +731,8 @@ TEST(CurvedSeamlessSurface, NeighboursFacingOppositeWaysAreFlagged)
   model.col(2).setZero();
   const auto result = buildCurvedSeamlessSurface(
     network.Positions, model, network.Faces, randomDirections(2000), Published);
-  EXPECT_GT(result.NumberOfDegenerateTriangles, 0);
-  EXPECT_LT(result.NumberOfDegenerateTriangles, network.Faces.rows());
+  EXPECT_GT(result.NumberOfDegeneratePatches, 0);
+  EXPECT_LT(result.NumberOfDegeneratePatches, network.Faces.rows());
   EXPECT_TRUE(result.Positions.allFinite());
 }
 
