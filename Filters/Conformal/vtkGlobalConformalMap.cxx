@@ -123,8 +123,9 @@ int vtkGlobalConformalMap::RequestData(
 //------------------------------------------------------------------------------
 void vtkGlobalConformalMap::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const methods[] = { "Robust", "GuYau" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "Method: " << methods[this->Method] << "\n";
   os << indent << "AreaBalance: " << this->AreaBalance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";

@@ -177,7 +177,8 @@ int vtkSphericalAlignment::RequestData(
 //------------------------------------------------------------------------------
 void vtkSphericalAlignment::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const transforms[] = { "Rotation", "Moebius" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Transform: " << this->Transform << "\n";
+  os << indent << "Transform: " << transforms[this->Transform] << "\n";
   os << indent << "NumberOfLandmarks: " << this->Landmarks.size() << "\n";
 }

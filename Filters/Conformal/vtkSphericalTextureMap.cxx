@@ -188,6 +188,9 @@ int vtkSphericalTextureMap::RequestData(
 //------------------------------------------------------------------------------
 void vtkSphericalTextureMap::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const projections[] = { "Stereographic", "LongitudeLatitude", "Octahedral",
+    "CubeMap" };
+  static const char* const wraps[] = { "Clamp", "Repeat", "Mirror" };
   this->Superclass::PrintSelf(os, indent);
   const auto vector = [&](const char* name, const double* v, int size)
   {
@@ -202,11 +205,11 @@ void vtkSphericalTextureMap::PrintSelf(ostream& os, vtkIndent indent)
   vector("ViewUp", this->ViewUp, 3);
   os << indent << "UseViewPoint: " << (this->UseViewPoint ? "On" : "Off") << "\n";
   vector("ViewPoint", this->ViewPoint, 3);
-  os << indent << "Projection: " << this->Projection << "\n";
+  os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "FieldOfView: " << this->FieldOfView << "\n";
   os << indent << "Rotation: " << this->Rotation << "\n";
   vector("Scale", this->Scale, 2);
-  os << indent << "Wrap: " << this->Wrap << "\n";
+  os << indent << "Wrap: " << wraps[this->Wrap] << "\n";
   os << indent << "SplitSeam: " << (this->SplitSeam ? "On" : "Off") << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
 }

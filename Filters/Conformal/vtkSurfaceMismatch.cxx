@@ -140,8 +140,9 @@ int vtkSurfaceMismatch::RequestData(
 //------------------------------------------------------------------------------
 void vtkSurfaceMismatch::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const lengthUnits[] = { "MaxRadius", "HalfDiagonal", "None" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "LengthUnit: " << lengthUnits[this->LengthUnit] << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

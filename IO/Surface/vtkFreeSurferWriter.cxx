@@ -45,7 +45,8 @@ void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress
 //------------------------------------------------------------------------------
 void vtkFreeSurferWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
+  static const char* const contents[] = { "Surface", "Sphere", "Curvature" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Content: " << this->Content << "\n";
+  os << indent << "Content: " << contents[this->Content] << "\n";
   os << indent << "ArrayName: " << this->ArrayName << "\n";
 }

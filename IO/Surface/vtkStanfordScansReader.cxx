@@ -31,6 +31,6 @@ conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& in
 void vtkStanfordScansReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "InvertRotation: " << (this->InvertRotation ? "on" : "off") << "\n";
-  os << indent << "AllowExternalFiles: " << (this->AllowExternalFiles ? "on" : "off") << "\n";
+  os << indent << "InvertRotation: " << (this->InvertRotation ? "On" : "Off") << "\n";
+  os << indent << "AllowExternalFiles: " << (this->AllowExternalFiles ? "On" : "Off") << "\n";
 }

@@ -27,6 +27,6 @@ conformal::SurfaceResult vtkTextCloudReader::Parse(conformal::ByteReader& input,
 void vtkTextCloudReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "DecimalComma: " << (this->DecimalComma ? "on" : "off") << "\n";
-  os << indent << "SkipMalformedLines: " << (this->SkipMalformedLines ? "on" : "off") << "\n";
+  os << indent << "DecimalComma: " << (this->DecimalComma ? "On" : "Off") << "\n";
+  os << indent << "SkipMalformedLines: " << (this->SkipMalformedLines ? "On" : "Off") << "\n";
 }

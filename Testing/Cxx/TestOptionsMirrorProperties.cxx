@@ -1,22 +1,86 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "Hull/GenusZeroHull.h"
+#include "Learn/Training.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"
+#include "PLY/PLYParser.h"
 #include "SphereMap/GlobalConformalMap.h"
+#include "StanfordScans/AlignedScans.h"
 #include "Surface/CurvedSeamlessSurface.h"
+#include "TextCloud/TextCloudParser.h"
 #include "Texture/SphericalTexture.h"
 #include "Texture/SphericalTextureBlend.h"
+#include "vtkConformalPLYReader.h"
+#include "vtkConformalSOM.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkStanfordScansReader.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkTextCloudReader.h"
 
 #include "vtkNew.h"
 
 #include <gtest/gtest.h>
+
+TEST(OptionsMirrorProperties, ConformalSOM)
+{
+  const conformal::ConformalSOMOptions options;
+  vtkNew<vtkConformalSOM> filter;
+  EXPECT_EQ(filter->GetFrequency(), options.Frequency);
+  EXPECT_EQ(filter->GetTrainingMode(), static_cast<int>(options.TrainingMode));
+  EXPECT_EQ(filter->GetRandomSeed(), static_cast<int>(options.RandomSeed));
+  EXPECT_EQ(filter->GetReferencePoint(), static_cast<int>(options.ReferencePoint));
+  EXPECT_EQ(filter->GetNumberOfEpochs(), options.NumberOfEpochs);
+  EXPECT_EQ(filter->GetSamplesPerEpoch(), options.SamplesPerEpoch);
+  EXPECT_EQ(filter->GetInitialNeighborhoodRadius(), options.InitialNeighborhoodRadius);
+  EXPECT_EQ(filter->GetNeighborhoodTimeConstant(), options.NeighborhoodTimeConstant);
+  EXPECT_EQ(filter->GetInitialLearningRate(), options.InitialLearningRate);
+  EXPECT_EQ(filter->GetLearningRateTimeConstant(), options.LearningRateTimeConstant);
+  EXPECT_EQ(filter->GetPassesPerLevel(), options.PassesPerLevel);
+  EXPECT_EQ(filter->GetSamplesPerNeuron(), options.SamplesPerNeuron);
+  EXPECT_EQ(filter->GetNumberOfPolishRounds(), options.NumberOfPolishRounds);
+  EXPECT_EQ(filter->GetSmoothness(), options.Smoothness);
+  EXPECT_EQ(filter->GetAutomaticPriority(), options.AutomaticPriority);
+  EXPECT_EQ(filter->GetStartingShape(), static_cast<int>(options.StartingShape));
+  EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
+  using conformal::ReferencePoint;
+  using conformal::StartingShape;
+  using conformal::TrainingMode;
+  EXPECT_EQ(vtkConformalSOM::ONLINE, static_cast<int>(TrainingMode::Online));
+  EXPECT_EQ(vtkConformalSOM::BATCH, static_cast<int>(TrainingMode::Batch));
+  EXPECT_EQ(vtkConformalSOM::CONFORMAL, static_cast<int>(ReferencePoint::Conformal));
+  EXPECT_EQ(vtkConformalSOM::WINNER, static_cast<int>(ReferencePoint::Winner));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC, static_cast<int>(StartingShape::Automatic));
+  EXPECT_EQ(vtkConformalSOM::SPHERE, static_cast<int>(StartingShape::Sphere));
+  EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
+}
+
+TEST(OptionsMirrorProperties, ConformalPLYReader)
+{
+  const conformal::PLYOptions options;
+  vtkNew<vtkConformalPLYReader> reader;
+  EXPECT_EQ(reader->GetMaximumEdgeLength(), options.MaximumEdgeLength);
+}
+
+TEST(OptionsMirrorProperties, StanfordScansReader)
+{
+  const conformal::AlignedScansOptions options;
+  vtkNew<vtkStanfordScansReader> reader;
+  EXPECT_EQ(reader->GetInvertRotation(), options.InvertRotation);
+  EXPECT_EQ(reader->GetAllowExternalFiles(), options.AllowExternalFiles);
+}
+
+TEST(OptionsMirrorProperties, TextCloudReader)
+{
+  const conformal::TextCloudOptions options;
+  vtkNew<vtkTextCloudReader> reader;
+  EXPECT_EQ(reader->GetDecimalComma(), options.DecimalComma);
+  EXPECT_EQ(reader->GetSkipMalformedLines(), options.SkipMalformedLines);
+}
 
 TEST(OptionsMirrorProperties, CurvedSeamlessSurface)
 {

@@ -1,12 +1,11 @@
 """ParaView's window, driven through its menus: a scan opened, learned, smoothed and painted."""
 import os
 import subprocess
-import sys
 import tempfile
 import unittest
 
 import scenes
-from baselines import expect_picture
+from baselines import expect_picture, require_display
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 # Tools > Start Trace; what was recorded is written when the window saves its state.
@@ -56,7 +55,5 @@ class TestGui(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not os.environ.get("DISPLAY"):
-        print("The window needs a display: run ctest under xvfb-run")
-        sys.exit(125)
+    require_display()
     unittest.main()

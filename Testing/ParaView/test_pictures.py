@@ -3,7 +3,6 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
@@ -11,7 +10,7 @@ from paraview import servermanager, smstate
 from paraview import simple
 
 import scenes
-from baselines import expect_picture
+from baselines import expect_picture, require_display
 GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                      "..", "..", "Documentation", "ParaView.md")
 
@@ -67,7 +66,5 @@ class TestPictures(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not os.environ.get("DISPLAY"):
-        print("Pictures need a display: run ctest under xvfb-run")
-        sys.exit(125)
+    require_display()
     unittest.main()

@@ -62,6 +62,15 @@ function (require_measured_progress class header)
   endif ()
 endfunction ()
 
+# A class that hands properties to the core has the core's defaults and enumerations, by a test.
+function (require_mirrored_options class glue)
+  file(READ "${SOURCE_DIR}/${glue}" text)
+  if (text MATCHES "conformal::[A-Za-z]+Options options;")
+    require_line(${class} Testing/Cxx/TestOptionsMirrorProperties.cxx "vtkNew<${class}>"
+      "a comparison of ${class} with its options")
+  endif ()
+endfunction ()
+
 function (check_module folder core_folder document)
   file(READ "${SOURCE_DIR}/${folder}/CMakeLists.txt" lists)
   if (NOT lists MATCHES "set\\(classes([^)]*)\\)")
@@ -83,6 +92,7 @@ function (check_module folder core_folder document)
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
     require_proxy(${class} "${folder}/${class}.h" ${unit})
     require_input_case(${class} "${folder}/${class}.h")
+    require_mirrored_options(${class} "${folder}/${class}.cxx")
     require_measured_progress(${class} "${folder}/${class}.h")
   endforeach ()
 endfunction ()

@@ -5,6 +5,7 @@ CONFORMALSOM_PICTURES names. With RENEW_BASELINES set, the pictures become the b
 them before you commit them.
 """
 import os
+import sys
 
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
@@ -14,6 +15,12 @@ LEFT_OVERS = os.environ.get("CONFORMALSOM_PICTURES", ".")
 # A pixel may be off by GREY_LEVELS, and what goes beyond may add up to PIXELS turned from black to
 # white. Mesa with other processors' instructions stays at 0.0; points moved by 1e-5 give 67.
 GREY_LEVELS, PIXELS = 4, 5.0
+
+
+def require_display():
+    """Fail, rather than leave the pictures out."""
+    if not os.environ.get("DISPLAY"):
+        sys.exit("No display: pictures cannot be drawn. Run ctest under xvfb-run.")
 
 
 def write_png(image, path):

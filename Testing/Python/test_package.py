@@ -17,6 +17,18 @@ def listed_classes():
             yield from re.search(r"set\(classes([^)]*)\)", file.read()).group(1).split()
 
 
+def enumerations():
+    """Classes, their properties that are enumerations, and the names of the values of each."""
+    for name in listed_classes():
+        values = {}
+        for method in vars(getattr(conformalsom, name)):
+            match = re.fullmatch(r"Set([A-Z]\w*)To([A-Z]\w*)", method)
+            if match:
+                values.setdefault(match[1], []).append(match[2])
+        for property_, names in values.items():
+            yield name, property_, names
+
+
 class TestPackage(unittest.TestCase):
     def test_star_import_brings_every_class(self):
         for name in listed_classes():
@@ -47,6 +59,32 @@ class TestPackage(unittest.TestCase):
         for name in set(listed_classes()) - bases:
             with self.subTest(name):
                 self.assertIn(name, str(getattr(conformalsom, name)()))
+
+    def test_enumerations_are_printed_by_name(self):
+        """A property with methods SetPropertyToName: str() shows the Name, for each of them."""
+        found = 0
+        for name, property_, values in enumerations():
+            for value in values:
+                with self.subTest(f"{name}: {property_} {value}"):
+                    object_ = getattr(conformalsom, name)()
+                    getattr(object_, f"Set{property_}To{value}")()
+                    self.assertIn(f"{property_}: {value}", [line.strip() for line in
+                                                            str(object_).splitlines()])
+                    found += 1
+        self.assertGreater(found, 30)
+
+    def test_enumerations_keep_their_range(self):
+        """Whatever number is set, the value is one that has a name."""
+        for name, property_, values in enumerations():
+            object_ = getattr(conformalsom, name)()
+            named = set()
+            for value in values:
+                getattr(object_, f"Set{property_}To{value}")()
+                named.add(getattr(object_, "Get" + property_)())
+            for number in (-(2**31), -1, len(values), 255, 2**31 - 1):
+                with self.subTest(f"{name}: {property_} {number}"):
+                    getattr(object_, "Set" + property_)(number)
+                    self.assertIn(getattr(object_, "Get" + property_)(), named)
 
 
 if __name__ == "__main__":

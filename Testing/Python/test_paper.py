@@ -11,6 +11,7 @@ from unittest import mock
 import conformalsom
 import paper_figures
 import paper_tables
+from baselines import require_display
 from helpers import paper_models
 
 HAS_GCM = hasattr(conformalsom, "vtkGlobalConformalMap")
@@ -51,7 +52,6 @@ class TestPaper(unittest.TestCase):
             conformal = paper_models.smooth(paper_models.mapped(bear.mesh), 32)
             self.assertLess(paper_tables.checkerboard_deviation(conformal, *bear.view), 2.0)
 
-    @unittest.skipUnless(os.environ.get("DISPLAY"), "pictures need a display")
     def test_every_figure_is_drawn(self):
         figures = ("7", "8", "9", "10", "11") if HAS_GCM else ("9", "10")
         with tempfile.TemporaryDirectory() as folder:
@@ -71,4 +71,5 @@ class TestPaper(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    require_display()
     unittest.main()

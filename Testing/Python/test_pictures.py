@@ -1,6 +1,5 @@
 """Pictures of the bear and of a dancer, as baselines."""
 import os
-import sys
 import tempfile
 import unittest
 
@@ -14,7 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 import numpy as np
 
 import webs
-from baselines import expect_picture
+from baselines import expect_picture, require_display
 from helpers import pictures, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
@@ -267,7 +266,5 @@ class TestWebs(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not os.environ.get("DISPLAY"):
-        print("Pictures need a display: run ctest under xvfb-run")
-        sys.exit(125)
+    require_display()
     unittest.main()

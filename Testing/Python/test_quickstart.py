@@ -17,7 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import conformalsom
 import quickstart as program
-from baselines import expect_picture
+from baselines import expect_picture, require_display
 from helpers import builtin_figure, scan_files, textures
 
 TRIANGLES = 20 * 16**2
@@ -330,7 +330,5 @@ class TestColors(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not os.environ.get("DISPLAY"):
-        print("The quickstart draws: run ctest under xvfb-run")
-        sys.exit(125)
+    require_display()
     unittest.main()
