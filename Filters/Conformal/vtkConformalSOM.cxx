@@ -264,9 +264,9 @@ int vtkConformalSOM::RequestData(
       {
         WarnAbout(this, result, samples.totalSize());
       }
-      vtkConformalConversions::SetSurface(output, result.Weights, result.Network.Faces, frame);
+      vtkConformalConversions::SetSurface(output, result.Positions, result.Triangles, frame);
       vtkConformalConversions::AddVectors(output->GetPointData(),
-        vtkConformalConversions::SpherePositionName(), result.Network.Positions);
+        vtkConformalConversions::SpherePositionName(), result.SpherePositions);
       const conformal::Progress measuring = steps.next();
       if (this->GenerateErrorScalars)
       {

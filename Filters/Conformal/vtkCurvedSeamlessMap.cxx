@@ -58,7 +58,7 @@ bool IsPolished(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface
   const bool isUsed =
     map->GetDomeHeight() >= vtkCurvedSeamlessMap::CURVATURE && map->GetVertexShift() > 0.0;
   if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
-    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Points.rows()))
+    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()))
   {
     vtkWarningWithObjectMacro(self,
       << "the surface has the connectivity of a mesh of vtkConformalSOM, but no field array "
@@ -96,12 +96,9 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
 }
 
 // What a map is built of.
-struct Model
+struct Model : conformal::MappedMesh
 {
   conformal::CurvedSeamlessSurfaceOptions Options;
-  conformal::Points Points;
-  conformal::Triangles Triangles;
-  conformal::Points SpherePositions;
 };
 
 // That of the first process that has a surface, on all of them.
@@ -117,13 +114,13 @@ Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
     auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
     model.Options.Polished = IsPolished(map, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
-    model.Points = std::move(mesh.Points);
+    model.Positions = std::move(mesh.Positions);
     model.Triangles = std::move(mesh.Triangles);
   }
   if (!isAlone)
   {
     const conformal::Reduce reduce = processes.reduce();
-    model.Points = conformal::gatherRows(reduce, model.Points);
+    model.Positions = conformal::gatherRows(reduce, model.Positions);
     model.Triangles = conformal::gatherRows(reduce, model.Triangles);
     model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
     model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
@@ -269,9 +266,8 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
   const conformal::TrainingSamples samples = fits
     ? SamplesOf(self, cloud, *this->Frame, copy, processes, reading)
     : conformal::TrainingSamples(conformal::PointView());
-  this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model.SpherePositions,
-    model.Points, model.Triangles, model.Options, fits ? &samples : nullptr,
-    vtkConformalConversions::SMPFor(), steps.next());
+  this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model, model.Options,
+    fits ? &samples : nullptr, vtkConformalConversions::SMPFor(), steps.next());
   const conformal::Index degenerate = this->Surface->numberOfDegeneratePatches();
   if (degenerate > 0 && processes.isFirst())
   {

@@ -34,15 +34,14 @@ namespace
 constexpr conformal::Index BlockSize = 4096;
 
 // Directions and triangles in which the surface is wanted.
-conformal::GeodesicSphere DenseSphere(
-  vtkPolyData* sphere, int frequency, const conformal::Progress& progress)
+conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal::Progress& progress)
 {
   if (!sphere)
   {
     return conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor(), progress);
   }
-  conformal::GeodesicSphere dense;
-  dense.Faces = vtkConformalConversions::ToTriangles(sphere);
+  conformal::Mesh dense;
+  dense.Triangles = vtkConformalConversions::ToTriangles(sphere);
   if (!vtkConformalConversions::FindSpherePositions(sphere, dense.Positions))
   {
     dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints(), {}); // of any length
@@ -200,12 +199,12 @@ int vtkCurvedSeamlessSurface::RequestData(
       this->Map->BuildCore(this, surface, cloud, steps.next(), processes);
       // What is large is let go as soon as the output has it.
       const conformal::Progress making = steps.next();
-      conformal::GeodesicSphere dense = processes.rank() == owner
+      conformal::Mesh dense = processes.rank() == owner
         ? DenseSphere(sphere, this->Frequency, making)
-        : conformal::GeodesicSphere();
+        : conformal::Mesh();
       steps.next();
       output->Initialize();
-      vtkConformalConversions::SetTriangles(output, dense.Faces);
+      vtkConformalConversions::SetTriangles(output, dense.Triangles);
       steps.next();
       const vtkNew<vtkDoubleArray> directions =
         Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
@@ -226,7 +225,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       steps.next();
       if (domes)
       {
-        SmoothNormals(ViewOf(positions), dense.Faces, ViewOf(normals));
+        SmoothNormals(ViewOf(positions), dense.Triangles, ViewOf(normals));
       }
       steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
@@ -238,7 +237,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       output->SetPoints(points);
       output->GetPointData()->AddArray(directions);
       output->GetPointData()->SetNormals(normals);
-      output->GetCellData()->AddArray(DegenerateCells(dense.Faces, degenerate));
+      output->GetCellData()->AddArray(DegenerateCells(dense.Triangles, degenerate));
       vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegeneratePatches",
         static_cast<long long>(this->Map->GetNumberOfDegeneratePatches()));
     });

@@ -167,7 +167,7 @@ int vtkGenusZeroHull::RequestData(
       {
         steps.next();
         vtkConformalConversions::SetSurface(
-          output, Restore(samples, hull.Points), hull.Triangles, frame);
+          output, Restore(samples, hull.Positions), hull.Triangles, frame);
         AddFigures(output->GetFieldData(), samples, hull, frame);
         vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
       }

@@ -30,12 +30,12 @@ int vtkGeodesicSphereSource::RequestData(
       // For each vertex: the mesh, then points, triangles and two arrays of the output.
       conformal::Steps steps(
         vtkConformalConversions::ProgressOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
-      const conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(
+      const conformal::Mesh sphere = conformal::makeGeodesicSphere(
         this->Frequency, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
       vtkConformalConversions::SetPoints(output, sphere.Positions, {});
       steps.next();
-      vtkConformalConversions::SetTriangles(output, sphere.Faces);
+      vtkConformalConversions::SetTriangles(output, sphere.Triangles);
       steps.next();
       vtkPointData* pointData = output->GetPointData();
       vtkConformalConversions::AddVectors(

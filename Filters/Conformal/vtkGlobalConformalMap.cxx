@@ -21,13 +21,13 @@ void PassSurface(vtkPolyData* surface, const vtkConformalConversions::ClosedMesh
   const conformal::CoordinateFrame& frame, vtkPolyData* output)
 {
   const conformal::Triangles before = vtkConformalConversions::ToTriangles(surface);
-  if (mesh.Points.rows() == surface->GetNumberOfPoints() &&
+  if (mesh.Positions.rows() == surface->GetNumberOfPoints() &&
     before.rows() == mesh.Triangles.rows() && before == mesh.Triangles)
   {
     output->ShallowCopy(surface);
     return;
   }
-  vtkConformalConversions::SetSurface(output, mesh.Points, mesh.Triangles, frame);
+  vtkConformalConversions::SetSurface(output, mesh.Positions, mesh.Triangles, frame);
   vtkPointData* from = surface->GetPointData();
   vtkPointData* to = output->GetPointData();
   const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
@@ -104,13 +104,13 @@ int vtkGlobalConformalMap::RequestData(
         { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
           40.0 * size });
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
-      conformal::Triangles outward = mesh.Triangles;
+      conformal::Mesh outward = mesh;
       if (mesh.InsideOut)
       {
-        outward.col(1).swap(outward.col(2));
+        outward.Triangles.col(1).swap(outward.Triangles.col(2));
       }
       const conformal::GlobalConformalMapResult map = conformal::globalConformalMap(
-        mesh.Points, outward, options, vtkConformalConversions::SMPFor(), steps.next());
+        outward, options, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
       PassSurface(surface, mesh, frame, output);
       vtkConformalConversions::AddVectors(

@@ -234,13 +234,13 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 
   const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
   mesh.PointIds.assign(kept.begin(), kept.end());
-  mesh.Points.resize(static_cast<conformal::Index>(kept.size()), 3);
-  for (conformal::Index v = 0; v < mesh.Points.rows(); ++v)
+  mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
   {
-    mesh.Points.row(v) = points.row(kept[v]);
+    mesh.Positions.row(v) = points.row(kept[v]);
   }
   // Points that were merged away are of no triangle either, but were told of already.
-  const conformal::Index isolated = points.rows() - mesh.Points.rows() - merged;
+  const conformal::Index isolated = points.rows() - mesh.Positions.rows() - merged;
   if (isolated > 0)
   {
     vtkWarningWithObjectMacro(self, << isolated << " points of no triangle were dropped");
@@ -255,11 +255,11 @@ conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
   const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), progress);
   const conformal::Points map = ToSpherePositions(surface);
   conformal::MappedMesh mesh;
-  mesh.Positions.resize(closed.Points.rows(), 3);
-  mesh.Faces = closed.Triangles;
+  mesh.Positions.resize(closed.Positions.rows(), 3);
+  mesh.Triangles = closed.Triangles;
   if (closed.InsideOut)
   {
-    mesh.Faces.col(1).swap(mesh.Faces.col(2));
+    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
   }
   mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
   conformal::Points copy;

@@ -4,7 +4,7 @@
 
 #include "Base/CoordinateFrame.h" // for points in a frame
 #include "Base/Types.h"           // for Points, Triangles
-#include "Mesh/MappedMesh.h"      // for MappedMesh
+#include "Mesh/Mesh.h"            // for MappedMesh
 
 #include "vtkType.h" // for vtkIdType
 
@@ -23,11 +23,10 @@ namespace vtkConformalConversions
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
-/// A closed surface of genus zero, ready for the core.
-struct ClosedMesh
+/// A closed surface of genus zero, ready for the core: positions are finite and in the frame, each
+/// of a triangle; no triangle has a vertex twice, all are consistently oriented.
+struct ClosedMesh : conformal::Mesh
 {
-  conformal::Points Points;        ///< #V by 3, in the frame, each used by a triangle, all finite
-  conformal::Triangles Triangles;  ///< #F by 3, no vertex twice, consistently oriented
   std::vector<vtkIdType> PointIds; ///< for each vertex its point in the surface it was made from
   bool InsideOut = false;          ///< clockwise seen from outside; nothing was done about it
 };

@@ -5,7 +5,7 @@
 #include "Base/CoordinateFrame.h" // for ToSharedMesh's argument
 #include "Base/Parallel.h"        // for Reduce
 #include "Base/Types.h"           // for Progress
-#include "Mesh/MappedMesh.h"      // for MappedMesh
+#include "Mesh/Mesh.h"            // for MappedMesh
 #include "vtkProcessSignals.h"
 
 #include <functional> // for RunCore's argument

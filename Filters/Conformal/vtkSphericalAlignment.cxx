@@ -63,12 +63,12 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   steps.next();
   conformal::MappedMesh other;
   other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints(), frame);
-  other.Faces = vtkConformalConversions::ToTriangles(reference);
+  other.Triangles = vtkConformalConversions::ToTriangles(reference);
   other.SpherePositions = vtkConformalConversions::ToSpherePositions(reference);
   steps.next();
   const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints(), frame);
   const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
-  if (triangles.rows() == 0 || other.Faces.rows() == 0)
+  if (triangles.rows() == 0 || other.Triangles.rows() == 0)
   {
     throw std::invalid_argument("without landmarks both surfaces need triangles");
   }

@@ -246,11 +246,11 @@ int vtkSphericalTextureImage::RequestData(
             (sourceSurface ? 600.0 : 250.0) * sourceSize +
             (source ? 1000.0 : 350.0) * static_cast<double>(output->GetNumberOfPoints()) });
       steps.next();
-      conformal::SphereMappedSurface mapped;
+      conformal::MappedMesh mapped;
       conformal::SphereImage image;
       if (processes.rank() == owner)
       {
-        mapped = { ViewPoints(surface->GetPoints(), frame, copy), ToTriangles(surface),
+        mapped = { { ToPoints(surface->GetPoints(), frame), ToTriangles(surface) },
           ToSpherePositions(surface) };
         image = ToSphereImage(surface->GetFieldData());
       }
@@ -259,10 +259,10 @@ int vtkSphericalTextureImage::RequestData(
       if (source)
       {
         const conformal::PointView points = ViewPoints(source->GetPoints(), frame, sourceCopy);
-        const conformal::Triangles faces =
+        const conformal::Triangles triangles =
           sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3);
         conformal::paintSphericalTexture(
-          mapped, points, faces, image, grid, sink, processes.reduce(), SMPFor(), steps.next());
+          mapped, points, triangles, image, grid, sink, processes.reduce(), SMPFor(), steps.next());
       }
       else
       {

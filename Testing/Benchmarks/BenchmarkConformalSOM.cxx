@@ -7,6 +7,7 @@
 #include "BenchmarkFixtures.h"
 #include "BruteForceTraining.h"
 #include "Learn/ConformalSOM.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 
 #include <benchmark/benchmark.h>
@@ -23,7 +24,7 @@ constexpr int PaperFrequency = 36;
 
 double pointToSurface(const TrainingSamples& samples, const Points& weights, int frequency)
 {
-  const conformal::TriangleTree tree(weights, conformal::makeGeodesicSphere(frequency).Faces);
+  const conformal::TriangleTree tree(weights, conformal::makeGeodesicSphere(frequency).Triangles);
   double sum = 0.0;
   for (Index i = 0; i < samples.size(); ++i)
   {
@@ -52,7 +53,7 @@ void Online(benchmark::State& state)
   Points weights;
   for (auto _ : state)
   {
-    weights = trainConformalSOM(samples, options).Weights;
+    weights = trainConformalSOM(samples, options).Positions;
   }
   state.counters["PointToSurface"] =
     pointToSurface(samples, normalized(samples, weights), PaperFrequency);
@@ -72,7 +73,7 @@ void OnlineByBruteForce(benchmark::State& state)
     weights = reference::trainByBruteForce(samples, options);
   }
   state.counters["PointToSurface"] = pointToSurface(samples, weights, PaperFrequency);
-  const Points fast = normalized(samples, trainConformalSOM(samples, options).Weights);
+  const Points fast = normalized(samples, trainConformalSOM(samples, options).Positions);
   state.counters["MeanDifference"] = (fast - weights).rowwise().norm().mean();
   state.counters["LargestDifference"] = (fast - weights).rowwise().norm().maxCoeff();
 }
@@ -88,7 +89,7 @@ void batch(benchmark::State& state, Index size, int frequency, int threads)
   for (auto _ : state)
   {
     const TrainingSamples samples(points, {}, {}, parallelFor);
-    weights = trainConformalSOM(samples, options, nullptr, parallelFor).Weights;
+    weights = trainConformalSOM(samples, options, nullptr, parallelFor).Positions;
   }
   const TrainingSamples samples(points);
   state.counters["PointToSurface"] =

@@ -15,9 +15,9 @@
 using conformal::CurvedSeamlessSurface;
 using conformal::CurvedSeamlessSurfaceOptions;
 using conformal::DomeHeight;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::SeamMode;
 using conformal::TriangleShape;
@@ -52,7 +52,7 @@ CurvedSeamlessSurfaceOptions optionsOf(SeamMode seamMode, DomeHeight domeHeight)
 void surface(benchmark::State& state, int frequency, int surfaceFrequency, int threads,
   const CurvedSeamlessSurfaceOptions& options = {})
 {
-  const GeodesicSphere network = makeGeodesicSphere(frequency);
+  const Mesh network = makeGeodesicSphere(frequency);
   const Points model = lumpyModel(network.Positions);
   const Points directions = makeGeodesicSphere(surfaceFrequency).Positions;
   const conformal::ParallelFor parallelFor = fixtures::threads(threads);
@@ -63,7 +63,7 @@ void surface(benchmark::State& state, int frequency, int surfaceFrequency, int t
   for (auto _ : state)
   {
     const CurvedSeamlessSurface surface(
-      network.Positions, model, network.Faces, options, nullptr, parallelFor);
+      { { model, network.Triangles }, network.Positions }, options, nullptr, parallelFor);
     conformal::evaluate(surface, directions, samples, parallelFor);
   }
   state.counters["Points"] = static_cast<double>(directions.rows());
@@ -121,10 +121,10 @@ BENCHMARK(AgainstTriangles)
 /// Back from points of the surface to the sphere, the tree of the surface and all.
 void ToSphere(benchmark::State& state)
 {
-  const GeodesicSphere network = makeGeodesicSphere(PaperFrequency);
+  const Mesh network = makeGeodesicSphere(PaperFrequency);
   const Points model = lumpyModel(network.Positions);
   const Points directions = makeGeodesicSphere(PaperSurfaceFrequency).Positions;
-  const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
+  const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions });
   Points positions(directions.rows(), 3), back(directions.rows(), 3);
   conformal::SurfaceSamples samples;
   samples.Positions = positions.data();
@@ -144,11 +144,11 @@ public:
   {
     this->Network = makeGeodesicSphere(PaperFrequency);
     const Points model = lumpyModel(this->Network.Positions);
-    this->Shapes = conformal::NetworkShapes(this->Network.Positions, this->Network.Faces);
+    this->Shapes = conformal::NetworkShapes(this->Network.Positions, this->Network.Triangles);
     this->Simplices.clear();
-    for (Index r = 0; r < this->Network.Faces.rows(); ++r)
+    for (Index r = 0; r < this->Network.Triangles.rows(); ++r)
     {
-      const auto ids = this->Network.Faces.row(r);
+      const auto ids = this->Network.Triangles.row(r);
       this->Simplices.push_back({ model.row(ids[0]), model.row(ids[1]), model.row(ids[2]) });
     }
     conformal::Random random(1);
@@ -166,7 +166,7 @@ protected:
     return TriangleShape(simplex[0], simplex[1], simplex[2]);
   }
 
-  GeodesicSphere Network;
+  Mesh Network;
   conformal::NetworkShapes Shapes;
   std::vector<std::array<Vector3, 3>> Simplices;
   std::vector<Vector3> Barycentrics;
@@ -202,7 +202,7 @@ BENCHMARK_F(Parts, ShapeAndToNetwork)(benchmark::State& state)
 
 BENCHMARK_F(Parts, Locate)(benchmark::State& state)
 {
-  const conformal::SphereLocator locator(this->Network.Positions, this->Network.Faces);
+  const conformal::SphereLocator locator(this->Network.Positions, this->Network.Triangles);
   const Points directions = makeGeodesicSphere(PaperSurfaceFrequency).Positions;
   Index i = 0;
   for (auto _ : state)

@@ -16,9 +16,9 @@
 
 using conformal::Columns;
 using conformal::EdgeWeights;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
 
@@ -27,9 +27,9 @@ namespace
 constexpr int ScanFrequency = 116; // 134,562 vertices, as many as Igea
 
 /// A smooth surface without symmetry, its triangles of many shapes; 10 f^2 + 2 vertices.
-GeodesicSphere lumpySurface(int frequency)
+Mesh lumpySurface(int frequency)
 {
-  GeodesicSphere mesh = makeGeodesicSphere(frequency);
+  Mesh mesh = makeGeodesicSphere(frequency);
   for (Index i = 0; i < mesh.Positions.rows(); ++i)
   {
     const Vector3 n = mesh.Positions.row(i);
@@ -40,14 +40,13 @@ GeodesicSphere lumpySurface(int frequency)
 
 void map(benchmark::State& state, int frequency, double balance, int threads)
 {
-  const GeodesicSphere mesh = lumpySurface(frequency);
+  const Mesh mesh = lumpySurface(frequency);
   conformal::GlobalConformalMapOptions options;
   options.AreaBalance = balance;
   const conformal::ParallelFor parallelFor = fixtures::threads(threads);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-      conformal::globalConformalMap(mesh.Positions, mesh.Faces, options, parallelFor));
+    benchmark::DoNotOptimize(conformal::globalConformalMap(mesh, options, parallelFor));
   }
   state.counters["Vertices"] = static_cast<double>(mesh.Positions.rows());
 }
@@ -76,8 +75,8 @@ class Factor : public benchmark::Fixture
 public:
   void SetUp(const benchmark::State& state) override
   {
-    const GeodesicSphere mesh = lumpySurface(static_cast<int>(state.range(0)));
-    const EdgeWeights all = conformal::harmonicStrings(mesh.Positions, mesh.Faces).Strings;
+    const Mesh mesh = lumpySurface(static_cast<int>(state.range(0)));
+    const EdgeWeights all = conformal::harmonicStrings(mesh.Positions, mesh.Triangles).Strings;
     const Index size = mesh.Positions.rows() - 1;
     this->Places = mesh.Positions.bottomRows(size);
     this->Weights = {};

@@ -5,6 +5,7 @@
 
 #include "Base/Random.h"
 #include "Learn/ConformalSOM.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
 #include "TriangleMap/NetworkShapes.h"
@@ -20,9 +21,9 @@ inline conformal::Points trainByBruteForce(
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options)
 {
   using namespace conformal;
-  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
-  const Adjacency around = vertexTriangles(network.Faces, network.Positions.rows());
-  const NetworkShapes shapes(network.Positions, network.Faces);
+  const Mesh network = makeGeodesicSphere(options.Frequency);
+  const Adjacency around = vertexTriangles(network.Triangles, network.Positions.rows());
+  const NetworkShapes shapes(network.Positions, network.Triangles);
   const Eigen::Array<double, Eigen::Dynamic, 3> n = network.Positions.array();
   Eigen::Array<double, Eigen::Dynamic, 3> w = n;
   Eigen::ArrayXd distances, shares;
@@ -48,13 +49,13 @@ inline conformal::Points trainByBruteForce(
       FootPoint foot;
       for (const int* r = around.begin(winner); r != around.end(winner); ++r)
       {
-        const auto ids = network.Faces.row(*r);
+        const auto ids = network.Triangles.row(*r);
         FootPoint candidate =
           closestPointOfTriangle(x, weight(ids[0]), weight(ids[1]), weight(ids[2]));
         candidate.Triangle = *r;
         foot = candidate.SquareDistance < foot.SquareDistance ? candidate : foot;
       }
-      const auto ids = network.Faces.row(foot.Triangle);
+      const auto ids = network.Triangles.row(foot.Triangle);
       const TriangleShape simplex(weight(ids[0]), weight(ids[1]), weight(ids[2]));
       const Vector3 image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
       const Vector3 r = (network.Positions.row(ids[0]) * image[0] +

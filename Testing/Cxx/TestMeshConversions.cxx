@@ -53,18 +53,19 @@ protected:
   }
   void ExpectGenusZero(const ClosedMesh& mesh)
   {
-    const auto report = conformal::checkGenusZero(mesh.Triangles, mesh.Points.rows(), mesh.Points);
+    const auto report =
+      conformal::checkGenusZero(mesh.Triangles, mesh.Positions.rows(), mesh.Positions);
     EXPECT_TRUE(report.isGenusZero());
     EXPECT_TRUE(report.InconsistentEdges.empty());
     EXPECT_TRUE(report.IsolatedPoints.empty());
-    EXPECT_EQ(mesh.PointIds.size(), static_cast<std::size_t>(mesh.Points.rows()));
+    EXPECT_EQ(mesh.PointIds.size(), static_cast<std::size_t>(mesh.Positions.rows()));
   }
   void ExpectPoints(const ClosedMesh& mesh, vtkPolyData* surface)
   {
-    for (conformal::Index v = 0; v < mesh.Points.rows(); ++v)
+    for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
     {
       const conformal::Vector3 p(surface->GetPoint(mesh.PointIds[v]));
-      ASSERT_EQ(p, conformal::Vector3(mesh.Points.row(v)));
+      ASSERT_EQ(p, conformal::Vector3(mesh.Positions.row(v)));
     }
   }
 
@@ -79,7 +80,7 @@ TEST_F(MeshConversions, TakesAGoodSurfaceAsItIs)
   const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
   this->ExpectPoints(mesh, surface);
-  EXPECT_EQ(mesh.Points.rows(), 92);
+  EXPECT_EQ(mesh.Positions.rows(), 92);
   EXPECT_EQ(mesh.Triangles.rows(), 180);
   EXPECT_FALSE(mesh.InsideOut);
   EXPECT_FALSE(this->Observed.Warning());
@@ -174,7 +175,7 @@ TEST_F(MeshConversions, WeldsASoupAndWarns)
   const ClosedMesh mesh = ToClosedMesh(this->Filter, soup, {});
   this->ExpectGenusZero(mesh);
   this->ExpectPoints(mesh, soup);
-  EXPECT_EQ(mesh.Points.rows(), 92);
+  EXPECT_EQ(mesh.Positions.rows(), 92);
   EXPECT_NE(this->Observed.WarningMessage().find("448 coincident points"), std::string::npos);
   EXPECT_EQ(this->Observed.WarningMessage().find("no triangle"), std::string::npos);
 }
@@ -212,7 +213,7 @@ TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
   surface->GetPolys()->InsertNextCell({ 1, 1, 2 });
   const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
-  EXPECT_EQ(mesh.Points.rows(), 92);
+  EXPECT_EQ(mesh.Positions.rows(), 92);
   const std::string warnings = this->Observed.WarningMessage();
   EXPECT_NE(warnings.find("1 triangles of a repeated point"), std::string::npos);
   EXPECT_NE(warnings.find("1 points of no triangle"), std::string::npos);

@@ -27,32 +27,32 @@ LocalScale::LocalScale(Index neurons, double outlierRatio)
 {
 }
 
-bool LocalScale::outlying(const FootPoint& foot, const Triangles& faces) const
+bool LocalScale::outlying(const FootPoint& foot, const conformal::Triangles& triangles) const
 {
   return foot.SquareDistance >
-    this->OutlierRatio * this->OutlierRatio * this->squareAt(foot, faces);
+    this->OutlierRatio * this->OutlierRatio * this->squareAt(foot, triangles);
 }
 
-double LocalScale::squareAt(const FootPoint& foot, const Triangles& faces) const
+double LocalScale::squareAt(const FootPoint& foot, const conformal::Triangles& triangles) const
 {
   double square = 0.0;
   for (int k = 0; k < 3; ++k)
   {
     if (foot.Barycentric[k] > 0.0) // no product of zero and infinity
     {
-      square += foot.Barycentric[k] * this->SquareScale[faces(foot.Triangle, k)];
+      square += foot.Barycentric[k] * this->SquareScale[triangles(foot.Triangle, k)];
     }
   }
   return square;
 }
 
-void LocalScale::add(const FootPoint& foot, const Triangles& faces, double weight)
+void LocalScale::add(const FootPoint& foot, const conformal::Triangles& triangles, double weight)
 {
   const double square = std::min({ foot.SquareDistance, LargestSquare,
-    LargestRatio * LargestRatio * this->squareAt(foot, faces) });
+    LargestRatio * LargestRatio * this->squareAt(foot, triangles) });
   for (int k = 0; k < 3; ++k)
   {
-    const Index neuron = 2 * Index(faces(foot.Triangle, k));
+    const Index neuron = 2 * Index(triangles(foot.Triangle, k));
     this->Sums.add(neuron, weight * foot.Barycentric[k]);
     this->Sums.add(neuron + 1, weight * foot.Barycentric[k] * square);
   }

@@ -21,16 +21,16 @@ public:
   LocalScale(Index neurons, double outlierRatio);
 
   /// By the distances of the last update; false before the first one.
-  bool outlying(const FootPoint& foot, const Triangles& faces) const;
+  bool outlying(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
   /// Count a pattern for the next update.
-  void add(const FootPoint& foot, const Triangles& faces, double weight);
+  void add(const FootPoint& foot, const conformal::Triangles& triangles, double weight);
 
   /// Take over the distances that were added since the last time, on all processes.
   void update(const Adjacency& neighbors, const Reduce& reduce);
 
 private:
-  double squareAt(const FootPoint& foot, const Triangles& faces) const;
+  double squareAt(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
   double OutlierRatio;
   FixedPointSums Sums; ///< for each neuron the weight and the weighted square distance

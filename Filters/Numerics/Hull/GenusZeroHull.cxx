@@ -147,12 +147,11 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   {
     return result; // too coarse a cloud: no surface is asked for
   }
-  LevelSetSurface surface =
-    makeLevelSetSurface(lattice, inside, distances, options.Offset, steps.next());
+  Mesh surface = makeLevelSetSurface(lattice, inside, distances, options.Offset, steps.next());
   smoothSurface(
-    surface.Positions, surface.Faces, options.SmoothingPasses, parallelFor, steps.next());
-  result.Points.swap(surface.Positions);
-  result.Triangles.swap(surface.Faces);
+    surface.Positions, surface.Triangles, options.SmoothingPasses, parallelFor, steps.next());
+  result.Positions.swap(surface.Positions);
+  result.Triangles.swap(surface.Triangles);
   return result;
 }
 }

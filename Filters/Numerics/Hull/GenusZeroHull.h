@@ -8,6 +8,7 @@
 #include "Cloud/TrainingSamples.h"
 #include "Hull/DistanceBasins.h"
 #include "Hull/FreudenthalLattice.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -48,10 +49,9 @@ private:
   std::vector<bool> Nodes;
 };
 
-struct GenusZeroHullResult
+/// The hull in the samples' normalised frame, and how it was found.
+struct GenusZeroHullResult : Mesh
 {
-  conformal::Points Points;       ///< #V by 3, in the samples' normalised frame
-  conformal::Triangles Triangles; ///< #F by 3, counter-clockwise seen from outside
   HullData Data;
 
   double Spacing = 0.0;             ///< of the lattice: that of the options, or a multiple

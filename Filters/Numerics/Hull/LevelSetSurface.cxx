@@ -126,9 +126,8 @@ int countBits(unsigned int bits)
 }
 
 //------------------------------------------------------------------------------
-LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
-  const std::vector<std::uint8_t>& inside, const std::vector<float>& values, double level,
-  const Progress& progress)
+Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const std::vector<float>& values, double level, const Progress& progress)
 {
   // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
   // next row, but no node near a face is in the set.
@@ -177,8 +176,8 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
   {
     cuts[set] = cutOf(set);
   }
-  std::vector<std::array<int, 3>> faces;
-  faces.reserve(2 * positions.size());
+  std::vector<std::array<int, 3>> triangles;
+  triangles.reserve(2 * positions.size());
   forBlocks({}, cubes, 1 << 10, steps.next(),
     [&](Index begin, Index end)
     {
@@ -209,30 +208,31 @@ LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
             {
               std::swap(face[1], face[2]);
             }
-            faces.push_back(face);
+            triangles.push_back(face);
           }
         }
       }
     });
 
   steps.next();
-  LevelSetSurface surface;
+  Mesh surface;
   surface.Positions.resize(static_cast<Index>(positions.size()), 3);
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     surface.Positions.row(static_cast<Index>(i)) = positions[i];
   }
-  surface.Faces.resize(static_cast<Index>(faces.size()), 3);
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  surface.Triangles.resize(static_cast<Index>(triangles.size()), 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    surface.Faces.row(static_cast<Index>(i)) << faces[i][0], faces[i][1], faces[i][2];
+    surface.Triangles.row(static_cast<Index>(i)) << triangles[i][0], triangles[i][1],
+      triangles[i][2];
   }
   report(progress, 1.0);
   return surface;
 }
 
 //------------------------------------------------------------------------------
-void smoothSurface(Points& positions, const Triangles& faces, int passes,
+void smoothSurface(Points& positions, const Triangles& triangles, int passes,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr double forth = 0.5, back = -0.53;
@@ -240,7 +240,7 @@ void smoothSurface(Points& positions, const Triangles& faces, int passes,
   {
     return;
   }
-  const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
+  const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
   report(progress, 0.2);
   Points moved(positions.rows(), 3);
   for (int step = 0; step < 2 * passes; ++step)

@@ -6,18 +6,13 @@
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 #include "Hull/FreudenthalLattice.h"
+#include "Mesh/Mesh.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace conformal
 {
-struct LevelSetSurface
-{
-  Points Positions;
-  Triangles Faces; ///< counter-clockwise seen from outside
-};
-
 /// The surface between a set of nodes and the others, by marching tetrahedra: one vertex on each
 /// edge with one node in the set. Always closed and manifold; of the topology of the set.
 ///
@@ -26,13 +21,12 @@ struct LevelSetSurface
 ///
 /// @param[in] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
 /// @param[in] values  of each node
-LevelSetSurface makeLevelSetSurface(const FreudenthalLattice& lattice,
-  const std::vector<std::uint8_t>& inside, const std::vector<float>& values, double level,
-  const Progress& progress = {});
+Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const std::vector<float>& values, double level, const Progress& progress = {});
 
 /// Smooth a closed surface without shrinking it: each pass moves vertices towards the centroid of
 /// their neighbors and back a little farther, \cite Taubin1995.
-void smoothSurface(Points& positions, const Triangles& faces, int passes,
+void smoothSurface(Points& positions, const Triangles& triangles, int passes,
   const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 

@@ -7,6 +7,7 @@
 #include "Learn/HullStart.h"
 #include "Learn/LeastSquaresPolish.h"
 #include "Learn/SurfaceSupport.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
@@ -176,19 +177,20 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   {
     Steps preparing(steps.next(), { 25.0, 700.0, 65.0, 620.0 }); // for each neuron
     {
-      const GeodesicSphere coarse =
-        std::exchange(result.Network, makeGeodesicSphere(f, parallelFor, preparing.next()));
-      const Points& positions = result.Network.Positions;
+      Mesh finer = makeGeodesicSphere(f, parallelFor, preparing.next());
       const Progress resampling = preparing.next();
-      result.Weights = f == levels.front() ? positions
-                                           : resample(coarse.Positions, result.Weights,
-                                               coarse.Faces, positions, parallelFor, resampling);
+      result.Positions = f == levels.front()
+        ? finer.Positions
+        : resample(result.SpherePositions, result.Positions, result.Triangles, finer.Positions,
+            parallelFor, resampling);
+      result.SpherePositions = std::move(finer.Positions);
+      result.Triangles = std::move(finer.Triangles);
     }
     preparing.next();
-    const Points& positions = result.Network.Positions;
-    const Triangles& faces = result.Network.Faces;
-    const Adjacency neighbors = vertexNeighbors(faces, positions.rows());
-    TriangleTree surface(result.Weights, faces, parallelFor, preparing.next());
+    const Points& positions = result.SpherePositions;
+    const Triangles& triangles = result.Triangles;
+    const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
+    TriangleTree surface(result.Positions, triangles, parallelFor, preparing.next());
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
@@ -206,7 +208,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
           for (int k = 0; k < 3; ++k)
           {
             const double share = samples.weight(id) * foot.Barycentric[k];
-            const Index neuron = 4 * Index(faces(foot.Triangle, k));
+            const Index neuron = 4 * Index(triangles(foot.Triangle, k));
             sums.add(neuron, share);
             for (int c = 0; c < 3; ++c)
             {
@@ -230,17 +232,17 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
         diffuse(neighbors, shares, parallelFor);
         report(passing, 0.9);
       }
-      const Points moved = means(shares, neighbors, result.Weights, parallelFor);
+      const Points moved = means(shares, neighbors, result.Positions, parallelFor);
 
       TrainingRecord record;
       record.Frequency = f;
-      record.NeighborhoodRadius = diffusionRadius(diffusions, faces.rows());
+      record.NeighborhoodRadius = diffusionRadius(diffusions, triangles.rows());
       record.LearningRate = 1.0;
       record.MeanSquareError = errors[0] / count;
-      record.MeanDisplacement = (moved - result.Weights).rowwise().norm().mean();
+      record.MeanDisplacement = (moved - result.Positions).rowwise().norm().mean();
       result.History.push_back(record);
-      result.Weights = moved;
-      surface.refit(result.Weights, faces, parallelFor);
+      result.Positions = moved;
+      surface.refit(result.Positions, triangles, parallelFor);
       // The geometric mean, which a few outliers do not change.
       typicalErrors[1] = std::exp(LogUnit * errors[1] / count);
     }
@@ -275,15 +277,15 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   Steps steps(progress, { 0.97, 0.01, 0.02 });
   const std::vector<double> masses = polish(samples, options, parallelFor, steps.next(), result);
   steps.next();
-  const Triangles& faces = result.Network.Faces;
-  const Adjacency neighbors = vertexNeighbors(faces, result.Weights.rows());
-  const std::vector<bool> bare = bareVertices(result.Weights, faces, neighbors, masses);
+  const Triangles& triangles = result.Triangles;
+  const Adjacency neighbors = vertexNeighbors(triangles, result.Positions.rows());
+  const std::vector<bool> bare = bareVertices(result.Positions, triangles, neighbors, masses);
   steps.next();
   if (std::find(bare.begin(), bare.end(), true) != bare.end())
   {
-    result.UnsupportedFraction = areaFraction(result.Weights, faces,
+    result.UnsupportedFraction = areaFraction(result.Positions, triangles,
       farFromPatterns(
-        result.Weights, bare, selection(samples, PatternsPerNeuron * result.Weights.rows())));
+        result.Positions, bare, selection(samples, PatternsPerNeuron * result.Positions.rows())));
   }
 }
 
@@ -293,8 +295,10 @@ ConformalSOMResult polishFrom(Points weights, double noise,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   ConformalSOMResult result;
-  result.Network = makeGeodesicSphere(options.Frequency, parallelFor);
-  result.Weights = std::move(weights);
+  Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
+  result.SpherePositions = std::move(network.Positions);
+  result.Triangles = std::move(network.Triangles);
+  result.Positions = std::move(weights);
   result.NoiseToDetail = noise;
   PolishOptions polish = polishFor(options, noise);
   polish.NumberOfRounds *= 2;
@@ -319,7 +323,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   // Smaller webs are not worth another start; nor are fewer stretched triangles.
   constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
   const auto stretched = [](const ConformalSOMResult& result)
-  { return obtuseFraction(result.Weights, result.Network.Faces); };
+  { return obtuseFraction(result.Positions, result.Triangles); };
 
   const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
   const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
@@ -358,7 +362,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   const HullStart start = startFromHull(samples,
     makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
   ConformalSOMResult fromHull = polishFrom(
-    start.Weights, fromSphere.NoiseToDetail,
+    start.Positions, fromSphere.NoiseToDetail,
     [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,
     steps.next());
   fromHull.History.insert(

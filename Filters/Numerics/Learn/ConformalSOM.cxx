@@ -5,6 +5,7 @@
 #include "Cloud/FootPoints.h"
 #include "Learn/BatchTraining.h"
 #include "Learn/OnlineTraining.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
 
@@ -78,13 +79,13 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   else
   {
     Steps steps(progress, { 1.0, 40.0 }); // parts of the polish
-    const GeodesicSphere network = makeGeodesicSphere(options.Frequency, parallelFor);
+    const Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
     const Progress starting = steps.next();
     Points weights = network.Positions; // step 1
     if (start)
     {
       weights = resample(
-        start->SpherePositions, start->Positions, start->Faces, weights, parallelFor, starting);
+        start->SpherePositions, start->Positions, start->Triangles, weights, parallelFor, starting);
       for (Index i = 0; i < weights.rows(); ++i)
       {
         weights.row(i) = samples.normalize(weights.row(i));
@@ -95,9 +96,9 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
       ? trainOnline(samples, network, weights, options, steps.next())
       : trainBatchFrom(std::move(weights), samples, options, parallelFor, steps.next());
   }
-  for (Index i = 0; i < result.Weights.rows(); ++i)
+  for (Index i = 0; i < result.Positions.rows(); ++i)
   {
-    result.Weights.row(i) = samples.restore(result.Weights.row(i));
+    result.Positions.row(i) = samples.restore(result.Positions.row(i));
   }
   report(progress, 1.0);
   return result;
@@ -107,22 +108,22 @@ std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ParallelFor& parallelFor, const Progress& progress)
 {
   Steps steps(progress,
-    { 1000.0 * static_cast<double>(result.Weights.rows()),
+    { 1000.0 * static_cast<double>(result.Positions.rows()),
       1000.0 * static_cast<double>(samples.size()) });
-  Points weights(result.Weights.rows(), 3);
+  Points weights(result.Positions.rows(), 3);
   for (Index i = 0; i < weights.rows(); ++i)
   {
-    weights.row(i) = samples.normalize(result.Weights.row(i));
+    weights.row(i) = samples.normalize(result.Positions.row(i));
   }
   FixedPointSums squares(weights.rows()), counts(weights.rows());
-  const TriangleTree tree(weights, result.Network.Faces, parallelFor, steps.next());
+  const TriangleTree tree(weights, result.Triangles, parallelFor, steps.next());
   forEachFoot(
     samples, tree, samples.size(), {},
     [&](Index, const Vector3& x, const FootPoint& foot)
     {
       int corner = 0;
       foot.Barycentric.maxCoeff(&corner);
-      const int neuron = result.Network.Faces(foot.Triangle, corner);
+      const int neuron = result.Triangles(foot.Triangle, corner);
       squares.add(neuron, (x - Vector3(weights.row(neuron))).squaredNorm());
       counts.add(neuron, 1.0);
     },

@@ -7,7 +7,7 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
-#include "Mesh/MappedMesh.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 

@@ -59,18 +59,17 @@ HullStart startFromHull(const TrainingSamples& samples, const Points& directions
   Steps steps(progress, { ofHull, workOfHullStart(samples) - ofHull });
   const GenusZeroHullResult hull =
     makeGenusZeroHull(samples, hullOptions, parallelFor, steps.next());
-  const auto size = static_cast<double>(hull.Points.rows());
+  const auto size = static_cast<double>(hull.Positions.rows());
   steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
-  const DecimatedMesh thinned = decimate(hull.Points, hull.Triangles, HullVertices, steps.next());
+  const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
   ProgressiveSphereMapOptions mapOptions;
   mapOptions.AreaBalance = Balance;
-  const ProgressiveSphereMapResult map =
-    mapToSphere(thinned.Points, thinned.Triangles, mapOptions, steps.next());
+  const ProgressiveSphereMapResult map = mapToSphere(thinned, mapOptions, steps.next());
 
   steps.next();
   HullStart start;
-  start.Weights =
-    resample(map.Positions, thinned.Points, thinned.Triangles, directions, parallelFor);
+  start.Positions =
+    resample(map.Positions, thinned.Positions, thinned.Triangles, directions, parallelFor);
   start.Data = hull.Data;
   start.Leaks = hull.Leaks;
   start.NumberOfCutNodes = hull.NumberOfCutNodes;

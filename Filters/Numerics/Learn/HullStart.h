@@ -12,8 +12,8 @@ namespace conformal
 {
 struct HullStart
 {
-  Points Weights; ///< #N by 3, in the samples' unit: the hull at the directions given
-  HullData Data;  ///< tells samples of the object from those apart from it
+  Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
+  HullData Data;    ///< tells samples of the object from those apart from it
   bool Leaks = false;
   Index NumberOfCutNodes = 0; ///< where handles of the hull were cut open
   Index NumberOfSamplesOutside = 0;

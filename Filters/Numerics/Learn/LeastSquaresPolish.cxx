@@ -58,16 +58,16 @@ public:
     : Samples(samples)
     , Options(options)
     , Threads(parallelFor)
-    , Weights(result.Weights)
-    , Faces(result.Network.Faces)
-    , Neighbors(vertexNeighbors(Faces, Weights.rows()))
-    , Surface(Weights, Faces, parallelFor, progress)
-    , Equations(Faces, Neighbors)
-    , Scale(Weights.rows(), options.OutlierRatio)
+    , Positions(result.Positions)
+    , Triangles(result.Triangles)
+    , Neighbors(vertexNeighbors(Triangles, Positions.rows()))
+    , Surface(Positions, Triangles, parallelFor, progress)
+    , Equations(Triangles, Neighbors)
+    , Scale(Positions.rows(), options.OutlierRatio)
     , Rotation(samples, options.RandomSeed)
-    , Bareness(Eigen::VectorXd::Ones(Weights.rows()))
-    , Folds(Eigen::VectorXd::Ones(Weights.rows()))
-    , Masses(Faces.rows(), 0.0)
+    , Bareness(Eigen::VectorXd::Ones(Positions.rows()))
+    , Folds(Eigen::VectorXd::Ones(Positions.rows()))
+    , Masses(Triangles.rows(), 0.0)
   {
   }
 
@@ -76,14 +76,14 @@ public:
   {
     this->Rotation.turn(this->Options.SamplesPerRound);
     this->forEachFoot([&](Index, const Vector3&, const FootPoint& foot, double weight)
-      { this->Scale.add(foot, this->Faces, weight); },
+      { this->Scale.add(foot, this->Triangles, weight); },
       progress);
     this->Scale.update(this->Neighbors, this->Samples.reduce());
   }
 
   TrainingRecord round(int number, const Progress& progress)
   {
-    const auto neurons = static_cast<double>(this->Weights.rows());
+    const auto neurons = static_cast<double>(this->Positions.rows());
     Steps steps(progress,
       { workOfFeet(this->Samples, this->Options), 60.0 * neurons, 4400.0 * neurons, 70.0 * neurons,
         100.0 * neurons });
@@ -100,15 +100,15 @@ public:
     const Eigen::VectorXd stiffness =
       smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
     const Points moved = this->Equations.solve(
-      this->Weights, stiffness, this->Options.Evenness, this->Threads, steps.next());
-    this->Weights += moved;
+      this->Positions, stiffness, this->Options.Evenness, this->Threads, steps.next());
+    this->Positions += moved;
     steps.next();
-    this->Surface.refit(this->Weights, this->Faces, this->Threads);
+    this->Surface.refit(this->Positions, this->Triangles, this->Threads);
     steps.next();
 
     const std::vector<bool> bare =
-      bareVertices(this->Weights, this->Faces, this->Neighbors, this->Masses);
-    for (Index i = 0; i < this->Weights.rows(); ++i)
+      bareVertices(this->Positions, this->Triangles, this->Neighbors, this->Masses);
+    for (Index i = 0; i < this->Positions.rows(); ++i)
     {
       this->Bareness[i] = bare[i] ? BareStiffness : 1.0;
     }
@@ -117,7 +117,7 @@ public:
       this->stiffenFolds();
     }
     TrainingRecord record;
-    record.Frequency = static_cast<int>(std::lround(std::sqrt(this->Faces.rows() / 20.0)));
+    record.Frequency = static_cast<int>(std::lround(std::sqrt(this->Triangles.rows() / 20.0)));
     record.LearningRate = 1.0;
     record.MeanSquareError = this->MeanSquare;
     record.MeanDisplacement = moved.rowwise().norm().mean();
@@ -153,15 +153,15 @@ private:
   {
     this->Rotation.turn(this->Options.SamplesPerRound);
     const Index stride =
-      std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Weights.rows()));
+      std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Positions.rows()));
     std::vector<double> targets;
     this->Equations.clear();
-    FixedPointSums masses(this->Faces.rows()), squares(1);
+    FixedPointSums masses(this->Triangles.rows()), squares(1);
     this->forEachFoot(
       [&](Index place, const Vector3& x, const FootPoint& foot, double weight)
       {
-        this->Scale.add(foot, this->Faces, weight);
-        if (this->Scale.outlying(foot, this->Faces))
+        this->Scale.add(foot, this->Triangles, weight);
+        if (this->Scale.outlying(foot, this->Triangles))
         {
           return;
         }
@@ -183,7 +183,7 @@ private:
     masses.reduce(reduce);
     squares.reduce(reduce);
     this->Mass = 0.0;
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       this->Mass += this->Masses[r] = masses[r];
     }
@@ -197,18 +197,19 @@ private:
     }
   }
 
-  double meanMass() const { return this->Mass / static_cast<double>(this->Weights.rows()); }
+  double meanMass() const { return this->Mass / static_cast<double>(this->Positions.rows()); }
 
   void drawIdle()
   {
     const Points normals =
-      vertexNormals(this->Weights, this->Faces, this->Equations.around(), this->Threads);
-    const std::vector<bool> idle = idleVertices(this->Faces, this->Masses, this->Weights.rows());
-    for (Index i = 0; i < this->Weights.rows() && this->Targets.rows() > 0; ++i)
+      vertexNormals(this->Positions, this->Triangles, this->Equations.around(), this->Threads);
+    const std::vector<bool> idle =
+      idleVertices(this->Triangles, this->Masses, this->Positions.rows());
+    for (Index i = 0; i < this->Positions.rows() && this->Targets.rows() > 0; ++i)
     {
       if (idle[i])
       {
-        const Vector3 place = this->Weights.row(i), normal = normals.row(i);
+        const Vector3 place = this->Positions.row(i), normal = normals.row(i);
         const Vector3 way = Vector3(this->Targets.row(this->TargetTree.nearest(place).Id)) - place;
         const double along = normal.dot(way);
         // Over a hole in the data the nearest pattern is at the rim, beside the neuron.
@@ -225,15 +226,15 @@ private:
   {
     const auto normal = [&](Index r)
     {
-      const Vector3 a = this->Weights.row(this->Faces(r, 0)),
-                    b = this->Weights.row(this->Faces(r, 1)),
-                    c = this->Weights.row(this->Faces(r, 2));
+      const Vector3 a = this->Positions.row(this->Triangles(r, 0)),
+                    b = this->Positions.row(this->Triangles(r, 1)),
+                    c = this->Positions.row(this->Triangles(r, 2));
       return Vector3((b - a).cross(c - a));
     };
-    const Triangles across =
-      triangleNeighbors(this->Faces, this->Equations.around(), this->Threads);
-    std::vector<bool> folded(this->Weights.rows(), false);
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    const conformal::Triangles across =
+      triangleNeighbors(this->Triangles, this->Equations.around(), this->Threads);
+    std::vector<bool> folded(this->Positions.rows(), false);
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -242,12 +243,12 @@ private:
         {
           for (int corner = 0; corner < 3; ++corner)
           {
-            folded[this->Faces(r, corner)] = folded[this->Faces(other, corner)] = true;
+            folded[this->Triangles(r, corner)] = folded[this->Triangles(other, corner)] = true;
           }
         }
       }
     }
-    for (Index i = 0; i < this->Weights.rows(); ++i)
+    for (Index i = 0; i < this->Positions.rows(); ++i)
     {
       this->Folds[i] =
         folded[i] ? std::min(this->Folds[i] * FoldStiffening, MostFoldStiffness) : this->Folds[i];
@@ -257,8 +258,8 @@ private:
   const TrainingSamples& Samples;
   const PolishOptions& Options;
   const ParallelFor& Threads;
-  Points& Weights;
-  const Triangles& Faces;
+  Points& Positions;
+  const conformal::Triangles& Triangles;
   const Adjacency Neighbors;
   TriangleTree Surface;
   SurfaceEquations Equations;
@@ -277,11 +278,11 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
 {
   if (options.NumberOfRounds == 0)
   {
-    return std::vector<double>(result.Network.Faces.rows(), 0.0);
+    return std::vector<double>(result.Triangles.rows(), 0.0);
   }
   const double ofFeet = workOfFeet(samples, options);
-  const double ofRound = workOfRound(samples, options, result.Weights.rows());
-  std::vector<double> work = { 650.0 * static_cast<double>(result.Weights.rows()), ofFeet };
+  const double ofRound = workOfRound(samples, options, result.Positions.rows());
+  std::vector<double> work = { 650.0 * static_cast<double>(result.Positions.rows()), ofFeet };
   work.insert(work.end(), options.NumberOfRounds, ofRound);
   Steps steps(progress, work);
   Polish polish(samples, options, parallelFor, steps.next(), result);

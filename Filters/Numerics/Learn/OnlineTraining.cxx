@@ -80,12 +80,12 @@ private:
 };
 }
 
-ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSphere& network,
+ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& network,
   const Points& start, const ConformalSOMOptions& options, const Progress& progress)
 {
-  const Adjacency around = vertexTriangles(network.Faces, network.Positions.rows());
+  const Adjacency around = vertexTriangles(network.Triangles, network.Positions.rows());
   NeuronBlocks neurons(network.Positions, start); // step 1
-  const NetworkShapes shapes(network.Positions, network.Faces);
+  const NetworkShapes shapes(network.Positions, network.Triangles);
   Sampler sampler(samples, options.RandomSeed);
 
   // Step 3: the simplex around the winner that x is projected on.
@@ -94,7 +94,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
     FootPoint best;
     for (const int* r = around.begin(winner); r != around.end(winner); ++r)
     {
-      const auto ids = network.Faces.row(*r);
+      const auto ids = network.Triangles.row(*r);
       const FootPoint foot = closestPointOfTriangle(
         x, neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
       if (foot.SquareDistance < best.SquareDistance)
@@ -107,7 +107,8 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
   };
 
   ConformalSOMResult result;
-  result.Network = network;
+  result.Triangles = network.Triangles;
+  result.SpherePositions = network.Positions;
   Points before = start;
   const int reportEvery = std::max(1, options.SamplesPerEpoch / 16);
   for (int t = 0; t < options.NumberOfEpochs; ++t)
@@ -139,7 +140,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
       Vector3 r = network.Positions.row(winner);
       if (options.ReferencePoint == ReferencePoint::Conformal)
       {
-        const auto ids = network.Faces.row(foot.Triangle);
+        const auto ids = network.Triangles.row(foot.Triangle);
         const TriangleShape simplex(
           neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
         const Vector3 image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
@@ -155,7 +156,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSph
     before = after;
     result.History.push_back(record);
   }
-  result.Weights = before;
+  result.Positions = before;
   return result;
 }
 }

@@ -12,7 +12,7 @@ namespace conformal
 /// Steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (max radius 1).
 /// @param[in] network  n_i and triangles
 /// @param[in] start    w_i(0)
-ConformalSOMResult trainOnline(const TrainingSamples& samples, const GeodesicSphere& network,
+ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& network,
   const Points& start, const ConformalSOMOptions& options, const Progress& progress);
 }
 

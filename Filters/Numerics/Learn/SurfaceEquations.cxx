@@ -59,9 +59,9 @@ struct Symmetric
   }
 };
 
-Vector3 unitNormal(const Points& w, const Triangles& faces, Index r)
+Vector3 unitNormal(const Points& w, const conformal::Triangles& triangles, Index r)
 {
-  const Vector3 a = w.row(faces(r, 0)), b = w.row(faces(r, 1)), c = w.row(faces(r, 2));
+  const Vector3 a = w.row(triangles(r, 0)), b = w.row(triangles(r, 1)), c = w.row(triangles(r, 2));
   return (b - a).cross(c - a).normalized(); // zero stays zero
 }
 
@@ -231,16 +231,17 @@ Points solveSystem(Attraction& attraction, Resistance& resistance, const Paralle
 }
 }
 
-SurfaceEquations::SurfaceEquations(const Triangles& faces, const Adjacency& neighbors)
-  : Faces(faces)
+SurfaceEquations::SurfaceEquations(
+  const conformal::Triangles& triangles, const Adjacency& neighbors)
+  : Triangles(triangles)
   , Neighbors(neighbors)
-  , Around(vertexTriangles(faces, static_cast<Index>(neighbors.Offsets.size()) - 1))
+  , Around(vertexTriangles(triangles, static_cast<Index>(neighbors.Offsets.size()) - 1))
 {
 }
 
 void SurfaceEquations::clear()
 {
-  this->Sums = FixedPointSums(SumsPerTriangle * this->Faces.rows());
+  this->Sums = FixedPointSums(SumsPerTriangle * this->Triangles.rows());
   this->Pulls.clear();
 }
 
@@ -283,9 +284,9 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
         for (const int* r = this->Around.begin(i); r != this->Around.end(i); ++r)
         {
           const Index first = SumsPerTriangle * *r;
-          const Vector3 normal = unitNormal(weights, this->Faces, *r);
+          const Vector3 normal = unitNormal(weights, this->Triangles, *r);
           int k = 0;
-          while (this->Faces(*r, k) != i)
+          while (this->Triangles(*r, k) != i)
           {
             ++k;
           }
@@ -294,7 +295,7 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
             // Residuals of feet inside are along the normal, so M leaves them as they are.
             const double inside = this->Sums[first + ProductOf[k][l]];
             const double rim = this->Sums[first + RimSums + ProductOf[k][l]];
-            attraction.block(i, this->Faces(*r, l))
+            attraction.block(i, this->Triangles(*r, l))
               .add(SlidingWeight * inside + rim, (1.0 - SlidingWeight) * inside, normal);
           }
           for (int c = 0; c < 3; ++c)
@@ -319,10 +320,10 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
   }
 
   steps.next();
-  HingeBending hinges(this->Faces, this->Around, weights, stiffness, parallelFor);
+  HingeBending hinges(this->Triangles, this->Around, weights, stiffness, parallelFor);
   steps.next();
   Resistance resistance(this->Neighbors, std::move(hinges),
-    vertexNormals(weights, this->Faces, this->Around, parallelFor), stiffness, evenness,
+    vertexNormals(weights, this->Triangles, this->Around, parallelFor), stiffness, evenness,
     parallelFor);
   steps.next();
   resistance.bend(weights);

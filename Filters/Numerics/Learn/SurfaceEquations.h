@@ -27,9 +27,9 @@ namespace conformal
 class SurfaceEquations
 {
 public:
-  /// @param[in] faces      #F by 3, must outlive this
-  /// @param[in] neighbors  vertexNeighbors of the faces, likewise
-  SurfaceEquations(const Triangles& faces, const Adjacency& neighbors);
+  /// @param[in] triangles      #F by 3, must outlive this
+  /// @param[in] neighbors  vertexNeighbors of the triangles, likewise
+  SurfaceEquations(const conformal::Triangles& triangles, const Adjacency& neighbors);
 
   /// Begin anew, without patterns.
   void clear();
@@ -41,7 +41,7 @@ public:
   /// Draw one vertex along a direction: weight (direction . d - distance)^2.
   void pull(int vertex, const Vector3& direction, double distance, double weight);
 
-  /// vertexTriangles of its faces
+  /// vertexTriangles of its triangles
   const Adjacency& around() const { return this->Around; }
 
   /// Add what the other processes have added; not what they pulled.
@@ -64,7 +64,7 @@ private:
     Vector3 Direction;
     double Distance, Weight;
   };
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const Adjacency& Neighbors;
   Adjacency Around;
   FixedPointSums Sums;

@@ -4,7 +4,7 @@
 
 namespace conformal
 {
-std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses)
 {
   constexpr double Enough = 100.0; // patterns: by chance, a quarter of them is never seen
@@ -14,14 +14,14 @@ std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& 
   // Column 0: patterns, column 1: area, a third of each triangle's for each corner.
   Eigen::Matrix<double, Eigen::Dynamic, 2> own =
     Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(size, 2);
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
-                  c = positions.row(faces(r, 2));
+    const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                  c = positions.row(triangles(r, 2));
     const double area = 0.5 * (b - a).cross(c - a).norm();
     for (int k = 0; k < 3; ++k)
     {
-      own.row(faces(r, k)) += Eigen::RowVector2d(masses[r] / 3.0, area / 3.0);
+      own.row(triangles(r, k)) += Eigen::RowVector2d(masses[r] / 3.0, area / 3.0);
     }
   }
   const double patterns = own.col(0).sum(), area = own.col(1).sum();
@@ -53,16 +53,16 @@ std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& 
 }
 
 std::vector<bool> idleVertices(
-  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices)
+  const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices)
 {
   constexpr double Share = 0.05;
   std::vector<double> around(numberOfVertices, 0.0);
   double sum = 0.0;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      around[faces(r, k)] += masses[r];
+      around[triangles(r, k)] += masses[r];
       sum += masses[r];
     }
   }
@@ -74,11 +74,11 @@ std::vector<bool> idleVertices(
   return idle;
 }
 
-std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses)
 {
-  std::vector<bool> bare = unsupportedVertices(positions, faces, neighbors, masses);
-  const std::vector<bool> idle = idleVertices(faces, masses, positions.rows());
+  std::vector<bool> bare = unsupportedVertices(positions, triangles, neighbors, masses);
+  const std::vector<bool> idle = idleVertices(triangles, masses, positions.rows());
   std::vector<int> front;
   for (Index i = 0; i < positions.rows(); ++i)
   {
@@ -125,32 +125,33 @@ std::vector<bool> farFromPatterns(
 }
 
 double areaFraction(
-  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices)
+  const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices)
 {
   double part = 0.0, whole = 0.0;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
-                  c = positions.row(faces(r, 2));
+    const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                  c = positions.row(triangles(r, 2));
     const double third = (b - a).cross(c - a).norm() / 3.0;
     for (int k = 0; k < 3; ++k)
     {
       whole += third;
-      part += vertices[faces(r, k)] ? third : 0.0;
+      part += vertices[triangles(r, k)] ? third : 0.0;
     }
   }
   return whole > 0.0 ? part / whole : 0.0;
 }
 
-double obtuseFraction(const Points& positions, const Triangles& faces)
+double obtuseFraction(const Points& positions, const Triangles& triangles)
 {
   Index obtuse = 0;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
-                  c = positions.row(faces(r, 2));
+    const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                  c = positions.row(triangles(r, 2));
     obtuse += (b - a).dot(c - a) < 0.0 || (c - b).dot(a - b) < 0.0 || (a - c).dot(b - c) < 0.0;
   }
-  return faces.rows() > 0 ? static_cast<double>(obtuse) / static_cast<double>(faces.rows()) : 0.0;
+  return triangles.rows() > 0 ? static_cast<double>(obtuse) / static_cast<double>(triangles.rows())
+                              : 0.0;
 }
 }

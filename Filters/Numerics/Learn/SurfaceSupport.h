@@ -17,20 +17,20 @@ namespace conformal
 /// a hundred patterns; a vertex is unsupported if there are less than a quarter of those expected.
 ///
 /// @param[in] positions  #V by 3
-/// @param[in] faces      #F by 3
-/// @param[in] neighbors  vertexNeighbors of the faces
+/// @param[in] triangles      #F by 3
+/// @param[in] neighbors  vertexNeighbors of the triangles
 /// @param[in] masses     #F, the patterns that have their foot points in each triangle
 /// @return #V
-std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& faces,
+std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
 /// Vertices around which lie less than a twentieth of the patterns due to a vertex.
 std::vector<bool> idleVertices(
-  const Triangles& faces, const std::vector<double>& masses, Index numberOfVertices);
+  const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices);
 
 /// Unsupported vertices, and the idle ones that reach from them to the rim of the data: all of a
 /// web, where the unsupported ones are its middle. Parameters as above.
-std::vector<bool> bareVertices(const Points& positions, const Triangles& faces,
+std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
 /// Of the vertices marked, those twice as far from the nearest pattern as its sixth neighbor is
@@ -43,11 +43,11 @@ std::vector<bool> farFromPatterns(
 /// Share of such vertices in the surface's area, a third of each triangle's going to each corner;
 /// in [0, 1].
 double areaFraction(
-  const Points& positions, const Triangles& faces, const std::vector<bool>& vertices);
+  const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
 
 /// Share of the triangles that have an angle of more than a right one: a lattice of nearly
 /// equilateral triangles that has been stretched over limbs and edges shows in it.
-double obtuseFraction(const Points& positions, const Triangles& faces);
+double obtuseFraction(const Points& positions, const Triangles& triangles);
 }
 
 #endif

@@ -3,8 +3,7 @@
 #ifndef ConformalTraining_h
 #define ConformalTraining_h
 
-#include "Base/Types.h"
-#include "Mesh/GeodesicSphere.h"
+#include "Mesh/Mesh.h"
 
 #include <vector>
 
@@ -66,10 +65,10 @@ struct TrainingRecord
   double MeanDisplacement = 0;   ///< of the neurons' weight vectors; max radius 1
 };
 
-struct ConformalSOMResult
+/// The neurons: Positions are their weights w_i, the vertices of M^Delta, in the points' own
+/// coordinates; SpherePositions are their places n_i; Triangles are those of S^Delta.
+struct ConformalSOMResult : MappedMesh
 {
-  GeodesicSphere Network; ///< n_i and the triangles of S^Delta
-  Points Weights;         ///< #N by 3, w_i: the vertices of M^Delta, in the points' own coordinates
   std::vector<TrainingRecord> History;
 
   // Batch training: what it saw on its way.

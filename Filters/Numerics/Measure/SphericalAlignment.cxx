@@ -43,9 +43,9 @@ Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor
   const Progress& progress)
 {
   Steps steps(progress,
-    { 500.0 * static_cast<double>(other.Faces.rows()),
+    { 500.0 * static_cast<double>(other.Triangles.rows()),
       1000.0 * static_cast<double>(points.rows()) });
-  const TriangleTree tree(other.Positions, other.Faces, parallelFor, steps.next());
+  const TriangleTree tree(other.Positions, other.Triangles, parallelFor, steps.next());
   Points result(points.rows(), 3);
   constexpr Index blockSize = 256;
   forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
@@ -58,7 +58,7 @@ Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor
         for (int k = 0; k < 3; ++k)
         {
           place += foot.Barycentric[k] *
-            other.SpherePositions.row(other.Faces(foot.Triangle, k)).transpose();
+            other.SpherePositions.row(other.Triangles(foot.Triangle, k)).transpose();
         }
         result.row(i) = place.normalized();
       }

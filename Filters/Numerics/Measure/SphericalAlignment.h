@@ -5,7 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
-#include "Mesh/MappedMesh.h"
+#include "Mesh/Mesh.h"
 #include "Sphere/MoebiusTransform.h"
 
 namespace conformal

@@ -314,13 +314,13 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
   // some triangles finds; of points there is one nearest distance.
   Points referenceFrame = frame(referencePoints);
-  Triangles faces = referenceTriangles;
+  Triangles triangles = referenceTriangles;
   if (!isCloud)
   {
-    faces = gatherTriangles(reduce, faces, size);
+    triangles = gatherTriangles(reduce, triangles, size);
     referenceFrame = gatherRows(reduce, referenceFrame);
   }
-  const TriangleTree reference = treeOf(referenceFrame, faces, parallelFor, steps.next());
+  const TriangleTree reference = treeOf(referenceFrame, triangles, parallelFor, steps.next());
   steps.next();
   const Reduce overParts = isCloud ? reduce : Reduce();
   const Points samples =

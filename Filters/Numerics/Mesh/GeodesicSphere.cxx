@@ -48,7 +48,7 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
 }
 }
 
-GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& progress)
+Mesh makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& progress)
 {
   if (f < 1 || f > MaximumFrequency)
   {
@@ -58,9 +58,9 @@ GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const P
   const Points corners = icosahedronCorners();
   const auto sides = icosahedronSides();
 
-  GeodesicSphere sphere;
+  Mesh sphere;
   sphere.Positions.resize(10 * Index(f) * f + 2, 3);
-  sphere.Faces.resize(20 * Index(f) * f, 3);
+  sphere.Triangles.resize(20 * Index(f) * f, 3);
   sphere.Positions.topRows(NumberOfCorners) = corners;
 
   // Points inside edges come after the corners, points inside sides after those.
@@ -124,10 +124,10 @@ GeodesicSphere makeGeodesicSphere(int f, const ParallelFor& parallelFor, const P
     Index face = Index(side) * f * f + Index(i - 1) * (i - 1);
     for (int j = 0; j < i; ++j)
     {
-      sphere.Faces.row(face++) << above[j], row[j], row[j + 1];
+      sphere.Triangles.row(face++) << above[j], row[j], row[j + 1];
       if (j + 1 < i)
       {
-        sphere.Faces.row(face++) << above[j], row[j + 1], above[j + 1];
+        sphere.Triangles.row(face++) << above[j], row[j + 1], above[j + 1];
       }
     }
     above.swap(row);

@@ -4,16 +4,10 @@
 #define ConformalGeodesicSphere_h
 
 #include "Base/Parallel.h"
-#include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {
-struct GeodesicSphere
-{
-  Points Positions; ///< #N by 3 unit vectors n_i, #N = 10 f^2 + 2
-  Triangles Faces;  ///< #R by 3 ids, counter-clockwise seen from outside, #R = 20 f^2
-};
-
 /// Largest frequency: 10 f^2 + 2 ids must fit into an int.
 constexpr int MaximumFrequency = 10000;
 
@@ -23,8 +17,9 @@ constexpr int MaximumFrequency = 10000;
 /// The first 12 positions are the icosahedron's; position 0 is the north pole (0, 0, 1).
 ///
 /// @param[in] frequency  f, in [1, MaximumFrequency]
+/// @return unit vectors n_i, 10 f^2 + 2 of them, and 20 f^2 triangles
 /// @throws std::invalid_argument if f is out of range
-GeodesicSphere makeGeodesicSphere(
+Mesh makeGeodesicSphere(
   int frequency, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// Whether a closed mesh has the connectivity of a geodesic sphere of some frequency: 10 f^2 + 2

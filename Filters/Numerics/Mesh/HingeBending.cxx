@@ -24,17 +24,17 @@ double cotangent(const Vector3& a, const Vector3& b)
 }
 }
 
-HingeBending::HingeBending(const Triangles& faces, const Adjacency& around, const Points& places,
-  const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor)
-  : Faces(faces)
+HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacency& around,
+  const Points& places, const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor)
+  : Triangles(triangles)
   , Around(around)
-  , HingeOf(faces.rows(), 3)
+  , HingeOf(triangles.rows(), 3)
 {
-  const Triangles across = triangleNeighbors(faces, around, parallelFor);
+  const conformal::Triangles across = triangleNeighbors(triangles, around, parallelFor);
   // Each edge is numbered by the lower of its triangles; where a block of them starts is counted
   // first.
-  std::vector<Index> firstOfBlock((faces.rows() + BlockSize - 1) / BlockSize + 1, 0);
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  std::vector<Index> firstOfBlock((triangles.rows() + BlockSize - 1) / BlockSize + 1, 0);
+  forBlocks(parallelFor, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       Index& count = firstOfBlock[begin / BlockSize + 1];
@@ -45,7 +45,7 @@ HingeBending::HingeBending(const Triangles& faces, const Adjacency& around, cons
     });
   std::partial_sum(firstOfBlock.begin(), firstOfBlock.end(), firstOfBlock.begin());
   this->Hinges.resize(firstOfBlock.back());
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  forBlocks(parallelFor, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       auto hinge = static_cast<int>(firstOfBlock[begin / BlockSize]);
@@ -57,13 +57,13 @@ HingeBending::HingeBending(const Triangles& faces, const Adjacency& around, cons
           if (other > r)
           {
             int j = 0;
-            while (across(other, j) != r || faces(other, j) != faces(r, (k + 1) % 3))
+            while (across(other, j) != r || triangles(other, j) != triangles(r, (k + 1) % 3))
             {
               ++j;
             }
             this->HingeOf(r, k) = this->HingeOf(other, j) = hinge;
-            this->Hinges[hinge++].Corners = { faces(r, k), faces(r, (k + 1) % 3),
-              faces(r, (k + 2) % 3), faces(other, (j + 2) % 3) };
+            this->Hinges[hinge++].Corners = { triangles(r, k), triangles(r, (k + 1) % 3),
+              triangles(r, (k + 2) % 3), triangles(other, (j + 2) % 3) };
           }
         }
       }
@@ -100,7 +100,7 @@ void HingeBending::forHingesOf(int vertex, const Visitor& visit) const
   for (const int* r = this->Around.begin(vertex); r != this->Around.end(vertex); ++r)
   {
     int k = 0;
-    while (this->Faces(*r, k) != vertex)
+    while (this->Triangles(*r, k) != vertex)
     {
       ++k;
     }

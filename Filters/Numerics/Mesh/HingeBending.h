@@ -23,11 +23,11 @@ namespace conformal
 class HingeBending
 {
 public:
-  /// @param[in] faces      #F by 3, of a closed manifold; must outlive this
-  /// @param[in] around     vertexTriangles of the faces; likewise
+  /// @param[in] triangles      #F by 3, of a closed manifold; must outlive this
+  /// @param[in] around     vertexTriangles of the triangles; likewise
   /// @param[in] places     #V by 3, what gives the hinges their shape
   /// @param[in] stiffness  #V
-  HingeBending(const Triangles& faces, const Adjacency& around, const Points& places,
+  HingeBending(const conformal::Triangles& triangles, const Adjacency& around, const Points& places,
     const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor);
 
   /// Prepare forceAt() for values x at the vertices, #V by 3.
@@ -48,10 +48,10 @@ private:
   template <typename Visitor>
   void forHingesOf(int vertex, const Visitor& visit) const;
 
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const Adjacency& Around;
   std::vector<Hinge> Hinges;
-  Triangles HingeOf; ///< entry (r, k): the hinge of edge (k, k + 1 mod 3) of triangle r
+  conformal::Triangles HingeOf; ///< entry (r, k): the hinge of edge (k, k + 1 mod 3) of triangle r
   Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> Bent; ///< sqrt(s) k x
 };
 }

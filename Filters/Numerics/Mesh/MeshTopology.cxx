@@ -7,11 +7,11 @@ namespace conformal
 namespace
 {
 /// The triangle that an edge of this direction belongs to, or -1.
-int triangleWithEdge(const Triangles& faces, const Adjacency& around, int from, int to)
+int triangleWithEdge(const Triangles& triangles, const Adjacency& around, int from, int to)
 {
   for (const int* r = around.begin(from); r != around.end(from); ++r)
   {
-    const auto ids = faces.row(*r);
+    const auto ids = triangles.row(*r);
     if ((ids[0] == from && ids[1] == to) || (ids[1] == from && ids[2] == to) ||
       (ids[2] == from && ids[0] == to))
     {
@@ -22,37 +22,37 @@ int triangleWithEdge(const Triangles& faces, const Adjacency& around, int from, 
 }
 }
 
-Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices)
+Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices)
 {
   Adjacency around;
   around.Offsets.assign(numberOfVertices + 1, 0);
-  for (Index i = 0; i < faces.size(); ++i)
+  for (Index i = 0; i < triangles.size(); ++i)
   {
-    ++around.Offsets[faces.data()[i] + 1];
+    ++around.Offsets[triangles.data()[i] + 1];
   }
   for (Index v = 0; v < numberOfVertices; ++v)
   {
     around.Offsets[v + 1] += around.Offsets[v];
   }
-  around.Ids.resize(faces.size());
+  around.Ids.resize(triangles.size());
   std::vector<int> next(around.Offsets.begin(), around.Offsets.end() - 1);
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      around.Ids[next[faces(r, k)]++] = static_cast<int>(r);
+      around.Ids[next[triangles(r, k)]++] = static_cast<int>(r);
     }
   }
   return around;
 }
 
-Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
+Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices)
 {
-  const Adjacency around = vertexTriangles(faces, numberOfVertices);
+  const Adjacency around = vertexTriangles(triangles, numberOfVertices);
   Adjacency neighbors;
   neighbors.Offsets.assign(1, 0);
   neighbors.Offsets.reserve(numberOfVertices + 1);
-  neighbors.Ids.reserve(faces.size());
+  neighbors.Ids.reserve(triangles.size());
   std::vector<int> ring;
   for (Index v = 0; v < numberOfVertices; ++v)
   {
@@ -61,9 +61,9 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (faces(*r, k) != v)
+        if (triangles(*r, k) != v)
         {
-          ring.push_back(faces(*r, k));
+          ring.push_back(triangles(*r, k));
         }
       }
     }
@@ -76,24 +76,25 @@ Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices)
 }
 
 Triangles triangleNeighbors(
-  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor)
+  const Triangles& triangles, Index numberOfVertices, const ParallelFor& parallelFor)
 {
-  return triangleNeighbors(faces, vertexTriangles(faces, numberOfVertices), parallelFor);
+  return triangleNeighbors(triangles, vertexTriangles(triangles, numberOfVertices), parallelFor);
 }
 
 Triangles triangleNeighbors(
-  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor)
+  const Triangles& triangles, const Adjacency& around, const ParallelFor& parallelFor)
 {
-  Triangles across(faces.rows(), 3);
+  Triangles across(triangles.rows(), 3);
   const Index blockSize = 1024;
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  forBlocks(parallelFor, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
       {
         for (int k = 0; k < 3; ++k)
         {
-          across(r, k) = triangleWithEdge(faces, around, faces(r, (k + 1) % 3), faces(r, k));
+          across(r, k) =
+            triangleWithEdge(triangles, around, triangles(r, (k + 1) % 3), triangles(r, k));
         }
       }
     });

@@ -22,22 +22,22 @@ struct Adjacency
 };
 
 /// Triangles around each vertex, ids ascending.
-/// @param[in] faces             #F by 3 ids in [0, numberOfVertices)
+/// @param[in] triangles             #F by 3 ids in [0, numberOfVertices)
 /// @param[in] numberOfVertices  #V
-Adjacency vertexTriangles(const Triangles& faces, Index numberOfVertices);
+Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 
 /// Vertices that share an edge with each vertex, ids ascending, each once.
-Adjacency vertexNeighbors(const Triangles& faces, Index numberOfVertices);
+Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
 /// Across each edge: entry (r, k) is the triangle that shares edge (k, k + 1 mod 3) of triangle r
 /// with the opposite sense, or -1 where none does.
 /// @pre no directed edge belongs to two triangles (checkGenusZero tells)
 Triangles triangleNeighbors(
-  const Triangles& faces, Index numberOfVertices, const ParallelFor& parallelFor = {});
+  const Triangles& triangles, Index numberOfVertices, const ParallelFor& parallelFor = {});
 
-/// @param[in] around  vertexTriangles of the faces, where they are at hand
+/// @param[in] around  vertexTriangles of the triangles, where they are at hand
 Triangles triangleNeighbors(
-  const Triangles& faces, const Adjacency& around, const ParallelFor& parallelFor = {});
+  const Triangles& triangles, const Adjacency& around, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -4,24 +4,26 @@
 
 namespace conformal
 {
-ProgressiveMesh makeProgressiveMesh(const Points& points, const Triangles& triangles,
-  QuadricCollapse::Needles needles, const Progress& progress)
+ProgressiveMesh makeProgressiveMesh(
+  const Mesh& mesh, QuadricCollapse::Needles needles, const Progress& progress)
 {
-  ProgressiveMesh mesh = { VertexRings(triangles, points.rows()), {} };
-  QuadricCollapse collapses(points, mesh.Rings, needles);
+  const Points& points = mesh.Positions;
+  const Triangles& triangles = mesh.Triangles;
+  ProgressiveMesh result = { VertexRings(triangles, points.rows()), {} };
+  QuadricCollapse collapses(points, result.Rings, needles);
   const Index count = triangles.rows() / 2 - 2;
-  mesh.Splits.reserve(count);
+  result.Splits.reserve(count);
   constexpr Index stride = 1 << 10;
   for (Index i = 0; i < count; ++i)
   {
-    mesh.Splits.push_back(collapses.next());
+    result.Splits.push_back(collapses.next());
     if (i % stride == 0)
     {
       report(progress, static_cast<double>(i) / static_cast<double>(count));
     }
   }
-  std::reverse(mesh.Splits.begin(), mesh.Splits.end());
+  std::reverse(result.Splits.begin(), result.Splits.end());
   report(progress, 1.0);
-  return mesh;
+  return result;
 }
 }

@@ -4,6 +4,7 @@
 #define ConformalProgressiveMesh_h
 
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/QuadricCollapse.h"
 #include "Mesh/VertexRings.h"
 
@@ -18,9 +19,8 @@ struct ProgressiveMesh
   std::vector<QuadricCollapse::Collapse> Splits; ///< in the order of Rings.split
 };
 
-/// @param[in] points     #V by 3, about of size one
-/// @param[in] triangles  #F by 3 vertex ids of a surface that requireGenusZero() lets pass
-ProgressiveMesh makeProgressiveMesh(const Points& points, const Triangles& triangles,
+/// @param[in] mesh  about of size one, with triangles that requireGenusZero() lets pass
+ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Progress& progress = {});
 }
 

@@ -62,7 +62,7 @@ class Remesher
 public:
   Remesher(Points& points, Triangles& triangles, const ParallelFor& parallelFor)
     : Places(points)
-    , Faces(triangles)
+    , Triangles(triangles)
     , Threads(parallelFor)
     , Rings(triangles, points.rows())
     , Count(points.rows())
@@ -211,10 +211,10 @@ public:
       }
     }
     this->Places.conservativeResize(next, 3);
-    this->Faces = this->Rings.triangles();
-    for (Index i = 0; i < this->Faces.size(); ++i)
+    this->Triangles = this->Rings.triangles();
+    for (Index i = 0; i < this->Triangles.size(); ++i)
     {
-      this->Faces.data()[i] = ids[this->Faces.data()[i]];
+      this->Triangles.data()[i] = ids[this->Triangles.data()[i]];
     }
   }
 
@@ -465,7 +465,7 @@ private:
   }
 
   Points& Places;
-  Triangles& Faces;
+  conformal::Triangles& Triangles;
   const ParallelFor& Threads;
   VertexRings Rings;
   Index Count;
@@ -473,8 +473,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-void remesh(Points& points, Triangles& triangles, const RemeshingOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& parallelFor,
+  const Progress& progress)
 {
   if (options.NumberOfVertices < 4 || options.NumberOfIterations < 0)
   {
@@ -482,7 +482,7 @@ void remesh(Points& points, Triangles& triangles, const RemeshingOptions& option
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
   report(progress, 0.0);
-  Remesher remesher(points, triangles, parallelFor);
+  Remesher remesher(mesh.Positions, mesh.Triangles, parallelFor);
   const Index wanted = options.NumberOfVertices;
   double length = remesher.lengthFor(wanted);
   const double last = options.MeetNumber ? 0.7 : 1.0;

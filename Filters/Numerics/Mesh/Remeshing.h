@@ -4,7 +4,7 @@
 #define ConformalRemeshing_h
 
 #include "Base/Parallel.h"
-#include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {
@@ -28,12 +28,11 @@ struct RemeshingOptions
 /// length or gain and then by id, among all that touch the same vertices; they are independent of
 /// each other and made at the same time. So the result has the same bits for any number of threads.
 ///
-/// @param[in,out] points     #V by 3, finite
-/// @param[in,out] triangles  #F by 3, of a closed manifold, consistently oriented, each point used
+/// @param[in,out] mesh  finite, a closed manifold, consistently oriented, each position used
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted
-void remesh(Points& points, Triangles& triangles, const RemeshingOptions& options,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

@@ -2,26 +2,27 @@
 
 namespace conformal
 {
-Points vertexNormals(const Points& points, const Triangles& faces)
+Points vertexNormals(const Points& points, const Triangles& triangles)
 {
-  return vertexNormals(points, faces, vertexTriangles(faces, points.rows()));
+  return vertexNormals(points, triangles, vertexTriangles(triangles, points.rows()));
 }
 
-Points vertexNormals(const Points& points, const Triangles& faces, const Adjacency& around,
+Points vertexNormals(const Points& points, const Triangles& triangles, const Adjacency& around,
   const ParallelFor& parallelFor)
 {
   // Areas are squares, so they are taken in units of the mesh's size.
   const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
   const double unit = size > 0.0 ? 1.0 / size : 0.0;
   const Index blockSize = 1024;
-  Points twiceAreas(faces.rows(), 3);
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  Points twiceAreas(triangles.rows(), 3);
+  forBlocks(parallelFor, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
       {
-        const Vector3 a = unit * points.row(faces(r, 0)), b = unit * points.row(faces(r, 1)),
-                      c = unit * points.row(faces(r, 2));
+        const Vector3 a = unit * points.row(triangles(r, 0)),
+                      b = unit * points.row(triangles(r, 1)),
+                      c = unit * points.row(triangles(r, 2));
         twiceAreas.row(r) = (b - a).cross(c - a);
       }
     });

@@ -13,12 +13,12 @@ namespace conformal
 /// where there are none or they cancel.
 ///
 /// @param[in] points  #V by 3, of any unit
-/// @param[in] faces   #F by 3 ids
+/// @param[in] triangles   #F by 3 ids
 /// @return #V by 3
-Points vertexNormals(const Points& points, const Triangles& faces);
+Points vertexNormals(const Points& points, const Triangles& triangles);
 
-/// @param[in] around  vertexTriangles of the faces, where they are at hand
-Points vertexNormals(const Points& points, const Triangles& faces, const Adjacency& around,
+/// @param[in] around  vertexTriangles of the triangles, where they are at hand
+Points vertexNormals(const Points& points, const Triangles& triangles, const Adjacency& around,
   const ParallelFor& parallelFor = {});
 }
 

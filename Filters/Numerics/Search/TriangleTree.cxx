@@ -84,34 +84,34 @@ FootPoint closestPointOfTriangle(
     [](const FootPoint& p, const FootPoint& q) { return p.SquareDistance < q.SquareDistance; });
 }
 
-TriangleTree::TriangleTree(const Points& positions, const Triangles& faces,
+TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   Steps steps(progress, { 30.0, 300.0, 110.0, 55.0 }); // for each triangle
   steps.next();
-  std::vector<Box> boxes(faces.rows());
-  for (Index r = 0; r < faces.rows(); ++r)
+  std::vector<Box> boxes(triangles.rows());
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      boxes[r].extend(Vector3(positions.row(faces(r, k))));
+      boxes[r].extend(Vector3(positions.row(triangles(r, k))));
     }
   }
   BoxTree tree = buildBoxTree(boxes, parallelFor, steps.next());
   steps.next();
-  if (faces.rows() > 0)
+  if (triangles.rows() > 0)
   {
     this->addQuad(tree, 0);
   }
   this->Items.swap(tree.Items);
-  this->Placed.resize(faces.rows());
-  this->PlaceOf.resize(faces.rows());
-  for (int place = 0; place < faces.rows(); ++place)
+  this->Placed.resize(triangles.rows());
+  this->PlaceOf.resize(triangles.rows());
+  for (int place = 0; place < triangles.rows(); ++place)
   {
     this->PlaceOf[this->Items[place]] = place;
   }
   steps.next();
-  this->refit(positions, faces, parallelFor);
+  this->refit(positions, triangles, parallelFor);
   report(progress, 1.0);
 }
 
@@ -172,7 +172,7 @@ Box TriangleTree::boxOf(const Quad& quad, int lane) const
 }
 
 void TriangleTree::refit(
-  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
 {
   const Index blockSize = 4096;
   forBlocks(parallelFor, static_cast<Index>(this->Placed.size()), blockSize,
@@ -180,7 +180,7 @@ void TriangleTree::refit(
     {
       for (Index place = begin; place < end; ++place)
       {
-        const auto ids = faces.row(this->Items[place]);
+        const auto ids = triangles.row(this->Items[place]);
         this->Placed[place] = { positions.row(ids[0]), positions.row(ids[1]),
           positions.row(ids[2]) };
       }

@@ -34,13 +34,14 @@ public:
   TriangleTree() = default;
 
   /// @param[in] positions  #V by 3, finite
-  /// @param[in] faces      #F by 3 ids
+  /// @param[in] triangles      #F by 3 ids
   /// @throws Aborted
-  TriangleTree(const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {},
-    const Progress& progress = {});
+  TriangleTree(const Points& positions, const Triangles& triangles,
+    const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// The same triangles with their vertices moved. O(#F).
-  void refit(const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
+  void refit(
+    const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
 
   /// The closest point of the mesh; of triangles equally close, the lowest id.
   /// @param[in] x     a point; distances are exact to rounding

@@ -9,20 +9,20 @@
 
 namespace conformal
 {
-Points resample(const Points& spherePositions, const Points& values, const Triangles& faces,
+Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
   const Points& directions, const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr Index BlockSize = 512;
-  const auto size = static_cast<double>(faces.rows());
+  const auto size = static_cast<double>(triangles.rows());
   Steps steps(
     progress, { 70.0 * size, 500.0 * size, 300.0 * static_cast<double>(directions.rows()) });
   steps.next();
   Points sphere = spherePositions;
-  SphereCoverage coverage = measureSphereCoverage(sphere, faces, parallelFor);
+  SphereCoverage coverage = measureSphereCoverage(sphere, triangles, parallelFor);
   if (coverage.Degree == -1)
   {
     sphere.col(0) *= -1.0;
-    coverage = measureSphereCoverage(sphere, faces, parallelFor);
+    coverage = measureSphereCoverage(sphere, triangles, parallelFor);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -30,7 +30,7 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " folded triangles, but must cover it once without folds");
   }
-  const SphereLocator locator(sphere, faces, parallelFor, steps.next());
+  const SphereLocator locator(sphere, triangles, parallelFor, steps.next());
   Points resampled(directions.rows(), 3);
   forBlocks(parallelFor, directions.rows(), BlockSize, steps.next(),
     [&](Index begin, Index end)
@@ -38,7 +38,7 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       for (Index i = begin; i < end; ++i)
       {
         const SphereLocation location = locator.locate(directions.row(i));
-        const auto ids = faces.row(location.Triangle);
+        const auto ids = triangles.row(location.Triangle);
         resampled.row(i) = location.Barycentric[0] * values.row(ids[0]) +
           location.Barycentric[1] * values.row(ids[1]) +
           location.Barycentric[2] * values.row(ids[2]);

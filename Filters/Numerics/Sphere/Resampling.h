@@ -13,12 +13,12 @@ namespace conformal
 /// @param[in] spherePositions  #V by 3 unit vectors, the surface's map to the sphere; a map that
 ///                             mirrors the surface is turned round first
 /// @param[in] values           #V by 3, for example positions
-/// @param[in] faces            #F by 3
+/// @param[in] triangles            #F by 3
 /// @param[in] directions       #N by 3 unit vectors
 /// @return #N by 3
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once
 /// @throws Aborted
-Points resample(const Points& spherePositions, const Points& values, const Triangles& faces,
+Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
   const Points& directions, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 

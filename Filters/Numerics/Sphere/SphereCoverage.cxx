@@ -14,13 +14,13 @@ struct Part
   Index NumberOfFolds = 0;
 };
 
-Part measure(const Points& positions, const Triangles& faces, Index begin, Index end)
+Part measure(const Points& positions, const Triangles& triangles, Index begin, Index end)
 {
   Part part;
   for (Index r = begin; r < end; ++r)
   {
-    const Vector3 a = positions.row(faces(r, 0)), b = positions.row(faces(r, 1)),
-                  c = positions.row(faces(r, 2));
+    const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                  c = positions.row(triangles(r, 2));
     const Vector3 ab = b - a, ac = c - a;
     const double volume = ab.cross(ac).dot(a); // det(a, b, c), exact for small triangles
     part.SolidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
@@ -34,13 +34,13 @@ Part measure(const Points& positions, const Triangles& faces, Index begin, Index
 }
 
 SphereCoverage measureSphereCoverage(
-  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
+  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
 {
   const Index blockSize = 1024;
-  std::vector<Part> parts((faces.rows() + blockSize - 1) / blockSize);
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  std::vector<Part> parts((triangles.rows() + blockSize - 1) / blockSize);
+  forBlocks(parallelFor, triangles.rows(), blockSize,
     [&](Index begin, Index end)
-    { parts[begin / blockSize] = measure(positions, faces, begin, end); });
+    { parts[begin / blockSize] = measure(positions, triangles, begin, end); });
   SphereCoverage coverage;
   double solidAngle = 0.0;
   for (const Part& part : parts)

@@ -17,9 +17,9 @@ struct SphereCoverage
 /// Solid angles of a triangle mesh on the unit sphere.
 ///
 /// @param[in] positions  #N by 3 unit vectors
-/// @param[in] faces      #R by 3 ids of a closed surface
+/// @param[in] triangles      #R by 3 ids of a closed surface
 SphereCoverage measureSphereCoverage(
-  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
+  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
 }
 
 #endif

@@ -11,23 +11,23 @@
 
 namespace conformal
 {
-SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
+SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles,
   const ParallelFor& parallelFor, const Progress& progress)
-  : SphereLocator(positions, faces, triangleNeighbors(faces, positions.rows(), parallelFor),
+  : SphereLocator(positions, triangles, triangleNeighbors(triangles, positions.rows(), parallelFor),
       parallelFor, progress)
 {
 }
 
-SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
+SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles,
   const Triangles& neighbors, const ParallelFor& parallelFor, const Progress& progress)
 {
   Steps steps(progress, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
   // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;
-  std::vector<Box> boxes(faces.rows());
+  std::vector<Box> boxes(triangles.rows());
   const Index blockSize = 1024;
-  forBlocks(parallelFor, faces.rows(), blockSize, steps.next(),
+  forBlocks(parallelFor, triangles.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -35,8 +35,8 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
         double longest = 0.0;
         for (int k = 0; k < 3; ++k)
         {
-          const Vector3 from = positions.row(faces(r, k)),
-                        to = positions.row(faces(r, (k + 1) % 3));
+          const Vector3 from = positions.row(triangles(r, k)),
+                        to = positions.row(triangles(r, (k + 1) % 3));
           boxes[r].extend(from);
           longest = std::max(longest, (to - from).squaredNorm());
         }
@@ -47,19 +47,19 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& faces,
     });
   this->Tree = buildBoxTree(boxes, parallelFor, steps.next());
   steps.next();
-  this->Placed.resize(faces.rows());
-  this->PlaceOf.resize(faces.rows());
-  for (int place = 0; place < faces.rows(); ++place)
+  this->Placed.resize(triangles.rows());
+  this->PlaceOf.resize(triangles.rows());
+  for (int place = 0; place < triangles.rows(); ++place)
   {
     this->PlaceOf[this->Tree.Items[place]] = place;
   }
-  forBlocks(parallelFor, faces.rows(), blockSize, steps.next(),
+  forBlocks(parallelFor, triangles.rows(), blockSize, steps.next(),
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)
       {
         const int triangle = this->Tree.Items[place];
-        const auto ids = faces.row(triangle);
+        const auto ids = triangles.row(triangle);
         for (int k = 0; k < 3; ++k)
         {
           const int neighbor = neighbors(triangle, (k + 1) % 3);

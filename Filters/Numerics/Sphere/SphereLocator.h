@@ -33,11 +33,11 @@ public:
   SphereLocator() = default;
 
   /// @param[in] positions  #N by 3 unit vectors
-  /// @param[in] faces      #R by 3 ids, counter-clockwise seen from outside
-  SphereLocator(const Points& positions, const Triangles& faces,
+  /// @param[in] triangles      #R by 3 ids, counter-clockwise seen from outside
+  SphereLocator(const Points& positions, const Triangles& triangles,
     const ParallelFor& parallelFor = {}, const Progress& progress = {});
-  /// @param[in] neighbors  triangleNeighbors of the faces, where they are at hand
-  SphereLocator(const Points& positions, const Triangles& faces, const Triangles& neighbors,
+  /// @param[in] neighbors  triangleNeighbors of the triangles, where they are at hand
+  SphereLocator(const Points& positions, const Triangles& triangles, const Triangles& neighbors,
     const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// @param[in] direction  p, a unit vector

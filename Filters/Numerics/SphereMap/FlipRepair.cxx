@@ -22,7 +22,7 @@ public:
     const EdgeWeights& strings, const VertexRings& rings)
     : Positions(positions)
     , Places(points)
-    , Faces(triangles)
+    , Triangles(triangles)
     , Strings(strings)
     , Rings(rings)
     , Marks(positions.size(), 0)
@@ -38,7 +38,7 @@ public:
     {
       for (int k = 0; k < 3; ++k)
       {
-        this->take(this->Faces(r, k), mark, ids);
+        this->take(this->Triangles(r, k), mark, ids);
       }
     }
     std::size_t begin = 0;
@@ -233,7 +233,7 @@ private:
 
   std::vector<Vector3>& Positions;
   const Points& Places;
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const EdgeWeights& Strings;
   const VertexRings& Rings;
   std::vector<int> Marks;

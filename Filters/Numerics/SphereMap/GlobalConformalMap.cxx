@@ -42,20 +42,18 @@ double workOfMap(const GlobalConformalMapOptions& options, Index numberOfVertice
                                                         : workOfHarmonicMap(numberOfVertices);
 }
 
-Points balanced(const Points& places, const Triangles& triangles, double balance,
-  Index mostRelaxations, const Progress& progress)
+Points balanced(const Mesh& mesh, double balance, Index mostRelaxations, const Progress& progress)
 {
   ProgressiveSphereMapOptions options;
   options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
   options.AreaBalance = balance;
   options.MaximumNumberOfRelaxations = mostRelaxations;
-  return mapToSphere(places, triangles, options, progress).Positions;
+  return mapToSphere(mesh, options, progress).Positions;
 }
 
 // With as little more balance of areas as leaves room for every triangle. Insertions that first
 // have to make room can take a second each, so few are allowed while there is another attempt.
-Points progressive(
-  const Points& places, const Triangles& triangles, double leastBalance, const Progress& progress)
+Points progressive(const Mesh& mesh, double leastBalance, const Progress& progress)
 {
   constexpr Index fewRelaxations = 10;
   constexpr double share = 0.8; // of what is left of the progress, for each attempt
@@ -69,7 +67,7 @@ Points progressive(
     const double end = begin + share * (1.0 - begin);
     try
     {
-      return balanced(places, triangles, balance, fewRelaxations, partOf(progress, begin, end));
+      return balanced(mesh, balance, fewRelaxations, partOf(progress, begin, end));
     }
     catch (const std::runtime_error&)
     {
@@ -78,28 +76,27 @@ Points progressive(
     }
   }
   // The surface is shapeless, or too strange: as if all triangles were equal.
-  return balanced(Points::Zero(places.rows(), 3), triangles, 0.5, std::numeric_limits<Index>::max(),
-    partOf(progress, begin, 1.0));
+  return balanced({ Points::Zero(mesh.Positions.rows(), 3), mesh.Triangles }, 0.5,
+    std::numeric_limits<Index>::max(), partOf(progress, begin, 1.0));
 }
 
 // Turned to where it agrees best with the directions from the surface's middle.
-void turn(Points& positions, const Points& places, const Triangles& triangles)
+void turn(Points& positions, const Mesh& mesh)
 {
-  const Eigen::VectorXd areas = vertexAreas(places, triangles);
-  const Eigen::RowVector3d middle = areas.transpose() * places / areas.sum();
+  const Eigen::VectorXd areas = vertexAreas(mesh.Positions, mesh.Triangles);
+  const Eigen::RowVector3d middle = areas.transpose() * mesh.Positions / areas.sum();
   MoebiusTransform rotation;
-  rotation.Rotation = closestRotation(positions, places.rowwise() - middle, areas);
+  rotation.Rotation = closestRotation(positions, mesh.Positions.rowwise() - middle, areas);
   rotation.applyTo(positions);
 }
 
-void mapRobustly(const Points& places, const Triangles& triangles, double areaBalance,
-  GlobalConformalMapResult& result, const ParallelFor& parallelFor, const Progress& progress)
+void mapRobustly(const Mesh& mesh, double areaBalance, GlobalConformalMapResult& result,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   const bool conformal = areaBalance == 0.0;
   if (conformal)
   {
-    HarmonicSphereMap map =
-      mapHarmonically(places, triangles, parallelFor, partOf(progress, 0.0, 0.95));
+    HarmonicSphereMap map = mapHarmonically(mesh, parallelFor, partOf(progress, 0.0, 0.95));
     result.NumberOfIterations = map.NumberOfSolves;
     result.Converged = map.OneToOne;
     result.Tier = map.Repaired ? GlobalConformalTier::Repaired : GlobalConformalTier::Harmonic;
@@ -109,18 +106,20 @@ void mapRobustly(const Points& places, const Triangles& triangles, double areaBa
   {
     result.Tier = GlobalConformalTier::Progressive;
     result.Positions =
-      progressive(places, triangles, areaBalance, partOf(progress, conformal ? 0.95 : 0.0, 1.0));
+      progressive(mesh, areaBalance, partOf(progress, conformal ? 0.95 : 0.0, 1.0));
     result.Converged = true;
   }
-  turn(result.Positions, places, triangles);
+  turn(result.Positions, mesh);
 }
 }
 
 //------------------------------------------------------------------------------
-GlobalConformalMapResult globalConformalMap(const Points& points, const Triangles& triangles,
+GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
   const GlobalConformalMapOptions& options, const ParallelFor& parallelFor,
   const Progress& progress)
 {
+  const Points& points = mesh.Positions;
+  const Triangles& triangles = mesh.Triangles;
   check(options);
   const bool published = options.Method == GlobalConformalMethod::GuYau;
   // The check, the box and the strings, the map, its figures.
@@ -129,14 +128,14 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
     progress, { 465.0 * size, 190.0 * size, workOfMap(options, points.rows()), 15.0 * size });
   requireGenusZero(triangles, points.rows(), steps.next());
   steps.next();
-  const Points places = inUnitBox(points);
+  const Mesh unit = { inUnitBox(points), triangles };
   GlobalConformalMapResult result;
   if (published)
   {
     GuYauOptions guYau;
     guYau.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
     guYau.Tolerance = options.Tolerance;
-    GuYauResult map = mapByGuYau(places, triangles, guYau, parallelFor, steps.next());
+    GuYauResult map = mapByGuYau(unit, guYau, parallelFor, steps.next());
     result.Positions = std::move(map.Positions);
     result.Energy = map.Energy;
     result.NumberOfIterations = map.NumberOfIterations;
@@ -146,10 +145,10 @@ GlobalConformalMapResult globalConformalMap(const Points& points, const Triangle
   }
   else
   {
-    const StringConstants strings = harmonicStrings(places, triangles);
+    const StringConstants strings = harmonicStrings(unit.Positions, triangles);
     result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
     result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
-    mapRobustly(places, triangles, options.AreaBalance, result, parallelFor, steps.next());
+    mapRobustly(unit, options.AreaBalance, result, parallelFor, steps.next());
     result.Energy = stringEnergy(strings.Strings, result.Positions);
   }
   steps.next();

@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {
@@ -57,13 +58,12 @@ struct GlobalConformalMapResult
 /// moved to the sphere's centre, and the sphere turned to where it agrees best with directions from
 /// the surface's middle.
 ///
-/// @param[in] points     #V by 3, finite; triangles may have no area
-/// @param[in] triangles  #F by 3 vertex ids, all vertices used
+/// @param[in] mesh  finite, all positions used; triangles may have no area
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
 /// @post the result does not depend on the number of threads
 /// \cite Liou2008 section 4.1
-GlobalConformalMapResult globalConformalMap(const Points& points, const Triangles& triangles,
+GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
   const GlobalConformalMapOptions& options = {}, const ParallelFor& parallelFor = {},
   const Progress& progress = {});
 

@@ -127,9 +127,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-GuYauResult mapByGuYau(const Points& points, const Triangles& triangles,
-  const GuYauOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
+  const Points& points = mesh.Positions;
+  const Triangles& triangles = mesh.Triangles;
   const EdgeWeights equal = equalWeights(triangles, points.rows());
   const StringConstants harmonic = harmonicStrings(points, triangles);
   GuYauResult result;

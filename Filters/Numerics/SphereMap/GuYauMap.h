@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {
@@ -34,11 +35,10 @@ struct GuYauResult
 /// Implementation note: the time step is as long as the largest sum of constants allows and is
 /// halved whenever the energy rises, instead of being the same for every mesh.
 ///
-/// @param[in] points  #V by 3, about of size one
+/// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
-GuYauResult mapByGuYau(const Points& points, const Triangles& triangles,
-  const GuYauOptions& options = {}, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options = {},
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 
 #endif

@@ -65,7 +65,7 @@ class Mapper
 public:
   Mapper(const Points& places, const Triangles& triangles, const ParallelFor& parallelFor)
     : Places(places)
-    , Faces(triangles)
+    , Triangles(triangles)
     , Threads(parallelFor)
     , Shapes(places, triangles)
     , Angles(places, triangles, SurfaceShapes::Weight::RegularArea)
@@ -83,12 +83,12 @@ public:
 
   HarmonicSphereMap run(Steps& steps) const
   {
-    const Index puncture = choosePuncture(this->Places, this->Faces);
+    const Index puncture = choosePuncture(this->Places, this->Triangles);
     HarmonicSphereMap map = this->attempt(puncture, steps.next());
     const bool solved = map.Positions.rows() > 0;
     if (solved && (!map.OneToOne || this->areaRatioAround(map.Positions, puncture) < LimbShare))
     {
-      const Index better = choosePuncture(this->Places, this->Faces, map.Positions);
+      const Index better = choosePuncture(this->Places, this->Triangles, map.Positions);
       HarmonicSphereMap other = this->attempt(better, steps.next());
       if (other.OneToOne &&
         (!map.OneToOne ||
@@ -105,7 +105,8 @@ public:
 private:
   SourceTriangle shapeOf(Index r) const
   {
-    return this->Shapes.triangle(this->Faces(r, 0), this->Faces(r, 1), this->Faces(r, 2));
+    return this->Shapes.triangle(
+      this->Triangles(r, 0), this->Triangles(r, 1), this->Triangles(r, 2));
   }
 
   // Without positions if the equations have no solution in floating point.
@@ -118,14 +119,14 @@ private:
     try
     {
       map.Positions = punctureToSphere(
-        this->Places, this->Faces, this->Strings, puncture, this->Threads, steps.next());
+        this->Places, this->Triangles, this->Strings, puncture, this->Threads, steps.next());
       steps.next();
       centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
       if (this->improve(map, steps.next()))
       {
         steps.next();
         centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
-        map.OneToOne = badTriangles(toVector(map.Positions), this->Faces).empty();
+        map.OneToOne = badTriangles(toVector(map.Positions), this->Triangles).empty();
       }
     }
     catch (const std::runtime_error&)
@@ -139,15 +140,15 @@ private:
   bool improve(HarmonicSphereMap& map, const Progress& progress) const
   {
     std::vector<Vector3> positions = toVector(map.Positions);
-    const double bad = static_cast<double>(badTriangles(positions, this->Faces).size());
-    if (bad > 10.0 + LargestBadShare * static_cast<double>(this->Faces.rows()))
+    const double bad = static_cast<double>(badTriangles(positions, this->Triangles).size());
+    if (bad > 10.0 + LargestBadShare * static_cast<double>(this->Triangles.rows()))
     {
       return false;
     }
     if (bad > 0.0)
     {
       map.Repaired = true;
-      if (!repairFlips(positions, this->Places, this->Faces, this->Strings, this->Rings,
+      if (!repairFlips(positions, this->Places, this->Triangles, this->Strings, this->Rings,
             this->Angles, partOf(progress, 0.0, 0.8)))
       {
         return false;
@@ -180,9 +181,9 @@ private:
   std::vector<int> misshapenVertices(const std::vector<Vector3>& positions) const
   {
     std::vector<char> chosen(positions.size(), 0);
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
-      const auto ids = this->Faces.row(r);
+      const auto ids = this->Triangles.row(r);
       const Vector3 &a = positions[ids[0]], &b = positions[ids[1]], &c = positions[ids[2]];
       const auto& cotangents = this->shapeOf(r).Cotangents;
       const double dirichlet = cotangents[0] * (c - b).squaredNorm() +
@@ -223,7 +224,7 @@ private:
     double largest = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      const int v = this->Faces(puncture, k);
+      const int v = this->Triangles(puncture, k);
       std::vector<Corner> corners;
       this->Shapes.cornersOf(v, this->Rings[v], corners);
       double onSphere = 0.0, onSurface = 0.0;
@@ -240,7 +241,7 @@ private:
   }
 
   const Points& Places;
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const ParallelFor& Threads;
   SurfaceShapes Shapes, Angles;
   VertexRings Rings;
@@ -250,9 +251,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-HarmonicSphereMap mapHarmonically(const Points& points, const Triangles& triangles,
-  const ParallelFor& parallelFor, const Progress& progress)
+HarmonicSphereMap mapHarmonically(
+  const Mesh& mesh, const ParallelFor& parallelFor, const Progress& progress)
 {
+  const Points& points = mesh.Positions;
+  const Triangles& triangles = mesh.Triangles;
   // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
   // kept back for it, so that the progress jumps by that at the end of all others.
   const double work = workOfAttempt(points.rows());

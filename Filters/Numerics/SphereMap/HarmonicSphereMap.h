@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {
@@ -19,10 +20,10 @@ struct HarmonicSphereMap
 /// punctureToSphere; repairFlips where it folds; once more with another puncture, if the first one
 /// lies on a limb or left too much to be repaired; vertices of misshapen triangles, or all of a
 /// small mesh, moved to where angles are kept better.
-/// @param[in] points  #V by 3, about of size one
+/// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
-HarmonicSphereMap mapHarmonically(const Points& points, const Triangles& triangles,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+HarmonicSphereMap mapHarmonically(
+  const Mesh& mesh, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// What mapHarmonically() takes, in nanoseconds as in Steps.
 double workOfHarmonicMap(Index numberOfVertices);

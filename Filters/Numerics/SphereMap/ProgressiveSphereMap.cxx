@@ -54,7 +54,7 @@ public:
     : Shapes(places, triangles)
     , Options(options)
     , Energy(energyFor(options.AreaBalance))
-    , Mesh(makeProgressiveMesh(places, triangles, options.SurfaceNeedles,
+    , Mesh(makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles,
         progress ? [&progress](double f) { return progress(0.2 * f); } : Progress()))
     , Positions(places.rows())
     , Callback(progress)
@@ -235,9 +235,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& triangles,
-  const ProgressiveSphereMapOptions& options, const Progress& progress)
+ProgressiveSphereMapResult mapToSphere(
+  const Mesh& mesh, const ProgressiveSphereMapOptions& options, const Progress& progress)
 {
+  const Points& points = mesh.Positions;
+  const Triangles& triangles = mesh.Triangles;
   if (!(options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0))
   {
     throw std::invalid_argument("AreaBalance must lie in [0, 1]");

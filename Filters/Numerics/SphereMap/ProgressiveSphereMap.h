@@ -4,6 +4,7 @@
 #define ConformalProgressiveSphereMap_h
 
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/QuadricCollapse.h"
 
 #include <limits>
@@ -42,14 +43,13 @@ struct ProgressiveSphereMapResult
 /// conformal energy and a power of the area's shrinkage, so that one number leads from conformal
 /// to equal in area.
 ///
-/// @param[in] points     #V by 3, finite; triangles may have no area
-/// @param[in] triangles  #F by 3 vertex ids, all vertices used
+/// @param[in] mesh  finite, all positions used; triangles may have no area
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
 /// @throws std::runtime_error if there is no room for a vertex
 /// @post the result depends only on the arguments: same input, same bits
-ProgressiveSphereMapResult mapToSphere(const Points& points, const Triangles& triangles,
-  const ProgressiveSphereMapOptions& options = {}, const Progress& progress = {});
+ProgressiveSphereMapResult mapToSphere(
+  const Mesh& mesh, const ProgressiveSphereMapOptions& options = {}, const Progress& progress = {});
 }
 
 #endif

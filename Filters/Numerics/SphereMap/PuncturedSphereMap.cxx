@@ -54,7 +54,7 @@ public:
   PlaneMap(
     const Points& points, const Triangles& triangles, const ParallelFor& parallelFor, Plane& map)
     : Places(points)
-    , Faces(triangles)
+    , Triangles(triangles)
     , Threads(parallelFor)
     , Map(map)
     , VertexAreas(vertexAreas(points, triangles))
@@ -83,10 +83,10 @@ public:
   {
     using Matrix = Eigen::Matrix<Complex, Powers, Powers>;
     using Vector = Eigen::Matrix<Complex, Powers, 1>;
-    const Index blocks = (this->Faces.rows() + BlockSize - 1) / BlockSize;
+    const Index blocks = (this->Triangles.rows() + BlockSize - 1) / BlockSize;
     std::vector<Matrix> matrices(blocks, Matrix::Zero());
     std::vector<Vector> sides(blocks, Vector::Zero());
-    forBlocks(this->Threads, this->Faces.rows(), BlockSize,
+    forBlocks(this->Threads, this->Triangles.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         Matrix& matrix = matrices[begin / BlockSize];
@@ -150,7 +150,7 @@ private:
   // The derivatives of z by the triangle's own plane and by its conjugate, up to a common factor.
   Beltrami beltrami(Index r) const
   {
-    const int a = this->Faces(r, 0), b = this->Faces(r, 1), c = this->Faces(r, 2);
+    const int a = this->Triangles(r, 0), b = this->Triangles(r, 1), c = this->Triangles(r, 2);
     const auto [base, side] =
       flattened(this->Places.row(a), this->Places.row(b), this->Places.row(c));
     const Complex p = this->Map[b] - this->Map[a], q = this->Map[c] - this->Map[a];
@@ -165,7 +165,7 @@ private:
   }
 
   const Points& Places;
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const ParallelFor& Threads;
   Plane& Map;
   Eigen::VectorXd VertexAreas;

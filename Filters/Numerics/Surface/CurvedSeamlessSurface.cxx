@@ -37,11 +37,12 @@ double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
   return (cofactors * p).norm();
 }
 
-/// The faces turned to be counter-clockwise on the sphere, or an exception if it is not covered
+/// The triangles turned to be counter-clockwise on the sphere, or an exception if it is not covered
 /// just once.
-Triangles facesOfMap(const Points& sphere, const Triangles& faces, const ParallelFor& parallelFor)
+conformal::Triangles trianglesOfMap(
+  const Points& sphere, const conformal::Triangles& triangles, const ParallelFor& parallelFor)
 {
-  Triangles turned = faces;
+  conformal::Triangles turned = triangles;
   SphereCoverage coverage = measureSphereCoverage(sphere, turned, parallelFor);
   if (coverage.Degree < 0)
   {
@@ -96,15 +97,15 @@ Points unitVectors(const PointView& vectors, const char* what, const ParallelFor
 }
 
 //------------------------------------------------------------------------------
-CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points& model,
-  const Triangles& faces, const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
+CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
+  const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
   const ParallelFor& parallelFor, const Progress& progress)
   : Options(options)
-  , Sphere(unitVectors(sphere, "sphere position", parallelFor))
-  , Model(model)
-  , Faces(facesOfMap(this->Sphere, faces, parallelFor))
+  , Sphere(unitVectors(model.SpherePositions, "sphere position", parallelFor))
+  , Model(model.Positions)
+  , Triangles(trianglesOfMap(this->Sphere, model.Triangles, parallelFor))
 {
-  const auto size = static_cast<double>(faces.rows());
+  const auto size = static_cast<double>(this->Triangles.rows());
   const double cloudSize = cloud ? static_cast<double>(cloud->size()) : 0.0;
   const bool fits = options.DomeHeight == DomeHeight::Fitted;
   Steps steps(progress,
@@ -114,7 +115,7 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
            : 300.0 * size,
       50.0 * size });
   steps.next();
-  if (sphere.rows() != model.rows() || !model.allFinite())
+  if (this->Sphere.rows() != this->Model.rows() || !this->Model.allFinite())
   {
     throw std::invalid_argument("the model needs one finite position for each sphere position");
   }
@@ -122,22 +123,22 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   {
     throw std::invalid_argument("VertexShift must lie in [0, 1]");
   }
-  const Vector3 mean = model.colwise().mean();
-  Points centered = model.rowwise() - mean.transpose();
+  const Vector3 mean = this->Model.colwise().mean();
+  Points centered = this->Model.rowwise() - mean.transpose();
   this->HeightUnit = centered.rowwise().stableNorm().maxCoeff();
   if (this->HeightUnit > 0.0)
   {
     centered /= this->HeightUnit;
   }
   const double rounding = 1e-12;
-  this->InsideOut = signedVolume(centered, this->Faces) < -rounding;
+  this->InsideOut = signedVolume(centered, this->Triangles) < -rounding;
   steps.next();
-  const Adjacency around = vertexTriangles(this->Faces, model.rows());
-  this->Neighbors = triangleNeighbors(this->Faces, around, parallelFor);
+  const Adjacency around = vertexTriangles(this->Triangles, this->Model.rows());
+  this->Neighbors = triangleNeighbors(this->Triangles, around, parallelFor);
   this->Locator =
-    SphereLocator(this->Sphere, this->Faces, this->Neighbors, parallelFor, steps.next());
-  this->Flat = FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, options.SeamMode,
-    parallelFor, steps.next());
+    SphereLocator(this->Sphere, this->Triangles, this->Neighbors, parallelFor, steps.next());
+  this->Flat = FlatMap(this->Sphere, this->Model, this->Triangles, this->Neighbors,
+    options.SeamMode, parallelFor, steps.next());
   const Progress curving = steps.next();
   if (this->differentiable())
   {
@@ -145,13 +146,13 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const Points& sphere, const Points&
   }
   else
   {
-    this->Domes = SphereDomes(this->Sphere, this->Model, this->Faces, this->Neighbors, this->Flat,
-      this->InsideOut, parallelFor, curving);
+    this->Domes = SphereDomes(this->Sphere, this->Model, this->Triangles, this->Neighbors,
+      this->Flat, this->InsideOut, parallelFor, curving);
     this->scaleDomes();
   }
   steps.next();
-  this->Degenerate.resize(faces.rows(), 0);
-  for (Index r = 0; r < faces.rows(); ++r)
+  this->Degenerate.resize(this->Triangles.rows(), 0);
+  for (Index r = 0; r < this->Triangles.rows(); ++r)
   {
     this->Degenerate[r] |=
       this->Flat.degenerate(r) || !(this->differentiable() || this->Domes.defined(r));
@@ -165,15 +166,15 @@ void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples
   Points normals = Points::Zero(this->Model.rows(), 3);
   if (this->Options.DomeHeight != DomeHeight::None)
   {
-    normals = vertexNormals(this->Model, this->Faces, around, parallelFor);
+    normals = vertexNormals(this->Model, this->Triangles, around, parallelFor);
   }
-  this->Curved = CurvedTriangles(this->Model, normals, this->Faces);
+  this->Curved = CurvedTriangles(this->Model, normals, this->Triangles);
   if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
   {
     const Points lowered =
       lowerVertices(this->Curved, around, this->Options.VertexShift, parallelFor);
-    normals = vertexNormals(lowered, this->Faces, around, parallelFor);
-    this->Curved = CurvedTriangles(lowered, normals, this->Faces);
+    normals = vertexNormals(lowered, this->Triangles, around, parallelFor);
+    this->Curved = CurvedTriangles(lowered, normals, this->Triangles);
   }
   if (this->Options.DomeHeight == DomeHeight::Fitted)
   {
@@ -201,19 +202,19 @@ void CurvedSeamlessSurface::scaleDomes()
   Eigen::VectorXd solidAngles = areas;
   const auto area = [&](const Points& points, Index r, double unit)
   {
-    const Vector3 a = points.row(this->Faces(r, 0)) / unit,
-                  b = points.row(this->Faces(r, 1)) / unit,
-                  c = points.row(this->Faces(r, 2)) / unit;
+    const Vector3 a = points.row(this->Triangles(r, 0)) / unit,
+                  b = points.row(this->Triangles(r, 1)) / unit,
+                  c = points.row(this->Triangles(r, 2)) / unit;
     return (b - a).cross(c - a).norm();
   };
   const double unit = this->HeightUnit > 0.0 ? this->HeightUnit : 1.0;
-  for (Index r = 0; r < this->Faces.rows(); ++r)
+  for (Index r = 0; r < this->Triangles.rows(); ++r)
   {
     const double ofModel = area(this->Model, r, unit), ofSphere = area(this->Sphere, r, 1.0);
     for (int k = 0; k < 3; ++k)
     {
-      areas[this->Faces(r, k)] += ofModel;
-      solidAngles[this->Faces(r, k)] += ofSphere;
+      areas[this->Triangles(r, k)] += ofModel;
+      solidAngles[this->Triangles(r, k)] += ofSphere;
     }
   }
   for (std::size_t i = 0; i < this->Scales.size(); ++i)
@@ -228,7 +229,7 @@ Vector3 CurvedSeamlessSurface::onSphere(Index triangle, const Vector3& barycentr
   Vector3 flat = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    flat += barycentric[k] * this->Sphere.row(this->Faces(triangle, k)).transpose();
+    flat += barycentric[k] * this->Sphere.row(this->Triangles(triangle, k)).transpose();
   }
   return flat.normalized();
 }
@@ -241,8 +242,8 @@ Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3&
   Vector3 sides;
   for (int k = 0; k < 3; ++k)
   {
-    const Vector3 a = this->Sphere.row(this->Faces(triangle, (k + 1) % 3)),
-                  b = this->Sphere.row(this->Faces(triangle, (k + 2) % 3));
+    const Vector3 a = this->Sphere.row(this->Triangles(triangle, (k + 1) % 3)),
+                  b = this->Sphere.row(this->Triangles(triangle, (k + 2) % 3));
     slopes.row(k) = a.cross(b - a); // of det(a, b, p), with p
     sides[k] = (a - direction).cross(b - direction).dot(direction);
   }
@@ -273,7 +274,7 @@ CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::onDomes(
   Index triangle, const Vector3& p, const Vector3& q) const
 {
   const CurvedSeamlessSurface& s = this->Surface;
-  const auto ids = s.Faces.row(triangle);
+  const auto ids = s.Triangles.row(triangle);
   Image image;
   image.Position =
     q[0] * s.Model.row(ids[0]) + q[1] * s.Model.row(ids[1]) + q[2] * s.Model.row(ids[2]);
@@ -434,14 +435,14 @@ void invert(const CurvedSeamlessSurface& surface, const PointView& points, doubl
 }
 
 //------------------------------------------------------------------------------
-CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, const Points& model,
-  const Triangles& faces, const Points& directions, const CurvedSeamlessSurfaceOptions& options,
+CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
+  const Points& directions, const CurvedSeamlessSurfaceOptions& options,
   const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
 {
   report(progress, 0.0);
   const double shareOfMesh = options.DomeHeight == DomeHeight::Fitted ? 0.95 : 0.5;
   const CurvedSeamlessSurface surface(
-    sphere, model, faces, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
+    model, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
   CurvedSeamlessSurfaceResult result;
   result.Directions = unitVectors(directions, "direction", parallelFor);
   result.Positions.resize(directions.rows(), 3);

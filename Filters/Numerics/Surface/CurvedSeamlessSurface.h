@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 #include "Sphere/SphereLocator.h"
 #include "Surface/CurvedTriangleFit.h"
 #include "Surface/CurvedTriangles.h"
@@ -57,14 +58,13 @@ public:
     int Triangle = -1;                  ///< r
   };
 
-  /// @param[in] sphere  #N by 3, n_i; any length but 0
-  /// @param[in] model   #N by 3, w_i
-  /// @param[in] faces   #R by 3 ids, a closed, consistently oriented surface
-  /// @param[in] cloud   what Fitted domes are fitted to
+  /// @param[in] model  positions w_i, sphere positions n_i of any length but 0; closed and
+  ///                   consistently oriented
+  /// @param[in] cloud  what Fitted domes are fitted to
   /// @throws std::invalid_argument if positions are not finite, or if the sphere map has no
   ///   direction for a vertex or does not cover the sphere just once, or if Fitted has no cloud
   /// @throws Aborted
-  CurvedSeamlessSurface(const Points& sphere, const Points& model, const Triangles& faces,
+  explicit CurvedSeamlessSurface(const MappedMesh& model,
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
     const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
@@ -85,7 +85,7 @@ public:
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
   /// triangleNeighbors of its triangles
-  const Triangles& neighbors() const { return this->Neighbors; }
+  const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
   Index numberOfDegeneratePatches() const
   {
@@ -107,8 +107,8 @@ private:
   CurvedSeamlessSurfaceOptions Options;
   Points Sphere;
   Points Model;
-  Triangles Faces;
-  Triangles Neighbors;
+  conformal::Triangles Triangles;
+  conformal::Triangles Neighbors;
   double HeightUnit = 1.0;
   bool InsideOut = false;
   SphereLocator Locator;
@@ -228,17 +228,15 @@ struct CurvedSeamlessSurfaceResult
 
 /// Evaluate a surface once, CSS algorithm steps 1 to 11.
 ///
-/// @param[in] sphere      #N by 3, n_i; any length but 0
-/// @param[in] model       #N by 3, w_i
-/// @param[in] faces       #R by 3 ids, a closed, consistently oriented surface
+/// @param[in] model       as CurvedSeamlessSurface has it
 /// @param[in] directions  #P by 3, N^new; any length but 0
 /// @param[in] cloud       what Fitted domes are fitted to
 /// @throws std::invalid_argument as CurvedSeamlessSurface does, or if a direction is none
 /// @throws Aborted
-CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const Points& sphere, const Points& model,
-  const Triangles& faces, const Points& directions,
-  const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
+  const Points& directions, const CurvedSeamlessSurfaceOptions& options = {},
+  const TrainingSamples* cloud = nullptr, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
 }
 
 #endif

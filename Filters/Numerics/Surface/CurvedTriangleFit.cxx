@@ -58,10 +58,10 @@ std::vector<Frame> framesOf(const CurvedTriangles& surface, const Adjacency& nei
 class Equations
 {
 public:
-  Equations(const Triangles& faces, const Adjacency& neighbors)
-    : Faces(faces)
+  Equations(const Triangles& triangles, const Adjacency& neighbors)
+    : Triangles(triangles)
     , Neighbors(neighbors)
-    , Sums(faces.rows() * 54 + 1, 0.0)
+    , Sums(triangles.rows() * 54 + 1, 0.0)
     , Diagonal(neighbors.Offsets.size() - 1)
     , Across(neighbors.Ids.size())
   {
@@ -96,7 +96,7 @@ public:
     std::fill(this->Diagonal.begin(), this->Diagonal.end(), Eigen::Matrix3d::Zero());
     std::fill(this->Across.begin(), this->Across.end(), Eigen::Matrix3d::Zero());
     Unknowns right = Unknowns::Zero(static_cast<Index>(this->Diagonal.size()), 3);
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       const double* sums = this->Sums.data() + 54 * r;
       Eigen::Matrix<double, 9, 9> matrix;
@@ -106,15 +106,15 @@ public:
         {
           matrix(i, j) = matrix(j, i) = *sums++;
         }
-        right(this->Faces(r, i / 3), i % 3) += *sums++;
+        right(this->Triangles(r, i / 3), i % 3) += *sums++;
       }
       for (int k = 0; k < 3; ++k)
       {
-        const int v = this->Faces(r, k);
+        const int v = this->Triangles(r, k);
         this->Diagonal[v] += matrix.block<3, 3>(3 * k, 3 * k);
         for (const int l : { (k + 1) % 3, (k + 2) % 3 })
         {
-          this->Across[this->place(v, this->Faces(r, l))] += matrix.block<3, 3>(3 * k, 3 * l);
+          this->Across[this->place(v, this->Triangles(r, l))] += matrix.block<3, 3>(3 * k, 3 * l);
         }
       }
     }
@@ -169,7 +169,7 @@ private:
     return static_cast<std::size_t>(found - this->Neighbors.Ids.data());
   }
 
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const Adjacency& Neighbors;
   std::vector<double> Sums; // the upper triangle and the right-hand side, row by row; the weight
   Blocks Diagonal, Across;
@@ -216,7 +216,7 @@ Unknowns solve(Equations& equations, const Unknowns& right, double stiffness,
 Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::vector<Frame>& frames,
   const FootPoint& foot, const Vector3& direction)
 {
-  const auto ids = surface.faces().row(foot.Triangle);
+  const auto ids = surface.triangles().row(foot.Triangle);
   const Vector3& m = foot.Barycentric;
   const double bubble = 0.5 * m[0] * m[1] * m[2];
   Eigen::Matrix<double, 9, 1> row;
@@ -300,7 +300,7 @@ CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& sa
     const Vector3 x = positions.row(i);
     positions.row(i) = restore ? samples.restore(x) : samples.normalize(x);
   }
-  return CurvedTriangles(positions, surface.normals(), surface.faces());
+  return CurvedTriangles(positions, surface.normals(), surface.triangles());
 }
 
 /// The surface with the unknowns taken in.
@@ -317,14 +317,14 @@ CurvedTriangles moved(
     tilt *= size > LargestTilt ? LargestTilt / size : 1.0;
     normals.row(i) = (frame.N + tilt).normalized();
   }
-  return CurvedTriangles(positions, normals, surface.faces());
+  return CurvedTriangles(positions, normals, surface.triangles());
 }
 
 /// What holds the surface where samples do not.
 void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames, double stiffness,
   double least, Equations& equations, Unknowns& right)
 {
-  const Points usual = vertexNormals(surface.positions(), surface.faces());
+  const Points usual = vertexNormals(surface.positions(), surface.triangles());
   for (Index i = 0; i < right.rows(); ++i)
   {
     const Vector3 normal = usual.row(i);
@@ -359,7 +359,7 @@ CurvedTriangles withNormals(const CurvedTriangles& surface)
       normals.row(i) = Vector3::UnitZ();
     }
   }
-  return CurvedTriangles(surface.positions(), normals, surface.faces());
+  return CurvedTriangles(surface.positions(), normals, surface.triangles());
 }
 }
 
@@ -374,10 +374,10 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
   }
   CurvedTriangles surface = withNormals(inUnit(start, samples, false));
   requireOneSize(surface.positions());
-  const Triangles& faces = start.faces();
+  const Triangles& triangles = start.triangles();
   const Index size = surface.positions().rows();
-  const Adjacency neighbors = vertexNeighbors(faces, size);
-  Equations equations(faces, neighbors);
+  const Adjacency neighbors = vertexNeighbors(triangles, size);
+  Equations equations(triangles, neighbors);
   LocalScale scale(size, OutlierRatio);
   std::vector<int> hints(samples.size(), -1);
   const double steps = options.NumberOfFitRounds + 1.0;
@@ -393,8 +393,8 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
       [&](Index i, const FootPoint& foot)
       {
         const double weight = samples.weight(i);
-        const bool use = round >= 0 && !scale.outlying(foot, faces);
-        scale.add(foot, faces, weight);
+        const bool use = round >= 0 && !scale.outlying(foot, triangles);
+        scale.add(foot, triangles, weight);
         if (!use)
         {
           return;

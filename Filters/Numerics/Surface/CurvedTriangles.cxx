@@ -183,10 +183,10 @@ bool CurvedTriangle::folds() const
 
 //------------------------------------------------------------------------------
 CurvedTriangles::CurvedTriangles(
-  const Points& positions, const Points& normals, const Triangles& faces)
+  const Points& positions, const Points& normals, const conformal::Triangles& triangles)
   : Positions(positions)
   , Normals(normals)
-  , Faces(faces)
+  , Triangles(triangles)
 {
 }
 
@@ -196,8 +196,8 @@ CurvedTriangle CurvedTriangles::operator[](Index triangle) const
   std::array<Vector3, 3> positions, normals;
   for (int k = 0; k < 3; ++k)
   {
-    positions[k] = this->Positions.row(this->Faces(triangle, k));
-    normals[k] = this->Normals.row(this->Faces(triangle, k));
+    positions[k] = this->Positions.row(this->Triangles(triangle, k));
+    normals[k] = this->Normals.row(this->Triangles(triangle, k));
   }
   return CurvedTriangle(positions, normals);
 }
@@ -212,9 +212,9 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
     std::array<Vector3, 3> Heights; // over the middle of the edge opposite
   };
   const Points& normals = surface.normals();
-  const Triangles& faces = surface.faces();
-  std::vector<Domes> domes(faces.rows());
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  const conformal::Triangles& triangles = surface.triangles();
+  std::vector<Domes> domes(triangles.rows());
+  forBlocks(parallelFor, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -239,7 +239,7 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
           for (int k = 0; k < 3; ++k)
           {
             // Integrals of the bubble 4 m_i m_j against m_k, and against m_i or m_j.
-            const double weight = faces(*r, k) == i ? 1.0 / 15.0 : 2.0 / 15.0;
+            const double weight = triangles(*r, k) == i ? 1.0 / 15.0 : 2.0 / 15.0;
             volume += its.Area * weight * its.Heights[k];
           }
           area += its.Area / 3.0;
@@ -257,18 +257,19 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
 //------------------------------------------------------------------------------
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const ParallelFor& parallelFor)
 {
-  const Triangles& faces = surface.faces();
-  std::vector<unsigned char> flattened(faces.rows(), 0), folds(faces.rows(), 0);
+  const conformal::Triangles& triangles = surface.triangles();
+  std::vector<unsigned char> flattened(triangles.rows(), 0), folds(triangles.rows(), 0);
   std::vector<unsigned char> changed(surface.positions().rows(), 1);
   const int mostRounds = 20; // after which normals are of no length
   for (int round = 0; round < mostRounds; ++round)
   {
-    forBlocks(parallelFor, faces.rows(), BlockSize,
+    forBlocks(parallelFor, triangles.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
         {
-          const bool asks = changed[faces(r, 0)] || changed[faces(r, 1)] || changed[faces(r, 2)];
+          const bool asks =
+            changed[triangles(r, 0)] || changed[triangles(r, 1)] || changed[triangles(r, 2)];
           folds[r] = asks && surface[r].folds();
           flattened[r] |= folds[r];
         }
@@ -279,28 +280,28 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Parallel
     }
     Points normals = surface.normals();
     std::fill(changed.begin(), changed.end(), 0);
-    for (Index r = 0; r < faces.rows(); ++r)
+    for (Index r = 0; r < triangles.rows(); ++r)
     {
       for (int k = 0; folds[r] && k < 3; ++k)
       {
-        const int i = faces(r, k);
+        const int i = triangles(r, k);
         normals.row(i) = 0.7 * surface.normals().row(i); // domes halve
         changed[i] = 1;
       }
     }
-    surface = CurvedTriangles(surface.positions(), normals, faces);
+    surface = CurvedTriangles(surface.positions(), normals, triangles);
   }
   return flattened;
 }
 
 //------------------------------------------------------------------------------
-NormalJumps measureNormalJumps(
-  const CurvedTriangles& surface, const Triangles& neighbors, const ParallelFor& parallelFor)
+NormalJumps measureNormalJumps(const CurvedTriangles& surface,
+  const conformal::Triangles& neighbors, const ParallelFor& parallelFor)
 {
-  const Triangles& faces = surface.faces();
+  const conformal::Triangles& triangles = surface.triangles();
   const std::array<double, 5> shares{ 0.1, 0.3, 0.5, 0.7, 0.9 };
-  std::vector<NormalJumps> blocks((faces.rows() + BlockSize - 1) / BlockSize);
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  std::vector<NormalJumps> blocks((triangles.rows() + BlockSize - 1) / BlockSize);
+  forBlocks(parallelFor, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       NormalJumps& jumps = blocks[begin / BlockSize];
@@ -321,10 +322,10 @@ NormalJumps measureNormalJumps(
             here[(k + 1) % 3] = share;
             for (int l = 0; l < 3; ++l)
             {
-              const int id = faces(other, l);
-              there[l] = id == faces(r, k)    ? 1.0 - share
-                : id == faces(r, (k + 1) % 3) ? share
-                                              : 0.0;
+              const int id = triangles(other, l);
+              there[l] = id == triangles(r, k)    ? 1.0 - share
+                : id == triangles(r, (k + 1) % 3) ? share
+                                                  : 0.0;
             }
             const Vector3 a = own.surfaceNormal(here), b = its.surfaceNormal(there);
             const double jump = std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::acos(-1.0);
@@ -340,17 +341,17 @@ NormalJumps measureNormalJumps(
     all.Mean += jumps.Mean;
     all.Largest = std::max(all.Largest, jumps.Largest);
   }
-  all.Mean /= std::max(1.5 * static_cast<double>(faces.rows()), 1.0);
+  all.Mean /= std::max(1.5 * static_cast<double>(triangles.rows()), 1.0);
   return all;
 }
 
 //------------------------------------------------------------------------------
 CurvedTriangleTree::CurvedTriangleTree(
   const CurvedTriangles& surface, const ParallelFor& parallelFor)
-  : Placed(surface.faces().rows())
-  , PlaceOf(surface.faces().rows())
+  : Placed(surface.triangles().rows())
+  , PlaceOf(surface.triangles().rows())
 {
-  const Index size = surface.faces().rows();
+  const Index size = surface.triangles().rows();
   std::vector<Box> boxes(size);
   forBlocks(parallelFor, size, BlockSize,
     [&](Index begin, Index end)

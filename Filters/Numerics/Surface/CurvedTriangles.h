@@ -79,19 +79,20 @@ public:
 
   /// @param[in] positions  #V by 3, w
   /// @param[in] normals    #V by 3, n, of length 1 or less
-  /// @param[in] faces      #F by 3 ids
-  CurvedTriangles(const Points& positions, const Points& normals, const Triangles& faces);
+  /// @param[in] triangles      #F by 3 ids
+  CurvedTriangles(
+    const Points& positions, const Points& normals, const conformal::Triangles& triangles);
 
   const Points& positions() const { return this->Positions; }
   const Points& normals() const { return this->Normals; }
-  const Triangles& faces() const { return this->Faces; }
+  const conformal::Triangles& triangles() const { return this->Triangles; }
 
   CurvedTriangle operator[](Index triangle) const;
 
 private:
   Points Positions;
   Points Normals;
-  Triangles Faces;
+  conformal::Triangles Triangles;
 };
 
 /// Vertices moved inwards on ridges and outwards in hollows, so that the curved triangles over them
@@ -103,7 +104,7 @@ private:
 /// lumped: w_i + share n_i (n_i g_i) / c_i, where g_i is the domes' volume around the vertex,
 /// weighted by its hat function, and c_i a third of the area around.
 ///
-/// @param[in] around  vertexTriangles of the surface's faces
+/// @param[in] around  vertexTriangles of the surface's triangles
 Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
   const ParallelFor& parallelFor = {});
 
@@ -117,8 +118,8 @@ struct NormalJumps
 {
   double Mean = 0.0, Largest = 0.0;
 };
-NormalJumps measureNormalJumps(
-  const CurvedTriangles& surface, const Triangles& neighbors, const ParallelFor& parallelFor = {});
+NormalJumps measureNormalJumps(const CurvedTriangles& surface,
+  const conformal::Triangles& neighbors, const ParallelFor& parallelFor = {});
 
 /// Closest points of curved triangles.
 ///

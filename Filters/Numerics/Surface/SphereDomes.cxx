@@ -6,24 +6,24 @@
 namespace conformal
 {
 //------------------------------------------------------------------------------
-SphereDomes::SphereDomes(const Points& sphere, const Points& model, const Triangles& faces,
-  const Triangles& neighbors, const FlatMap& map, bool insideOut, const ParallelFor& parallelFor,
-  const Progress& progress)
+SphereDomes::SphereDomes(const Points& sphere, const Points& model,
+  const conformal::Triangles& triangles, const conformal::Triangles& neighbors, const FlatMap& map,
+  bool insideOut, const ParallelFor& parallelFor, const Progress& progress)
   : Sphere(&sphere)
   , Model(&model)
-  , Faces(&faces)
+  , Triangles(&triangles)
   , Neighbors(&neighbors)
-  , Centers(faces.rows(), 3)
-  , Normals(Points::Zero(faces.rows(), 3))
+  , Centers(triangles.rows(), 3)
+  , Normals(Points::Zero(triangles.rows(), 3))
 {
   const Index blockSize = 256;
-  forBlocks(parallelFor, faces.rows(), blockSize, progress,
+  forBlocks(parallelFor, triangles.rows(), blockSize, progress,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
       {
-        const Vector3 i = model.row(faces(r, 0)), j = model.row(faces(r, 1)),
-                      k = model.row(faces(r, 2));
+        const Vector3 i = model.row(triangles(r, 0)), j = model.row(triangles(r, 1)),
+                      k = model.row(triangles(r, 2));
         if (map.hasArea(r))
         {
           const Vector3 normal =
@@ -39,7 +39,7 @@ SphereDomes::SphereDomes(const Points& sphere, const Points& model, const Triang
 double SphereDomes::height(Index triangle, const Vector3& barycentric) const
 {
   const Vector3& l = barycentric;
-  const auto ids = this->Faces->row(triangle);
+  const auto ids = this->Triangles->row(triangle);
   const Vector3 n0 = this->Sphere->row(ids[0]), n1 = this->Sphere->row(ids[1]),
                 n2 = this->Sphere->row(ids[2]);
   // |p - p'| = 1 - |p'|, without the difference: 1 - |p'|^2 is a sum over the edges.
@@ -98,7 +98,7 @@ Vector3 SphereDomes::direction(Index triangle, const Vector3& barycentric) const
   // Along the edge from w_i to w_j, of length 1, the foot of c_w is at x, that of q' at
   // s x + betaJ. The subtriangle rises evenly from w_i to c_w and falls evenly from there to w_j,
   // so that |q' - a| / |b - a| is, on these two sides:
-  const auto ids = this->Faces->row(triangle);
+  const auto ids = this->Triangles->row(triangle);
   const Vector3 wI = this->Model->row(ids[i]);
   const Vector3 edge = Vector3(this->Model->row(ids[j])) - wI;
   const double length2 = edge.squaredNorm();

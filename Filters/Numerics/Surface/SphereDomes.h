@@ -23,13 +23,13 @@ public:
 
   /// @param[in] sphere     #N by 3, n_i, unit vectors
   /// @param[in] model      #N by 3, w_i
-  /// @param[in] faces      #R by 3
-  /// @param[in] neighbors  triangleNeighbors of the faces
+  /// @param[in] triangles      #R by 3
+  /// @param[in] neighbors  triangleNeighbors of the triangles
   /// @param[in] map        p' -> q'
   /// @param[in] insideOut  whether the model's triangles run clockwise seen from outside
   /// All but the map must outlive this.
-  SphereDomes(const Points& sphere, const Points& model, const Triangles& faces,
-    const Triangles& neighbors, const FlatMap& map, bool insideOut,
+  SphereDomes(const Points& sphere, const Points& model, const conformal::Triangles& triangles,
+    const conformal::Triangles& neighbors, const FlatMap& map, bool insideOut,
     const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
   /// |p - p'|, with p' in barycentric coordinates.
@@ -49,8 +49,8 @@ private:
 
   const Points* Sphere = nullptr;
   const Points* Model = nullptr;
-  const Triangles* Faces = nullptr;
-  const Triangles* Neighbors = nullptr;
+  const conformal::Triangles* Triangles = nullptr;
+  const conformal::Triangles* Neighbors = nullptr;
   Points Centers; // #R by 3, barycentric coordinates of c_w
   Points Normals; // #R by 3
 };

@@ -241,7 +241,7 @@ public:
   Splitter(SphericalTexture& texture, const Triangles& triangles, const Points& spherePositions,
     TextureWrap wrap, const ParallelFor& parallelFor)
     : Texture(texture)
-    , Faces(triangles)
+    , Triangles(triangles)
     , Positions(spherePositions)
     , Wrap(wrap)
     , Patches(spherePatches(texture.Image))
@@ -265,11 +265,11 @@ public:
   void run(const Progress& progress)
   {
     constexpr Index chunk = 1 << 14;
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       if (r % chunk == 0)
       {
-        report(progress, static_cast<double>(r) / static_cast<double>(this->Faces.rows()));
+        report(progress, static_cast<double>(r) / static_cast<double>(this->Triangles.rows()));
       }
       if (!this->addWhole(r))
       {
@@ -277,7 +277,8 @@ public:
       }
     }
     const auto count = static_cast<Index>(this->Texture.TriangleIds.size());
-    this->Texture.SplitTriangles = Eigen::Map<const Triangles>(this->Corners.data(), count, 3);
+    this->Texture.SplitTriangles =
+      Eigen::Map<const conformal::Triangles>(this->Corners.data(), count, 3);
     const Index vertices = this->Positions.rows();
     const auto added = static_cast<Index>(this->Texture.AddedPlaces.size());
     this->Texture.Coordinates.conservativeResize(vertices + added, 2);
@@ -292,7 +293,7 @@ private:
   // A triangle that no border crosses.
   bool addWhole(Index triangle)
   {
-    const auto ids = this->Faces.row(triangle);
+    const auto ids = this->Triangles.row(triangle);
     const int patch = this->PatchOfVertex[ids[0]];
     if (this->PatchOfVertex[ids[1]] != patch || this->PatchOfVertex[ids[2]] != patch)
     {
@@ -345,7 +346,7 @@ private:
 
   void addCut(Index triangle)
   {
-    const auto ids = this->Faces.row(triangle);
+    const auto ids = this->Triangles.row(triangle);
     Whole whole = { triangle, { ids[0], ids[1], ids[2] }, {} };
     std::sort(whole.Ids.begin(), whole.Ids.end());
     Polygon corners;
@@ -508,7 +509,7 @@ private:
   using Key = std::pair<std::array<int, 4>, std::array<double, 5>>;
 
   SphericalTexture& Texture;
-  const Triangles& Faces;
+  const conformal::Triangles& Triangles;
   const Points& Positions;
   TextureWrap Wrap;
   std::vector<SpherePatch> Patches;

@@ -20,16 +20,17 @@ namespace
 constexpr double WorkOfLocator = 400.0, WorkOfPixel = 350.0; // for each triangle, for each pixel
 
 // The locator wants triangles counter-clockwise on the sphere; a mirrored map has them turned.
-Triangles turnedOutwards(const Triangles& faces, const Points& spherePositions)
+Triangles turnedOutwards(const Triangles& triangles, const Points& spherePositions)
 {
   double volume = 0.0;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const Vector3 a = spherePositions.row(faces(r, 0)), b = spherePositions.row(faces(r, 1)),
-                  c = spherePositions.row(faces(r, 2));
+    const Vector3 a = spherePositions.row(triangles(r, 0)),
+                  b = spherePositions.row(triangles(r, 1)),
+                  c = spherePositions.row(triangles(r, 2));
     volume += a.cross(b).dot(c);
   }
-  Triangles result = faces;
+  Triangles result = triangles;
   if (volume < 0.0)
   {
     result.col(1).swap(result.col(2));
@@ -37,9 +38,10 @@ Triangles turnedOutwards(const Triangles& faces, const Points& spherePositions)
   return result;
 }
 
-SurfacePlace placeIn(const Triangles& faces, int triangle, const Vector3& barycentric)
+SurfacePlace placeIn(const Triangles& triangles, int triangle, const Vector3& barycentric)
 {
-  return { { faces(triangle, 0), faces(triangle, 1), faces(triangle, 2) }, barycentric };
+  return { { triangles(triangle, 0), triangles(triangle, 1), triangles(triangle, 2) },
+    barycentric };
 }
 
 Vector3 positionOf(const SurfacePlace& place, const PointView& points)
@@ -55,7 +57,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
 // To another surface's place; the hint is what it was told or left there for the pixel before.
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
-void paint(const SphereMappedSurface& surface, const SphereImage& image, const PixelGrid& grid,
+void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid,
   const Replace& replace, double pixelWork, const PixelSink& sink, const ParallelFor& parallelFor,
   const Progress& progress)
 {
@@ -63,17 +65,17 @@ void paint(const SphereMappedSurface& surface, const SphereImage& image, const P
   {
     throw std::invalid_argument("an image has at least one pixel");
   }
-  if (surface.Faces.rows() == 0)
+  if (surface.Triangles.rows() == 0)
   {
     throw std::invalid_argument("the surface has no triangles");
   }
   Steps steps(progress,
-    { 20.0 * static_cast<double>(surface.Faces.rows()),
-      WorkOfLocator * static_cast<double>(surface.Faces.rows()),
+    { 20.0 * static_cast<double>(surface.Triangles.rows()),
+      WorkOfLocator * static_cast<double>(surface.Triangles.rows()),
       pixelWork * static_cast<double>(grid.size()) });
   steps.next();
-  const Triangles faces = turnedOutwards(surface.Faces, surface.SpherePositions);
-  const SphereLocator locator(surface.SpherePositions, faces, {}, steps.next());
+  const Triangles triangles = turnedOutwards(surface.Triangles, surface.SpherePositions);
+  const SphereLocator locator(surface.SpherePositions, triangles, {}, steps.next());
   constexpr Index blockSize = 1 << 10;
   forBlocks(parallelFor, grid.size(), blockSize, steps.next(),
     [&](Index begin, Index end)
@@ -86,7 +88,7 @@ void paint(const SphereMappedSurface& surface, const SphereImage& image, const P
         if (location.Triangle >= 0)
         {
           places[i - begin] =
-            replace(placeIn(faces, location.Triangle, location.Barycentric), hint);
+            replace(placeIn(triangles, location.Triangle, location.Barycentric), hint);
         }
       }
       sink(begin, places);
@@ -103,11 +105,11 @@ public:
     double SquareDistance = std::numeric_limits<double>::infinity();
   };
 
-  ClosestPlaces(const PointView& cloud, const Triangles& faces, const Reduce& reduce,
+  ClosestPlaces(const PointView& cloud, const Triangles& triangles, const Reduce& reduce,
     const ParallelFor& parallelFor, const Progress& progress)
     : NumberOfOwn(cloud.size())
   {
-    std::int64_t sizes[] = { cloud.size(), faces.rows() };
+    std::int64_t sizes[] = { cloud.size(), triangles.rows() };
     reduce.sum(sizes, 2);
     if (sizes[0] == 0)
     {
@@ -125,13 +127,13 @@ public:
       positions.row(i) = cloud[i];
     }
     this->FirstOwn = shareOf(reduce, cloud.size()).Before;
-    this->Faces = gatherTriangles(reduce, faces, cloud.size());
+    this->Triangles = gatherTriangles(reduce, triangles, cloud.size());
     positions = gatherRows(reduce, positions);
     if (!positions.allFinite())
     {
       throw std::invalid_argument("points to take values from are not finite");
     }
-    this->Surface = TriangleTree(positions, this->Faces, parallelFor, progress);
+    this->Surface = TriangleTree(positions, this->Triangles, parallelFor, progress);
   }
 
   // Whether places are closest of all processes' and not only of this one's.
@@ -156,7 +158,7 @@ public:
     {
       return found;
     }
-    SurfacePlace place = placeIn(this->Faces, foot.Triangle, foot.Barycentric);
+    SurfacePlace place = placeIn(this->Triangles, foot.Triangle, foot.Barycentric);
     const Index own = place.Ids[0] - this->FirstOwn;
     if (own >= 0 && own < this->NumberOfOwn)
     {
@@ -174,14 +176,14 @@ private:
   bool HasTriangles = false;
   PointTree Near;
   TriangleTree Surface;
-  Triangles Faces;
+  conformal::Triangles Triangles;
 };
 
 // The points of the surface that pixels show, not finite in holes; none without a surface.
-Points pixelPositions(const SphereMappedSurface& surface, const SphereImage& image,
-  const PixelGrid& grid, const ParallelFor& parallelFor, const Progress& progress)
+Points pixelPositions(const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
-  if (surface.Faces.rows() == 0)
+  if (surface.Triangles.rows() == 0)
   {
     return Points(0, 3);
   }
@@ -202,7 +204,7 @@ Points pixelPositions(const SphereMappedSurface& surface, const SphereImage& ima
 }
 
 //------------------------------------------------------------------------------
-void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage& image,
+void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor,
   const Progress& progress)
 {
@@ -212,18 +214,18 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage
 }
 
 //------------------------------------------------------------------------------
-void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
-  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
+  const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const ParallelFor& parallelFor, const Progress& progress)
 {
   constexpr double pixelWork = WorkOfPixel + 700.0; // with a query
   const auto cloudSize = static_cast<double>(cloud.size());
-  const auto numberOfFaces = static_cast<double>(cloudFaces.rows());
+  const auto numberOfFaces = static_cast<double>(cloudTriangles.rows());
   Steps steps(progress,
-    { 20.0 * cloudSize + (cloudFaces.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
-      WorkOfLocator * static_cast<double>(surface.Faces.rows()) +
+    { 20.0 * cloudSize + (cloudTriangles.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
+      WorkOfLocator * static_cast<double>(surface.Triangles.rows()) +
         pixelWork * static_cast<double>(grid.size()) });
-  const ClosestPlaces closest(cloud, cloudFaces, {}, parallelFor, steps.next());
+  const ClosestPlaces closest(cloud, cloudTriangles, {}, parallelFor, steps.next());
   unitBoxOf(surface.Positions); // throws where they are not finite
   paint(
     surface, image, grid,
@@ -233,19 +235,19 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
 }
 
 //------------------------------------------------------------------------------
-void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
-  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
+  const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor,
   const Progress& progress)
 {
   if (reduce.NumberOfRanks == 1)
   {
-    paintSphericalTexture(surface, cloud, cloudFaces, image, grid, sink, parallelFor, progress);
+    paintSphericalTexture(surface, cloud, cloudTriangles, image, grid, sink, parallelFor, progress);
     return;
   }
   constexpr double begin = 0.3; // of the search, after its tree and the pixels' positions
   const ClosestPlaces closest(
-    cloud, cloudFaces, reduce, parallelFor, partOf(progress, 0.0, 0.5 * begin));
+    cloud, cloudTriangles, reduce, parallelFor, partOf(progress, 0.0, 0.5 * begin));
   const Points wanted =
     pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.5 * begin, begin));
   // So many at a time: all pixels are sent to all processes, and the distances back.

@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/SurfacePlace.h"
 #include "Texture/PixelGrid.h"
 #include "Texture/SphereProjection.h"
@@ -18,28 +19,20 @@ namespace conformal
 /// for other pixels each time. Ids are -1 where the map to the sphere has a hole.
 using PixelSink = std::function<void(Index firstPixel, const std::vector<SurfacePlace>& places)>;
 
-/// A surface and its map to the sphere.
-struct SphereMappedSurface
-{
-  PointView Positions;    ///< #V by 3
-  Triangles Faces;        ///< #F by 3 ids in [0, #V)
-  Points SpherePositions; ///< #V by 3 unit vectors
-};
-
 /// Find the point of the surface for every pixel: the direction of its middle is located on the
 /// sphere. Pixels in the margins show what the sphere has beyond the seams.
 /// @throws std::invalid_argument if there are no pixels or no triangles
-void paintSphericalTexture(const SphereMappedSurface& surface, const SphereImage& image,
+void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor = {},
   const Progress& progress = {});
 
 /// The same, but the places are those of another surface, or of a cloud without triangles, closest
 /// to the points found: details that the mapped surface has no vertices for.
-/// @param[in] cloud       #P by 3, finite, at least one
-/// @param[in] cloudFaces  #G by 3 ids in [0, #P); none for the points only
+/// @param[in] cloud           #P by 3, finite, at least one
+/// @param[in] cloudTriangles  #G by 3 ids in [0, #P); none for the points only
 /// @throws std::invalid_argument also if the cloud is empty or not finite
-void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
-  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
+  const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// The same by several processes, each of which has a part of the cloud, perhaps none. Where the
@@ -48,8 +41,8 @@ void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& 
 /// @param[in] surface  whole on one process; the others give one without triangles, whose image may
 ///   be any
 /// @param[in] reduce   adds up over the processes
-void paintSphericalTexture(const SphereMappedSurface& surface, const PointView& cloud,
-  const Triangles& cloudFaces, const SphereImage& image, const PixelGrid& grid,
+void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
+  const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor = {},
   const Progress& progress = {});
 }

@@ -33,13 +33,14 @@ EdgeShares sharesOf(double first, double second)
 
 /// Lengths of a triangle's edges, as shares of their sum, without the last digits, which depend on
 /// where the triangle lies.
-std::array<long, 3> roundedLengths(const Points& points, const Triangles& faces, Index triangle)
+std::array<long, 3> roundedLengths(const Points& points, const Triangles& triangles, Index triangle)
 {
   Vector3 lengths;
   for (int k = 0; k < 3; ++k)
   {
     lengths[k] =
-      (points.row(faces(triangle, next(k))) - points.row(faces(triangle, previous(k)))).norm();
+      (points.row(triangles(triangle, next(k))) - points.row(triangles(triangle, previous(k))))
+        .norm();
   }
   const double sum = lengths.sum(), digits = 1e9;
   if (!(sum > 0.0) || !std::isfinite(sum))
@@ -54,11 +55,12 @@ std::array<long, 3> roundedLengths(const Points& points, const Triangles& faces,
 /// by the id of the corner opposite only where they are equally long on the sphere and in the
 /// model.
 std::array<unsigned char, 3> orderOf(
-  const Points& sphere, const Points& model, const Triangles& faces, Index triangle)
+  const Points& sphere, const Points& model, const Triangles& triangles, Index triangle)
 {
-  const std::array<long, 3> first = roundedLengths(sphere, faces, triangle),
-                            second = roundedLengths(model, faces, triangle);
-  const auto key = [&](int k) { return std::make_tuple(first[k], second[k], faces(triangle, k)); };
+  const std::array<long, 3> first = roundedLengths(sphere, triangles, triangle),
+                            second = roundedLengths(model, triangles, triangle);
+  const auto key = [&](int k)
+  { return std::make_tuple(first[k], second[k], triangles(triangle, k)); };
   std::array<unsigned char, 3> order{ 0, 1, 2 };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
   return order;
@@ -81,28 +83,28 @@ FlatMap::Edge FlatMap::own(int edge, TriangleMap& network, TriangleMap& model)
 }
 
 //------------------------------------------------------------------------------
-FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& faces,
+FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
   const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor,
   const Progress& progress)
   : Slides(seamMode == SeamMode::EdgeMatched)
-  , Network(sphere, faces, parallelFor)
-  , Model(faces.rows())
-  , All(faces.rows())
-  , Order(faces.rows())
+  , Network(sphere, triangles, parallelFor)
+  , Model(triangles.rows())
+  , All(triangles.rows())
+  , Order(triangles.rows())
 {
-  std::vector<std::array<Edge, 3>> own(this->Slides ? faces.rows() : 0);
-  forBlocks(parallelFor, faces.rows(), BlockSize, progress,
+  std::vector<std::array<Edge, 3>> own(this->Slides ? triangles.rows() : 0);
+  forBlocks(parallelFor, triangles.rows(), BlockSize, progress,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
       {
         if (this->Slides)
         {
-          this->Order[r] = orderOf(sphere, model, faces, r);
+          this->Order[r] = orderOf(sphere, model, triangles, r);
         }
         TriangleShape& shape = this->Model[r];
-        shape =
-          TriangleShape(model.row(faces(r, 0)), model.row(faces(r, 1)), model.row(faces(r, 2)));
+        shape = TriangleShape(
+          model.row(triangles(r, 0)), model.row(triangles(r, 1)), model.row(triangles(r, 2)));
         if (this->degenerate(r))
         {
           continue;
@@ -124,7 +126,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& fac
   {
     return;
   }
-  forBlocks(parallelFor, faces.rows(), BlockSize,
+  forBlocks(parallelFor, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -132,9 +134,9 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& fac
         for (int edge = 0; edge < 3; ++edge)
         {
           const Index other = neighbors(r, next(edge));
-          const int end = faces(r, next(edge)); // its second end over there
+          const int end = triangles(r, next(edge)); // its second end over there
           int there = 0;
-          while (faces(other, previous(there)) != end)
+          while (triangles(other, previous(there)) != end)
           {
             ++there;
           }

@@ -48,9 +48,9 @@ public:
 
   /// @param[in] sphere     #N by 3, n_i
   /// @param[in] model      #N by 3, w_i
-  /// @param[in] faces      #R by 3 ids of a closed surface
-  /// @param[in] neighbors  triangleNeighbors of the faces
-  FlatMap(const Points& sphere, const Points& model, const Triangles& faces,
+  /// @param[in] triangles      #R by 3 ids of a closed surface
+  /// @param[in] neighbors  triangleNeighbors of the triangles
+  FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
     const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor = {},
     const Progress& progress = {});
 

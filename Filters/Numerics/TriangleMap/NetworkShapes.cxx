@@ -10,8 +10,8 @@ using namespace halfdisk;
 
 //------------------------------------------------------------------------------
 NetworkShapes::NetworkShapes(
-  const Points& positions, const Triangles& faces, const ParallelFor& parallelFor)
-  : Uses(faces.rows())
+  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
+  : Uses(triangles.rows())
 {
   // Triangles are alike if their squared edges, as shares of the sum, are. Counted from the
   // longest edge, so that turned triangles meet as well. In flat triangles the edges say too little
@@ -30,9 +30,9 @@ NetworkShapes::NetworkShapes(
     }
   };
   const double resolution = 1e12;
-  std::vector<Key> keys(faces.rows());
+  std::vector<Key> keys(triangles.rows());
   const Index blockSize = 1024;
-  forBlocks(parallelFor, faces.rows(), blockSize,
+  forBlocks(parallelFor, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -41,7 +41,8 @@ NetworkShapes::NetworkShapes(
         for (int k = 0; k < 3; ++k)
         {
           squares[k] =
-            (positions.row(faces(r, next(k))) - positions.row(faces(r, previous(k)))).squaredNorm();
+            (positions.row(triangles(r, next(k))) - positions.row(triangles(r, previous(k))))
+              .squaredNorm();
         }
         int longest = 0;
         squares.maxCoeff(&longest);
@@ -59,7 +60,7 @@ NetworkShapes::NetworkShapes(
 
   std::unordered_map<Key, int, Hash> shapeOfKey;
   std::vector<int> firstUse, numberOfUses;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     const auto [entry, isNew] = shapeOfKey.emplace(keys[r], static_cast<int>(firstUse.size()));
     if (isNew)
@@ -91,8 +92,9 @@ NetworkShapes::NetworkShapes(
       {
         const int r = firstUse[i], rotation = this->Uses[r].Rotation;
         TriangleShape& shape = this->Shapes[i];
-        shape = TriangleShape(positions.row(faces(r, rotation)),
-          positions.row(faces(r, next(rotation))), positions.row(faces(r, previous(rotation))));
+        shape = TriangleShape(positions.row(triangles(r, rotation)),
+          positions.row(triangles(r, next(rotation))),
+          positions.row(triangles(r, previous(rotation))));
         if (this->TableOfShape[i] >= 0 && !shape.degenerate())
         {
           this->Tables[this->TableOfShape[i]] = TriangleMap::makeTable(shape);

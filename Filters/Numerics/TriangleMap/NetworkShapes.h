@@ -23,9 +23,9 @@ public:
   NetworkShapes() = default;
 
   /// @param[in] positions  #N by 3
-  /// @param[in] faces      #R by 3 ids of positions
+  /// @param[in] triangles      #R by 3 ids of positions
   NetworkShapes(
-    const Points& positions, const Triangles& faces, const ParallelFor& parallelFor = {});
+    const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
 
   /// How many shapes have tables.
   Index numberOfTables() const { return static_cast<Index>(this->Tables.size()); }

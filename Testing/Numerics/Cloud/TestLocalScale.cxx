@@ -26,23 +26,23 @@ FootPoint footIn(Index triangle, double distance)
 TEST(LocalScale, TellsOutliersFromTheirSurroundings)
 {
   const auto mesh = conformal::makeGeodesicSphere(12);
-  const auto neighbors = conformal::vertexNeighbors(mesh.Faces, mesh.Positions.rows());
+  const auto neighbors = conformal::vertexNeighbors(mesh.Triangles, mesh.Positions.rows());
   LocalScale scale(mesh.Positions.rows(), 4.0);
   // Rough on one half, fine on the other.
   const auto level = [&](Index r)
-  { return mesh.Positions(mesh.Faces(r, 0), 2) > 0.0 ? 0.02 : 0.001; };
-  EXPECT_FALSE(scale.outlying(footIn(0, 1.0), mesh.Faces)); // nothing known yet
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  { return mesh.Positions(mesh.Triangles(r, 0), 2) > 0.0 ? 0.02 : 0.001; };
+  EXPECT_FALSE(scale.outlying(footIn(0, 1.0), mesh.Triangles)); // nothing known yet
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    scale.add(footIn(r, level(r)), mesh.Faces, 1.0);
+    scale.add(footIn(r, level(r)), mesh.Triangles, 1.0);
   }
   scale.update(neighbors, {});
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    if (std::abs(mesh.Positions(mesh.Faces(r, 0), 2)) > 0.5) // off the border
+    if (std::abs(mesh.Positions(mesh.Triangles(r, 0), 2)) > 0.5) // off the border
     {
-      EXPECT_TRUE(scale.outlying(footIn(r, 4.1 * level(r)), mesh.Faces)) << r;
-      EXPECT_FALSE(scale.outlying(footIn(r, 3.9 * level(r)), mesh.Faces)) << r;
+      EXPECT_TRUE(scale.outlying(footIn(r, 4.1 * level(r)), mesh.Triangles)) << r;
+      EXPECT_FALSE(scale.outlying(footIn(r, 3.9 * level(r)), mesh.Triangles)) << r;
     }
   }
 }
@@ -51,13 +51,13 @@ TEST(LocalScale, TellsOutliersFromTheirSurroundings)
 TEST(LocalScale, FewFarPatternsAreOutliersManyAreNot)
 {
   const auto mesh = conformal::makeGeodesicSphere(12);
-  const auto neighbors = conformal::vertexNeighbors(mesh.Faces, mesh.Positions.rows());
+  const auto neighbors = conformal::vertexNeighbors(mesh.Triangles, mesh.Positions.rows());
   LocalScale scale(mesh.Positions.rows(), 4.0);
   const auto round = [&](int every, double far)
   {
-    for (Index r = 0; r < mesh.Faces.rows(); ++r)
+    for (Index r = 0; r < mesh.Triangles.rows(); ++r)
     {
-      scale.add(footIn(r, r % every == 0 ? far : 0.001), mesh.Faces, 1.0);
+      scale.add(footIn(r, r % every == 0 ? far : 0.001), mesh.Triangles, 1.0);
     }
     scale.update(neighbors, {});
   };
@@ -65,11 +65,11 @@ TEST(LocalScale, FewFarPatternsAreOutliersManyAreNot)
   for (int i = 0; i < 5; ++i)
   {
     round(100, 0.5);
-    EXPECT_TRUE(scale.outlying(footIn(0, 0.5), mesh.Faces)) << i;
+    EXPECT_TRUE(scale.outlying(footIn(0, 0.5), mesh.Triangles)) << i;
   }
   for (int i = 0; i < 5; ++i)
   {
     round(1, 0.5);
   }
-  EXPECT_FALSE(scale.outlying(footIn(0, 0.5), mesh.Faces));
+  EXPECT_FALSE(scale.outlying(footIn(0, 0.5), mesh.Triangles));
 }

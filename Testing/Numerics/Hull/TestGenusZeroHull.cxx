@@ -73,7 +73,8 @@ Points stack(const Points& a, const Points& b)
 // What every hull must be.
 void expectClosed(const GenusZeroHullResult& hull)
 {
-  const GenusZeroReport report = checkGenusZero(hull.Triangles, hull.Points.rows(), hull.Points);
+  const GenusZeroReport report =
+    checkGenusZero(hull.Triangles, hull.Positions.rows(), hull.Positions);
   EXPECT_TRUE(report.isGenusZero());
   EXPECT_TRUE(report.InconsistentEdges.empty());
   EXPECT_TRUE(report.IsolatedPoints.empty());
@@ -91,7 +92,7 @@ GenusZeroHullResult hullOf(const Points& points, const GenusZeroHullOptions& opt
 // Mean square distance of the samples that are data of the hull.
 double meanSquareDistance(const TrainingSamples& samples, const GenusZeroHullResult& hull)
 {
-  const conformal::TriangleTree tree(hull.Points, hull.Triangles);
+  const conformal::TriangleTree tree(hull.Positions, hull.Triangles);
   double sum = 0.0;
   Index count = 0;
   for (Index i = 0; i < samples.size(); ++i)
@@ -137,7 +138,7 @@ TEST(GenusZeroHull, WrapsASphereAtTheOffset)
     options.Offset = offset;
     const GenusZeroHullResult hull = hullOf(points, options);
     const double radius =
-      std::cbrt(conformal::signedVolume(hull.Points, hull.Triangles) / (4.0 / 3.0 * Pi));
+      std::cbrt(conformal::signedVolume(hull.Positions, hull.Triangles) / (4.0 / 3.0 * Pi));
     EXPECT_NEAR(radius, 1.0 + 0.04 * offset, 0.005);
     EXPECT_EQ(hull.EulerNumber, 1);
     EXPECT_EQ(hull.NumberOfCutNodes, 0);
@@ -174,7 +175,7 @@ TEST(GenusZeroHull, JoinsTangentSpheres)
   right.col(0).array() += 1.0;
   const GenusZeroHullResult hull = hullOf(stack(left, right), spaced(0.02));
   EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
-  EXPECT_NEAR(conformal::signedVolume(hull.Points, hull.Triangles),
+  EXPECT_NEAR(conformal::signedVolume(hull.Positions, hull.Triangles),
     2.0 * 4.0 / 3.0 * Pi * std::pow(0.52, 3), 0.03);
 }
 
@@ -191,7 +192,7 @@ TEST(GenusZeroHull, ClosesHolesByPersistence)
     EXPECT_NEAR(hull.LargestHole.Peak * samples.scale(), 1.0, 0.03);
     EXPECT_EQ(hull.Leaks, std::sin(angle) > 1.0 / 1.5);
     // Closed by about the plane of the rim.
-    const double volume = conformal::signedVolume(hull.Points, hull.Triangles);
+    const double volume = conformal::signedVolume(hull.Positions, hull.Triangles);
     EXPECT_NEAR(volume * std::pow(samples.scale(), 3), 4.0 / 3.0 * Pi * std::pow(1.04, 3), 0.6);
   }
 }
@@ -211,7 +212,7 @@ TEST(GenusZeroHull, LeavesACupOpen)
   const TrainingSamples samples{ PointView(cup) };
   const GenusZeroHullResult hull = hullOf(cup, spaced(0.02));
   const double volume =
-    conformal::signedVolume(hull.Points, hull.Triangles) * std::pow(samples.scale(), 3);
+    conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3);
   const double offset = 0.02 * samples.scale();
   const double wall = 2.0 / 3.0 * Pi * (1.0 - std::pow(0.7, 3));
   const double area = 2.0 * Pi * (1.0 + 0.49) + Pi * (1.0 - 0.49);
@@ -270,7 +271,7 @@ TEST(GenusZeroHull, KeepsAGapBetweenLimbs)
     const TrainingSamples samples{ PointView(points) };
     const GenusZeroHullResult hull = hullOf(points, spaced(h / samples.scale()));
     // Is there surface within the gap's upper part?
-    const conformal::TriangleTree tree(hull.Points, hull.Triangles);
+    const conformal::TriangleTree tree(hull.Positions, hull.Triangles);
     const Vector3 middle = samples.normalize(Vector3(0.0, 0.2, 0.0));
     const double distance = std::sqrt(tree.closestPoint(middle).SquareDistance) * samples.scale();
     if (open)
@@ -316,7 +317,8 @@ TEST(GenusZeroHull, WithstandsOutliers)
     const double spacing = size == 20000 ? 0.02 : 0.04;
     const GenusZeroHullResult hull = hullOf(points, spaced(spacing));
     const double radius = 1.0 + spacing * samples.scale();
-    EXPECT_NEAR(conformal::signedVolume(hull.Points, hull.Triangles) * std::pow(samples.scale(), 3),
+    EXPECT_NEAR(
+      conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3),
       4.0 / 3.0 * Pi * std::pow(radius, 3), 0.2);
     EXPECT_GT(hull.NumberOfSamplesOutside, outliers / 4);
     EXPECT_LE(hull.NumberOfSamplesOutside, outliers);
@@ -380,10 +382,10 @@ TEST(GenusZeroHull, MovesWithTheCloud)
   const GenusZeroHullResult a = makeGenusZeroHull(samples, spaced(0.04));
   const GenusZeroHullResult b = makeGenusZeroHull(movedSamples, spaced(0.04));
   ASSERT_EQ(a.Triangles, b.Triangles);
-  for (Index i = 0; i < a.Points.rows(); ++i)
+  for (Index i = 0; i < a.Positions.rows(); ++i)
   {
-    const Vector3 there = (4.0 * samples.restore(a.Points.row(i))).array() + 16.0;
-    ASSERT_LT((movedSamples.restore(b.Points.row(i)) - there).norm(), 1e-3);
+    const Vector3 there = (4.0 * samples.restore(a.Positions.row(i))).array() + 16.0;
+    ASSERT_LT((movedSamples.restore(b.Positions.row(i)) - there).norm(), 1e-3);
   }
 }
 
@@ -400,7 +402,7 @@ TEST(GenusZeroHull, DoesNotDependOnTheOrderOfBlocks)
   };
   const GenusZeroHullResult a = makeGenusZeroHull(samples, spaced(0.03));
   const GenusZeroHullResult b = makeGenusZeroHull(samples, spaced(0.03), backwards);
-  EXPECT_EQ(a.Points, b.Points);
+  EXPECT_EQ(a.Positions, b.Positions);
   EXPECT_EQ(a.Triangles, b.Triangles);
   EXPECT_EQ(a.NumberOfSamplesOutside, b.NumberOfSamplesOutside);
 }
@@ -506,7 +508,8 @@ TEST(GenusZeroHull, WrapsTheBunny)
   const GenusZeroHullResult closed = makeGenusZeroHull(torn);
   expectClosed(closed);
   EXPECT_TRUE(closed.Leaks);
-  EXPECT_NEAR(conformal::signedVolume(closed.Points, closed.Triangles) * std::pow(torn.scale(), 3) /
-      (conformal::signedVolume(hull.Points, hull.Triangles) * std::pow(samples.scale(), 3)),
+  EXPECT_NEAR(conformal::signedVolume(closed.Positions, closed.Triangles) *
+      std::pow(torn.scale(), 3) /
+      (conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3)),
     1.0, 0.1);
 }

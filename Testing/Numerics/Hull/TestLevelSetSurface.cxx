@@ -12,7 +12,7 @@ using conformal::checkGenusZero;
 using conformal::FreudenthalLattice;
 using conformal::GenusZeroReport;
 using conformal::Index;
-using conformal::LevelSetSurface;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
 
@@ -27,7 +27,7 @@ FreudenthalLattice lattice(int size, double spacing)
   return result;
 }
 
-LevelSetSurface sphere(int size, double spacing, double radius)
+Mesh sphere(int size, double spacing, double radius)
 {
   const FreudenthalLattice nodes = lattice(size, spacing);
   std::vector<float> values(nodes.numberOfNodes());
@@ -47,9 +47,9 @@ TEST(LevelSetSurface, WrapsANode)
   std::vector<std::uint8_t> inside(nodes.numberOfNodes(), 0);
   inside[nodes.node(2, 2, 2)] = 1;
   const std::vector<float> values(inside.size(), 0.0F);
-  const LevelSetSurface surface = conformal::makeLevelSetSurface(nodes, inside, values, 1.0);
+  const Mesh surface = conformal::makeLevelSetSurface(nodes, inside, values, 1.0);
   EXPECT_EQ(surface.Positions.rows(), 14); // one for each neighbor, half way
-  EXPECT_EQ(surface.Faces.rows(), 24);
+  EXPECT_EQ(surface.Triangles.rows(), 24);
   for (Index i = 0; i < 14; ++i)
   {
     const double square = 4.0 * surface.Positions.row(i).squaredNorm();
@@ -75,14 +75,14 @@ TEST(LevelSetSurface, IsClosedAndOfTheSetsTopology)
           inside[node] = random() % 20 <= static_cast<unsigned int>(i);
         }
       });
-    const LevelSetSurface surface = conformal::makeLevelSetSurface(nodes, inside, values, 1.0);
+    const Mesh surface = conformal::makeLevelSetSurface(nodes, inside, values, 1.0);
     const GenusZeroReport report =
-      checkGenusZero(surface.Faces, surface.Positions.rows(), surface.Positions);
+      checkGenusZero(surface.Triangles, surface.Positions.rows(), surface.Positions);
     ASSERT_TRUE(report.closed());
     ASSERT_TRUE(report.manifold());
     ASSERT_TRUE(report.InconsistentEdges.empty());
     ASSERT_TRUE(report.IsolatedPoints.empty());
-    ASSERT_GT(conformal::signedVolume(surface.Positions, surface.Faces), 0.0);
+    ASSERT_GT(conformal::signedVolume(surface.Positions, surface.Triangles), 0.0);
     ASSERT_EQ(report.EulerNumber, 2 * conformal::eulerNumber(nodes, inside));
   }
 }
@@ -90,9 +90,9 @@ TEST(LevelSetSurface, IsClosedAndOfTheSetsTopology)
 TEST(LevelSetSurface, LiesOnTheLevel)
 {
   const double radius = 0.8;
-  const LevelSetSurface surface = sphere(43, 0.05, radius);
+  const Mesh surface = sphere(43, 0.05, radius);
   const GenusZeroReport report =
-    checkGenusZero(surface.Faces, surface.Positions.rows(), surface.Positions);
+    checkGenusZero(surface.Triangles, surface.Positions.rows(), surface.Positions);
   EXPECT_TRUE(report.isGenusZero());
   EXPECT_TRUE(report.DegenerateTriangles.empty());
   for (Index i = 0; i < surface.Positions.rows(); ++i)
@@ -100,13 +100,13 @@ TEST(LevelSetSurface, LiesOnTheLevel)
     // Off the sphere by no more than an edge's sagitta, 3 h^2 / (8 r).
     ASSERT_NEAR(surface.Positions.row(i).norm(), radius, 0.0013);
   }
-  EXPECT_NEAR(conformal::signedVolume(surface.Positions, surface.Faces),
+  EXPECT_NEAR(conformal::signedVolume(surface.Positions, surface.Triangles),
     4.0 / 3.0 * 3.14159265358979 * std::pow(radius, 3), 0.01);
 }
 
 TEST(LevelSetSurface, SmoothingEvensOutWithoutShrinking)
 {
-  LevelSetSurface surface = sphere(43, 0.05, 0.8);
+  Mesh surface = sphere(43, 0.05, 0.8);
   Points& positions = surface.Positions;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.01, 0.01);
@@ -116,11 +116,11 @@ TEST(LevelSetSurface, SmoothingEvensOutWithoutShrinking)
   }
   const auto roughness = [&]()
   { return std::sqrt((positions.rowwise().norm().array() - 0.8).square().mean()); };
-  const double volume = conformal::signedVolume(positions, surface.Faces), rough = roughness();
+  const double volume = conformal::signedVolume(positions, surface.Triangles), rough = roughness();
   const Points before = positions;
-  conformal::smoothSurface(positions, surface.Faces, 0);
+  conformal::smoothSurface(positions, surface.Triangles, 0);
   EXPECT_EQ(positions, before);
-  conformal::smoothSurface(positions, surface.Faces, 10);
+  conformal::smoothSurface(positions, surface.Triangles, 10);
   EXPECT_LT(roughness(), 0.5 * rough);
-  EXPECT_NEAR(conformal::signedVolume(positions, surface.Faces) / volume, 1.0, 0.005);
+  EXPECT_NEAR(conformal::signedVolume(positions, surface.Triangles) / volume, 1.0, 0.005);
 }

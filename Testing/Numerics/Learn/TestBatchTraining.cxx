@@ -107,7 +107,7 @@ TEST(BatchTraining, KeepsAStartThatFits)
   const ConformalSOMResult result = trainBatchFrom(start, samples, options, {}, {});
   EXPECT_FALSE(result.Hulled);
   EXPECT_EQ(result.History.size(), 20U); // a rough start is due twice the rounds
-  EXPECT_LT((result.Weights - start).rowwise().norm().maxCoeff(), 0.05);
+  EXPECT_LT((result.Positions - start).rowwise().norm().maxCoeff(), 0.05);
   EXPECT_EQ(result.UnsupportedFraction, 0.0);
 }
 

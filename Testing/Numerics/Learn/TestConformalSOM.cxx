@@ -3,6 +3,7 @@
 #include "Base/FixedPointSums.h"
 #include "Base/Random.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
 #include "Search/PointTree.h"
 #include "Search/TriangleTree.h"
@@ -81,11 +82,12 @@ double farthestFromData(const Points& points, const ConformalSOMResult& result)
 {
   const conformal::PointTree data{ conformal::PointView(points) };
   double farthest = 0.0;
-  for (Index r = 0; r < result.Network.Faces.rows(); ++r)
+  for (Index r = 0; r < result.Triangles.rows(); ++r)
   {
-    const auto ids = result.Network.Faces.row(r);
+    const auto ids = result.Triangles.row(r);
     const Vector3 center =
-      (result.Weights.row(ids[0]) + result.Weights.row(ids[1]) + result.Weights.row(ids[2])) / 3.0;
+      (result.Positions.row(ids[0]) + result.Positions.row(ids[1]) + result.Positions.row(ids[2])) /
+      3.0;
     farthest = std::max(farthest, data.nearest(center).SquareDistance);
   }
   return std::sqrt(farthest);
@@ -93,7 +95,7 @@ double farthestFromData(const Points& points, const ConformalSOMResult& result)
 
 double pointToSurface(const TrainingSamples& samples, const ConformalSOMResult& result)
 {
-  const conformal::TriangleTree tree(result.Weights, result.Network.Faces);
+  const conformal::TriangleTree tree(result.Positions, result.Triangles);
   double sum = 0.0;
   for (Index i = 0; i < samples.size(); ++i)
   {
@@ -146,15 +148,14 @@ TEST(ConformalSOM, ASpheresCloudGivesASphere)
   for (const ConformalSOMOptions& options : { online(8), batch(8) })
   {
     const ConformalSOMResult result = trainConformalSOM(samples, options);
-    EXPECT_TRUE(
-      conformal::checkGenusZero(result.Network.Faces, result.Weights.rows()).isGenusZero());
+    EXPECT_TRUE(conformal::checkGenusZero(result.Triangles, result.Positions.rows()).isGenusZero());
     double turned = 0.0;
-    for (Index i = 0; i < result.Weights.rows(); ++i)
+    for (Index i = 0; i < result.Positions.rows(); ++i)
     {
-      const Vector3 w = result.Weights.row(i);
+      const Vector3 w = result.Positions.row(i);
       // The neurons average over a neighbourhood (Online) or fit flat triangles (Batch).
       EXPECT_NEAR(w.norm(), 1.0, options.TrainingMode == TrainingMode::Online ? 0.05 : 0.01);
-      turned = std::max(turned, (w.normalized() - Vector3(result.Network.Positions.row(i))).norm());
+      turned = std::max(turned, (w.normalized() - Vector3(result.SpherePositions.row(i))).norm());
     }
     EXPECT_LT(turned, 0.15); // each neuron near where it started: the map is near the identity
   }
@@ -189,11 +190,11 @@ TEST(ConformalSOM, SameInputSameBitsInAnyOrderOfBlocks)
     const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), options);
     const ConformalSOMResult b =
       trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards);
-    EXPECT_EQ(a.Weights, b.Weights);
+    EXPECT_EQ(a.Positions, b.Positions);
     ConformalSOMOptions other = options;
     other.RandomSeed = 2;
     other.SamplesPerNeuron = 3;
-    EXPECT_NE(a.Weights, trainConformalSOM(TrainingSamples(points), other).Weights);
+    EXPECT_NE(a.Positions, trainConformalSOM(TrainingSamples(points), other).Positions);
   }
 }
 
@@ -207,7 +208,7 @@ TEST(ConformalSOM, ScalesBitByBitWithPowersOfTwo)
     {
       const Points scaled = std::ldexp(1.0, power) * points;
       const ConformalSOMResult other = trainConformalSOM(TrainingSamples(scaled), options);
-      EXPECT_EQ(other.Weights, std::ldexp(1.0, power) * result.Weights);
+      EXPECT_EQ(other.Positions, std::ldexp(1.0, power) * result.Positions);
     }
   }
 }
@@ -219,7 +220,7 @@ TEST(ConformalSOM, MovesWithItsPoints)
   const Points moved = points.rowwise() + shift;
   const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), batch(8));
   const ConformalSOMResult b = trainConformalSOM(TrainingSamples(moved), batch(8));
-  EXPECT_LT(((b.Weights.rowwise() - shift) - a.Weights).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT(((b.Positions.rowwise() - shift) - a.Positions).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 // The paper gives priority to extrusive parts: they are drawn more often, and get more neurons.
@@ -236,7 +237,7 @@ TEST(ConformalSOM, PriorityDrawsNeurons)
     const ConformalSOMResult even = trainConformalSOM(TrainingSamples(points), options);
     const ConformalSOMResult pulled = trainConformalSOM(TrainingSamples(points, weights), options);
     const auto above = [](const ConformalSOMResult& result)
-    { return (result.Weights.col(2).array() > 0.5).count(); };
+    { return (result.Positions.col(2).array() > 0.5).count(); };
     EXPECT_GT(above(pulled), above(even) * 11 / 10);
   }
 }
@@ -245,9 +246,9 @@ TEST(ConformalSOM, PlainMapUsesTheWinnersPosition)
 {
   const Points points = potato(5000);
   ConformalSOMOptions options = online(6);
-  const Points conformalMap = trainConformalSOM(TrainingSamples(points), options).Weights;
+  const Points conformalMap = trainConformalSOM(TrainingSamples(points), options).Positions;
   options.ReferencePoint = conformal::ReferencePoint::Winner;
-  const Points plainMap = trainConformalSOM(TrainingSamples(points), options).Weights;
+  const Points plainMap = trainConformalSOM(TrainingSamples(points), options).Positions;
   EXPECT_NE(conformalMap, plainMap);
   EXPECT_LT((conformalMap - plainMap).rowwise().norm().mean(), 0.02);
 }
@@ -268,11 +269,11 @@ TEST(ConformalSOM, WebsAreSeenAndAvoided)
   EXPECT_TRUE(clean.Hulled);
   EXPECT_LT(clean.UnsupportedFraction, 0.002);
   EXPECT_LT(farthestFromData(points, clean), 0.08);
-  EXPECT_TRUE(conformal::checkGenusZero(clean.Network.Faces, clean.Weights.rows()).isGenusZero());
+  EXPECT_TRUE(conformal::checkGenusZero(clean.Triangles, clean.Positions.rows()).isGenusZero());
   EXPECT_LT(pointToSurface(TrainingSamples(points), clean), 1e-4);
-  EXPECT_EQ(clean.Weights,
+  EXPECT_EQ(clean.Positions,
     trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards)
-      .Weights);
+      .Positions);
 }
 
 TEST(ConformalSOM, SimpleObjectsNeedNoHull)
@@ -285,8 +286,8 @@ TEST(ConformalSOM, SimpleObjectsNeedNoHull)
 TEST(ConformalSOM, StartsFromAMappedMesh)
 {
   const Points points = potato(20000);
-  const conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(7);
-  conformal::MappedMesh start{ sphere.Positions, sphere.Faces, sphere.Positions };
+  const conformal::Mesh sphere = conformal::makeGeodesicSphere(7);
+  conformal::MappedMesh start{ sphere.Positions, sphere.Triangles, sphere.Positions };
   start.Positions.col(1) *= 0.7;
   const auto mirrored = [](Points p)
   {
@@ -300,7 +301,7 @@ TEST(ConformalSOM, StartsFromAMappedMesh)
   start.SpherePositions = mirrored(start.SpherePositions);
   const ConformalSOMResult turned = trainConformalSOM(TrainingSamples(points), batch(12), &start);
   EXPECT_LT(pointToSurface(TrainingSamples(points), turned), 2e-5);
-  EXPECT_GT(conformal::signedVolume(turned.Weights, turned.Network.Faces), 0.0);
+  EXPECT_GT(conformal::signedVolume(turned.Positions, turned.Triangles), 0.0);
 
   start.SpherePositions.setConstant(0.5);
   EXPECT_THROW(
@@ -309,7 +310,7 @@ TEST(ConformalSOM, StartsFromAMappedMesh)
   ConformalSOMOptions one = online(7);
   one.NumberOfEpochs = 0;
   start.SpherePositions = sphere.Positions;
-  EXPECT_LT((trainConformalSOM(TrainingSamples(points), one, &start).Weights - start.Positions)
+  EXPECT_LT((trainConformalSOM(TrainingSamples(points), one, &start).Positions - start.Positions)
               .cwiseAbs()
               .maxCoeff(),
     1e-12);
@@ -334,7 +335,7 @@ TEST(ConformalSOM, AutomaticPriorityReachesTips)
       options.AutomaticPriority = automatic;
       options.StartingShape = conformal::StartingShape::Sphere;
       const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
-      const conformal::TriangleTree tree(result.Weights, result.Network.Faces);
+      const conformal::TriangleTree tree(result.Positions, result.Triangles);
       double longest = 0.0;
       for (Index i = 0; i < points.rows(); ++i)
       {
@@ -374,7 +375,7 @@ TEST(ConformalSOM, RanksShareTheSums)
         const TrainingSamples part(own, weights, {}, {}, reduce);
         EXPECT_EQ(part.totalSize(), points.rows());
         const ConformalSOMResult result = trainConformalSOM(part, options);
-        EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+        EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
         EXPECT_EQ(result.UnsupportedFraction, whole.UnsupportedFraction);
       });
   }
@@ -411,7 +412,7 @@ TEST(ConformalSOM, RanksPresentTheSamePatterns)
         const TrainingSamples part(
           own, weighted ? conformal::NumberView(weights) : conformal::NumberView(), {}, {}, reduce);
         const ConformalSOMResult result = trainConformalSOM(part, options);
-        EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+        EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
         EXPECT_EQ(conformal::quantizationErrors(part, result, {}), errors);
       });
   }
@@ -437,7 +438,7 @@ TEST(ConformalSOM, RanksWithoutPointsDrawWithTheOthers)
       const TrainingSamples part(
         own, hasAll ? conformal::NumberView(priority) : conformal::NumberView(), {}, {}, reduce);
       EXPECT_TRUE(part.weighted());
-      EXPECT_EQ(trainConformalSOM(part, options).Weights, whole.Weights) << reduce.Rank;
+      EXPECT_EQ(trainConformalSOM(part, options).Positions, whole.Positions) << reduce.Rank;
     });
 }
 
@@ -468,7 +469,7 @@ TEST(ConformalSOM, RanksShareTheHull)
                                           : Points(points.bottomRows(points.rows() - 2500));
       const ConformalSOMResult result =
         trainConformalSOM(TrainingSamples(own, {}, {}, {}, reduce), options);
-      EXPECT_EQ(result.Weights, whole.Weights) << reduce.Rank;
+      EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
       EXPECT_EQ(result.NumberOfSamplesOutside, whole.NumberOfSamplesOutside);
     });
 }
@@ -497,7 +498,7 @@ TEST(ConformalSOM, QuantizationErrorIsTheNeuronsScatter)
   const TrainingSamples samples(points);
   const ConformalSOMResult result = trainConformalSOM(samples, batch(4));
   const std::vector<double> errors = conformal::quantizationErrors(samples, result);
-  ASSERT_EQ(static_cast<Index>(errors.size()), result.Weights.rows());
+  ASSERT_EQ(static_cast<Index>(errors.size()), result.Positions.rows());
   // 162 cells of area 4 pi / 162: discs of that area have a root mean square radius of 0.11.
   double mean = 0.0;
   for (double error : errors)
@@ -525,8 +526,8 @@ TEST(ConformalSOM, DegenerateCloudsGiveFiniteMeshes)
     for (const ConformalSOMOptions& options : { online(4), batch(4) })
     {
       const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
-      EXPECT_EQ(result.Weights.rows(), 162);
-      EXPECT_TRUE(result.Weights.allFinite());
+      EXPECT_EQ(result.Positions.rows(), 162);
+      EXPECT_TRUE(result.Positions.allFinite());
     }
   }
 }

@@ -50,27 +50,28 @@ struct Displaced
     : Truth(conformal::makeGeodesicSphere(3))
   {
     this->Truth.Positions *= Vector3(1.0, 0.8, 0.9).asDiagonal();
-    this->Cloud = samplesOf(this->Truth.Positions, this->Truth.Faces, 60);
-    this->Start.Network = conformal::makeGeodesicSphere(3);
-    this->Start.Weights = this->Truth.Positions;
+    this->Cloud = samplesOf(this->Truth.Positions, this->Truth.Triangles, 60);
+    this->Start.SpherePositions = conformal::makeGeodesicSphere(3).Positions;
+    this->Start.Triangles = this->Truth.Triangles;
+    this->Start.Positions = this->Truth.Positions;
     const TrainingSamples samples{ PointView(this->Cloud) };
     Random random(7);
-    for (Index v = 0; v < this->Start.Weights.rows(); ++v)
+    for (Index v = 0; v < this->Start.Positions.rows(); ++v)
     {
       const Vector3 shift(random.uniform(), random.uniform(), random.uniform());
-      this->Start.Weights.row(v) = samples.normalize(this->Truth.Positions.row(v)) +
+      this->Start.Positions.row(v) = samples.normalize(this->Truth.Positions.row(v)) +
         displacement * (shift - Vector3::Constant(0.5));
     }
   }
 
-  conformal::GeodesicSphere Truth;
+  conformal::Mesh Truth;
   Points Cloud;
   ConformalSOMResult Start;
 };
 
 double farthest(const TrainingSamples& samples, const ConformalSOMResult& result, Index first)
 {
-  const conformal::TriangleTree surface(result.Weights, result.Network.Faces);
+  const conformal::TriangleTree surface(result.Positions, result.Triangles);
   double square = 0.0;
   for (Index i = 0; i < first; ++i)
   {
@@ -108,14 +109,14 @@ TEST(LeastSquaresPolish, FindsTheMeshThatThePatternsLieOn)
 TEST(LeastSquaresPolish, WithoutRoundsDoesNothing)
 {
   Displaced mesh(0.05);
-  const Points start = mesh.Start.Weights;
+  const Points start = mesh.Start.Positions;
   PolishOptions options;
   options.NumberOfRounds = 0;
   const std::vector<double> masses =
     polish(TrainingSamples{ PointView(mesh.Cloud) }, options, {}, {}, mesh.Start);
-  EXPECT_EQ(mesh.Start.Weights, start);
+  EXPECT_EQ(mesh.Start.Positions, start);
   EXPECT_TRUE(mesh.Start.History.empty());
-  EXPECT_EQ(masses, std::vector<double>(mesh.Start.Network.Faces.rows(), 0.0));
+  EXPECT_EQ(masses, std::vector<double>(mesh.Start.Triangles.rows(), 0.0));
 }
 
 // Every pattern has its foot in one triangle.
@@ -189,5 +190,5 @@ TEST(LeastSquaresPolish, DoesNotDependOnTheOrderOfBlocks)
   };
   polish(samples, {}, {}, {}, one.Start);
   polish(samples, {}, backwards, {}, other.Start);
-  EXPECT_EQ(one.Start.Weights, other.Start.Weights);
+  EXPECT_EQ(one.Start.Positions, other.Start.Positions);
 }

@@ -10,9 +10,9 @@
 
 using conformal::ConformalSOMOptions;
 using conformal::ConformalSOMResult;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::PointView;
 using conformal::TrainingSamples;
@@ -46,7 +46,7 @@ ConformalSOMOptions few(int epochs, int steps)
 
 ConformalSOMResult trained(const TrainingSamples& samples, const ConformalSOMOptions& options)
 {
-  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
+  const Mesh network = makeGeodesicSphere(options.Frequency);
   return trainOnline(samples, network, network.Positions, options, {});
 }
 }
@@ -58,7 +58,7 @@ TEST(OnlineTraining, AgreesWithBruteForce)
   const Points cloud = ellipsoidCloud(2000);
   const TrainingSamples samples{ PointView(cloud) };
   const ConformalSOMOptions options = few(10, 400);
-  const Points fast = trained(samples, options).Weights;
+  const Points fast = trained(samples, options).Positions;
   const Points reference = reference::trainByBruteForce(samples, options);
   const Points start = makeGeodesicSphere(options.Frequency).Positions;
   const double moved = (fast - start).rowwise().norm().mean();
@@ -76,8 +76,8 @@ TEST(OnlineTraining, OneStepIsEquation3)
   options.ReferencePoint = conformal::ReferencePoint::Winner;
   options.InitialLearningRate = 0.5;
   options.InitialNeighborhoodRadius = 0.6;
-  const GeodesicSphere network = makeGeodesicSphere(options.Frequency);
-  const Points after = trained(samples, options).Weights;
+  const Mesh network = makeGeodesicSphere(options.Frequency);
+  const Points after = trained(samples, options).Positions;
 
   // Which of the two was drawn shows in where the neurons went.
   const Vector3 drift = (after - network.Positions).colwise().sum();
@@ -114,7 +114,7 @@ TEST(OnlineTraining, WithoutEpochsIsTheStart)
 {
   const Points cloud = ellipsoidCloud(100);
   const ConformalSOMResult result = trained(TrainingSamples{ PointView(cloud) }, few(0, 10));
-  EXPECT_EQ(result.Weights, makeGeodesicSphere(6).Positions);
+  EXPECT_EQ(result.Positions, makeGeodesicSphere(6).Positions);
   EXPECT_TRUE(result.History.empty());
 }
 
@@ -130,7 +130,7 @@ TEST(OnlineTraining, DrawsByPriority)
   options.InitialLearningRate = 1e-6;        // steps add up, and hardly change the winners
   options.InitialNeighborhoodRadius = 100.0; // all neurons move alike
   const Points start = makeGeodesicSphere(options.Frequency).Positions;
-  const Vector3 drift = (trained(samples, options).Weights - start).colwise().mean();
+  const Vector3 drift = (trained(samples, options).Positions - start).colwise().mean();
   const Vector3 expected =
     (4.0 * samples[0] + samples[1] + samples[2]) / 6.0 * (6000 * options.InitialLearningRate);
   EXPECT_LT((drift - expected).norm(), 0.05 * samples[0].norm() * 6000 * 1e-6);

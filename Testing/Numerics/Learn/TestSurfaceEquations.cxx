@@ -18,9 +18,9 @@ struct Drawn
 {
   explicit Drawn(int frequency)
     : Mesh(conformal::makeGeodesicSphere(frequency))
-    , Neighbors(conformal::vertexNeighbors(this->Mesh.Faces, this->Mesh.Positions.rows()))
-    , Tree(this->Mesh.Positions, this->Mesh.Faces)
-    , Equations(this->Mesh.Faces, this->Neighbors)
+    , Neighbors(conformal::vertexNeighbors(this->Mesh.Triangles, this->Mesh.Positions.rows()))
+    , Tree(this->Mesh.Positions, this->Mesh.Triangles)
+    , Equations(this->Mesh.Triangles, this->Neighbors)
   {
     this->Equations.clear();
   }
@@ -42,7 +42,7 @@ struct Drawn
       this->Mesh.Positions, Eigen::VectorXd::Constant(size, stiffness), evenness, {}, {});
   }
 
-  conformal::GeodesicSphere Mesh;
+  conformal::Mesh Mesh;
   conformal::Adjacency Neighbors;
   conformal::TriangleTree Tree;
   SurfaceEquations Equations;
@@ -70,7 +70,7 @@ TEST(SurfaceEquations, MeetsPatternsAtOnce)
   const Points directions = conformal::makeGeodesicSphere(41).Positions;
   drawn.add(directions, [&](const Vector3& n) { return Vector3(radius * n); });
   const Points weights = drawn.Mesh.Positions + drawn.solve(1e-4);
-  const conformal::TriangleTree after(weights, drawn.Mesh.Faces);
+  const conformal::TriangleTree after(weights, drawn.Mesh.Triangles);
   double before = 0.0, left = 0.0, bias = 0.0;
   for (Index i = 0; i < directions.rows(); ++i)
   {

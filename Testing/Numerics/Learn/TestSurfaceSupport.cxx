@@ -16,23 +16,23 @@ struct Sphere
 {
   explicit Sphere(int frequency)
     : Mesh(conformal::makeGeodesicSphere(frequency))
-    , Neighbors(conformal::vertexNeighbors(this->Mesh.Faces, this->Mesh.Positions.rows()))
+    , Neighbors(conformal::vertexNeighbors(this->Mesh.Triangles, this->Mesh.Positions.rows()))
   {
   }
   double unsupported(const std::vector<double>& masses) const
   {
-    return conformal::areaFraction(this->Mesh.Positions, this->Mesh.Faces,
+    return conformal::areaFraction(this->Mesh.Positions, this->Mesh.Triangles,
       conformal::unsupportedVertices(
-        this->Mesh.Positions, this->Mesh.Faces, this->Neighbors, masses));
+        this->Mesh.Positions, this->Mesh.Triangles, this->Neighbors, masses));
   }
   double height(Index face) const
   {
-    return (this->Mesh.Positions(this->Mesh.Faces(face, 0), 2) +
-             this->Mesh.Positions(this->Mesh.Faces(face, 1), 2) +
-             this->Mesh.Positions(this->Mesh.Faces(face, 2), 2)) /
+    return (this->Mesh.Positions(this->Mesh.Triangles(face, 0), 2) +
+             this->Mesh.Positions(this->Mesh.Triangles(face, 1), 2) +
+             this->Mesh.Positions(this->Mesh.Triangles(face, 2), 2)) /
       3.0;
   }
-  conformal::GeodesicSphere Mesh;
+  conformal::Mesh Mesh;
   conformal::Adjacency Neighbors;
 };
 }
@@ -44,10 +44,10 @@ TEST(SurfaceSupport, RandomPatternsSupportAll)
   for (int patterns : { 500, 4000, 100000 })
   {
     conformal::Random random(1);
-    std::vector<double> masses(sphere.Mesh.Faces.rows(), 0.0);
+    std::vector<double> masses(sphere.Mesh.Triangles.rows(), 0.0);
     for (int i = 0; i < patterns; ++i)
     {
-      masses[random.index(sphere.Mesh.Faces.rows())] += 1.0;
+      masses[random.index(sphere.Mesh.Triangles.rows())] += 1.0;
     }
     EXPECT_EQ(sphere.unsupported(masses), 0.0) << patterns;
   }
@@ -58,7 +58,7 @@ TEST(SurfaceSupport, ABareCapIsFound)
   const Sphere sphere(36);
   for (double height : { 0.5, 0.8 })
   {
-    std::vector<double> masses(sphere.Mesh.Faces.rows());
+    std::vector<double> masses(sphere.Mesh.Triangles.rows());
     for (std::size_t r = 0; r < masses.size(); ++r)
     {
       masses[r] = sphere.height(static_cast<Index>(r)) > height ? 0.0 : 2.0;
@@ -75,17 +75,17 @@ TEST(SurfaceSupport, NoPatternsOrNoAreaIsNoFinding)
   EXPECT_EQ(sphere.unsupported(std::vector<double>(180, 0.0)), 0.0);
   const conformal::Points point = conformal::Points::Zero(sphere.Mesh.Positions.rows(), 3);
   const std::vector<bool> vertices = conformal::unsupportedVertices(
-    point, sphere.Mesh.Faces, sphere.Neighbors, std::vector<double>(180, 1.0));
+    point, sphere.Mesh.Triangles, sphere.Neighbors, std::vector<double>(180, 1.0));
   EXPECT_EQ(std::count(vertices.begin(), vertices.end(), true), 0);
-  EXPECT_EQ(conformal::areaFraction(point, sphere.Mesh.Faces, vertices), 0.0);
+  EXPECT_EQ(conformal::areaFraction(point, sphere.Mesh.Triangles, vertices), 0.0);
 }
 
 TEST(SurfaceSupport, StretchingMakesTrianglesObtuse)
 {
   Sphere sphere(10);
-  EXPECT_EQ(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Faces), 0.0);
+  EXPECT_EQ(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Triangles), 0.0);
   sphere.Mesh.Positions.col(2) *= 4.0;
-  EXPECT_GT(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Faces), 0.3);
+  EXPECT_GT(conformal::obtuseFraction(sphere.Mesh.Positions, sphere.Mesh.Triangles), 0.3);
 }
 
 // A sphere sampled thirty times as thinly on one half has no gap there.

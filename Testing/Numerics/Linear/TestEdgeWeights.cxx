@@ -22,9 +22,9 @@ Points pyramid(double height)
 
 Triangles pyramidFaces()
 {
-  Triangles faces(4, 3);
-  faces << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
-  return faces;
+  Triangles triangles(4, 3);
+  triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  return triangles;
 }
 }
 
@@ -47,28 +47,28 @@ TEST(EdgeWeights, CountsWhatBreaksAHarmonicMap)
 {
   Points points(5, 3);
   points << pyramid(0.05), 0.5, std::sqrt(0.75) / 3.0, -0.05;
-  Triangles faces(6, 3);
-  faces << 0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4, 2, 1, 4, 0, 2, 4;
-  EXPECT_EQ(conformal::harmonicStrings(points, faces).NumberOfNegative, 3);
-  EXPECT_EQ(conformal::harmonicStrings(points, faces).NumberOfInfinite, 0);
+  Triangles triangles(6, 3);
+  triangles << 0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4, 2, 1, 4, 0, 2, 4;
+  EXPECT_EQ(conformal::harmonicStrings(points, triangles).NumberOfNegative, 3);
+  EXPECT_EQ(conformal::harmonicStrings(points, triangles).NumberOfInfinite, 0);
   points.row(3) = 0.5 * (points.row(0) + points.row(1)); // on an edge: a triangle without area
-  EXPECT_EQ(conformal::harmonicStrings(points, faces).NumberOfInfinite, 3);
+  EXPECT_EQ(conformal::harmonicStrings(points, triangles).NumberOfInfinite, 3);
 }
 
 // Half the sum of string times squared length is the area for the surface itself.
 TEST(EdgeWeights, TheEnergyOfASurfaceIsItsArea)
 {
   const auto sphere = conformal::makeGeodesicSphere(30);
-  const auto strings = conformal::harmonicStrings(sphere.Positions, sphere.Faces);
+  const auto strings = conformal::harmonicStrings(sphere.Positions, sphere.Triangles);
   double area = 0.0;
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
-    const conformal::Vector3 a = sphere.Positions.row(sphere.Faces(r, 0));
+    const conformal::Vector3 a = sphere.Positions.row(sphere.Triangles(r, 0));
     area += 0.5 *
-      (sphere.Positions.row(sphere.Faces(r, 1)).transpose() - a)
-        .cross(sphere.Positions.row(sphere.Faces(r, 2)).transpose() - a)
+      (sphere.Positions.row(sphere.Triangles(r, 1)).transpose() - a)
+        .cross(sphere.Positions.row(sphere.Triangles(r, 2)).transpose() - a)
         .norm();
   }
   EXPECT_NEAR(conformal::stringEnergy(strings.Strings, sphere.Positions), area, 1e-10);
-  EXPECT_NEAR(conformal::vertexAreas(sphere.Positions, sphere.Faces).sum(), 6.0 * area, 1e-9);
+  EXPECT_NEAR(conformal::vertexAreas(sphere.Positions, sphere.Triangles).sum(), 6.0 * area, 1e-9);
 }

@@ -29,7 +29,7 @@ struct Membrane
 Membrane membrane(int frequency)
 {
   const auto sphere = conformal::makeGeodesicSphere(frequency);
-  Membrane result = { conformal::equalWeights(sphere.Faces, sphere.Positions.rows()), {},
+  Membrane result = { conformal::equalWeights(sphere.Triangles, sphere.Positions.rows()), {},
     sphere.Positions };
   conformal::Random random(1);
   EdgeWeights& weights = result.Weights;
@@ -146,7 +146,7 @@ TEST(MultifrontalCholesky, RefusesWhatWouldFillUp)
 TEST(MultifrontalCholesky, PartsAreKeptApart)
 {
   const auto sphere = conformal::makeGeodesicSphere(30);
-  const auto neighbors = conformal::vertexNeighbors(sphere.Faces, sphere.Positions.rows());
+  const auto neighbors = conformal::vertexNeighbors(sphere.Triangles, sphere.Positions.rows());
   const auto order = conformal::dissect(neighbors, sphere.Positions);
   ASSERT_GT(order.Parts.size(), 100u);
   // The part that each unknown lies in, and the parts above that.

@@ -50,12 +50,12 @@ TEST(Distortion, IdentityHasNone)
   for (double unit : { 1.0, 1e-180, 1e180 })
   {
     const Points mesh = unit * sphere.Positions;
-    const Distortion distortion = measureDistortion(mesh, sphere.Faces, sphere.Positions);
+    const Distortion distortion = measureDistortion(mesh, sphere.Triangles, sphere.Positions);
     EXPECT_NEAR(distortion.SphereDegree, 1.0, 1e-12);
     EXPECT_EQ(distortion.NumberOfFlippedTriangles, 0);
     EXPECT_EQ(distortion.NumberOfZeroAreaTriangles, 0);
     EXPECT_NEAR(distortion.AreaDistortionDeviation, 0.0, 1e-12);
-    for (Index r = 0; r < sphere.Faces.rows(); ++r)
+    for (Index r = 0; r < sphere.Triangles.rows(); ++r)
     {
       ASSERT_NEAR(distortion.AngleDistortion[r], 0.0, 1e-10);
       ASSERT_NEAR(distortion.AreaDistortion[r], 0.0, 1e-12);
@@ -117,7 +117,7 @@ TEST(Distortion, MobiusImageIsConformalInTheLimit)
   {
     const auto sphere = conformal::makeGeodesicSphere(f);
     const Distortion distortion =
-      measureDistortion(sphere.Positions, sphere.Faces, mobiusImage(sphere.Positions));
+      measureDistortion(sphere.Positions, sphere.Triangles, mobiusImage(sphere.Positions));
     const double error = distortion.MeanQuasiConformalError - 1.0;
     if (previous > 0.0)
     {
@@ -138,9 +138,9 @@ TEST(Distortion, CountsFlipsWhateverTheOrientationOfTheWhole)
   const Index inside = 200; // of six triangles
   Points positions = sphere.Positions;
   const conformal::Adjacency around =
-    conformal::vertexTriangles(sphere.Faces, sphere.Positions.rows());
+    conformal::vertexTriangles(sphere.Triangles, sphere.Positions.rows());
   ASSERT_EQ(around.size(inside), 6);
-  const auto corners = sphere.Faces.row(*around.begin(inside));
+  const auto corners = sphere.Triangles.row(*around.begin(inside));
   Vector3 edge = Vector3::Zero();
   for (int id : { corners[0], corners[1], corners[2] })
   {
@@ -149,9 +149,9 @@ TEST(Distortion, CountsFlipsWhateverTheOrientationOfTheWhole)
   const Vector3 old = sphere.Positions.row(inside);
   positions.row(inside) = (old + 1.1 * (edge - old)).normalized();
   EXPECT_EQ(
-    measureDistortion(sphere.Positions, sphere.Faces, positions).NumberOfFlippedTriangles, 1);
+    measureDistortion(sphere.Positions, sphere.Triangles, positions).NumberOfFlippedTriangles, 1);
   positions.col(0) *= -1.0;
-  const Distortion mirrored = measureDistortion(sphere.Positions, sphere.Faces, positions);
+  const Distortion mirrored = measureDistortion(sphere.Positions, sphere.Triangles, positions);
   EXPECT_EQ(mirrored.NumberOfFlippedTriangles, 1);
   EXPECT_NEAR(mirrored.SphereDegree, 1.0, 1e-12);
 }

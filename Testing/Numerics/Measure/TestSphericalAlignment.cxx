@@ -26,7 +26,7 @@ conformal::MoebiusTransform someTransform()
 }
 
 // An egg as a mesh of any density.
-conformal::GeodesicSphere egg(int frequency)
+conformal::Mesh egg(int frequency)
 {
   auto mesh = conformal::makeGeodesicSphere(frequency);
   for (Index v = 0; v < mesh.Positions.rows(); ++v)
@@ -78,9 +78,9 @@ TEST(SphericalAlignment, RefusesTooFewPlaces)
 TEST(SphericalAlignment, MapsOfOneSurfaceAgree)
 {
   const auto coarse = egg(20), fine = egg(31);
-  const Points map = conformal::globalConformalMap(coarse.Positions, coarse.Faces).Positions;
-  conformal::MappedMesh other = { fine.Positions, fine.Faces,
-    conformal::globalConformalMap(fine.Positions, fine.Faces).Positions };
+  const Points map = conformal::globalConformalMap(coarse).Positions;
+  conformal::MappedMesh other = { fine.Positions, fine.Triangles,
+    conformal::globalConformalMap(fine).Positions };
   someTransform().applyTo(other.SpherePositions);
   const Points carried = conformal::carryMap(coarse.Positions, other);
   const auto result =

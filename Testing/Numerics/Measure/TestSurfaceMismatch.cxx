@@ -46,9 +46,9 @@ Points square(double z)
 
 Triangles squareFaces()
 {
-  Triangles faces(2, 3);
-  faces << 0, 1, 2, 0, 2, 3;
-  return faces;
+  Triangles triangles(2, 3);
+  triangles << 0, 1, 2, 0, 2, 3;
+  return triangles;
 }
 }
 
@@ -71,8 +71,8 @@ TEST(SurfaceMismatch, KnowsConcentricSpheres)
 {
   const auto sphere = conformal::makeGeodesicSphere(20);
   const Points outer = 1.25 * sphere.Positions;
-  const SurfaceMismatch figures =
-    measureSurfaceMismatch(outer, sphere.Faces, sphere.Positions, sphere.Faces, fewSamples());
+  const SurfaceMismatch figures = measureSurfaceMismatch(
+    outer, sphere.Triangles, sphere.Positions, sphere.Triangles, fewSamples());
   EXPECT_NEAR(figures.LengthUnit, 1.0, 1e-12);
   EXPECT_NEAR(std::sqrt(figures.MeanSquarePointToSurface), 0.25, 1.6e-3); // facets lie inside
   EXPECT_NEAR(std::sqrt(figures.MeanSquarePointToVertex), 0.25, 1e-12);
@@ -111,11 +111,11 @@ TEST(SurfaceMismatch, SeesAWeb)
 {
   Points model(8, 3);
   model << square(0), square(1);
-  Triangles data(4, 3), faces(6, 3);
+  Triangles data(4, 3), triangles(6, 3);
   data << 0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7;
-  faces << data, 0, 1, 4, 1, 5, 4; // a wall of area 2 beside two squares of area 4
+  triangles << data, 0, 1, 4, 1, 5, 4; // a wall of area 2 beside two squares of area 4
   const SurfaceMismatch figures =
-    measureSurfaceMismatch(model, faces, model, data, inUnit(MismatchUnit::None));
+    measureSurfaceMismatch(model, triangles, model, data, inUnit(MismatchUnit::None));
   EXPECT_EQ(figures.MeanSquarePointToSurface, 0.0);
   EXPECT_NEAR(figures.WebFraction, 0.2 * (1.0 - 2.0 * conformal::WebDistance), 1e-4);
   // On the wall the square distance is min(z, 1 - z)^2, in the mean 1/12.
@@ -177,9 +177,9 @@ TEST(SurfaceMismatch, DoesNotDependOnThreads)
     odd.join();
   };
   const SurfaceMismatch one = measureSurfaceMismatch(
-    coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, fewSamples());
-  const SurfaceMismatch two = measureSurfaceMismatch(
-    coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, fewSamples(), backwardsOnTwo);
+    coarse.Positions, coarse.Triangles, fine.Positions, fine.Triangles, fewSamples());
+  const SurfaceMismatch two = measureSurfaceMismatch(coarse.Positions, coarse.Triangles,
+    fine.Positions, fine.Triangles, fewSamples(), backwardsOnTwo);
   EXPECT_EQ(one.MeanSquarePointToSurface, two.MeanSquarePointToSurface);
   EXPECT_EQ(one.MeanSquareSurfaceToPoint, two.MeanSquareSurfaceToPoint);
   EXPECT_EQ(one.ModelDistances, two.ModelDistances);
@@ -189,11 +189,11 @@ TEST(SurfaceMismatch, SeedChangesTheSamplesOnly)
 {
   const auto coarse = conformal::makeGeodesicSphere(3), fine = conformal::makeGeodesicSphere(10);
   SurfaceMismatchOptions options = fewSamples();
-  const SurfaceMismatch one =
-    measureSurfaceMismatch(coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, options);
+  const SurfaceMismatch one = measureSurfaceMismatch(
+    coarse.Positions, coarse.Triangles, fine.Positions, fine.Triangles, options);
   options.RandomSeed = 2;
-  const SurfaceMismatch two =
-    measureSurfaceMismatch(coarse.Positions, coarse.Faces, fine.Positions, fine.Faces, options);
+  const SurfaceMismatch two = measureSurfaceMismatch(
+    coarse.Positions, coarse.Triangles, fine.Positions, fine.Triangles, options);
   EXPECT_NE(one.MeanSquareSurfaceToPoint, two.MeanSquareSurfaceToPoint);
   EXPECT_NEAR(one.MeanSquareSurfaceToPoint / two.MeanSquareSurfaceToPoint, 1.0, 2e-2);
   EXPECT_EQ(one.MeanSquarePointToSurface, two.MeanSquarePointToSurface);
@@ -211,26 +211,27 @@ TEST(SurfaceMismatch, MeasuresAModelWithoutArea)
 TEST(SurfaceMismatch, RefusesWhatCannotBeMeasured)
 {
   const Points good = square(0), none(0, 3), spot = Points::Ones(3, 3);
-  const Triangles faces = squareFaces(), noFaces(0, 3);
-  EXPECT_THROW(measureSurfaceMismatch(good, noFaces, good, faces), std::invalid_argument);
-  EXPECT_THROW(measureSurfaceMismatch(good, faces, none, noFaces), std::invalid_argument);
-  EXPECT_THROW(measureSurfaceMismatch(good, faces, spot, noFaces), std::invalid_argument);
+  const Triangles triangles = squareFaces(), noFaces(0, 3);
+  EXPECT_THROW(measureSurfaceMismatch(good, noFaces, good, triangles), std::invalid_argument);
+  EXPECT_THROW(measureSurfaceMismatch(good, triangles, none, noFaces), std::invalid_argument);
+  EXPECT_THROW(measureSurfaceMismatch(good, triangles, spot, noFaces), std::invalid_argument);
   Points bad = good;
   bad(1, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(measureSurfaceMismatch(bad, faces, good, faces), std::invalid_argument);
-  EXPECT_THROW(measureSurfaceMismatch(good, faces, bad, faces), std::invalid_argument);
+  EXPECT_THROW(measureSurfaceMismatch(bad, triangles, good, triangles), std::invalid_argument);
+  EXPECT_THROW(measureSurfaceMismatch(good, triangles, bad, triangles), std::invalid_argument);
   SurfaceMismatchOptions options = inUnit(MismatchUnit::None);
-  EXPECT_THROW(
-    measureSurfaceMismatch(Points(1e200 * good), faces, good, faces, options), std::overflow_error);
+  EXPECT_THROW(measureSurfaceMismatch(Points(1e200 * good), triangles, good, triangles, options),
+    std::overflow_error);
   options.NumberOfSamples = 0;
-  EXPECT_THROW(measureSurfaceMismatch(good, faces, good, faces, options), std::invalid_argument);
+  EXPECT_THROW(
+    measureSurfaceMismatch(good, triangles, good, triangles, options), std::invalid_argument);
 }
 
 TEST(SurfaceMismatch, ReportsProgressAndStops)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
   double last = 0.0;
-  measureSurfaceMismatch(sphere.Positions, sphere.Faces, sphere.Positions, sphere.Faces,
+  measureSurfaceMismatch(sphere.Positions, sphere.Triangles, sphere.Positions, sphere.Triangles,
     fewSamples(), {},
     [&](double fraction)
     {
@@ -239,7 +240,7 @@ TEST(SurfaceMismatch, ReportsProgressAndStops)
       return true;
     });
   EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(measureSurfaceMismatch(sphere.Positions, sphere.Faces, sphere.Positions,
-                 sphere.Faces, {}, {}, [](double) { return false; }),
+  EXPECT_THROW(measureSurfaceMismatch(sphere.Positions, sphere.Triangles, sphere.Positions,
+                 sphere.Triangles, {}, {}, [](double) { return false; }),
     conformal::Aborted);
 }

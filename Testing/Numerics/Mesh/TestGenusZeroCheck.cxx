@@ -68,7 +68,7 @@ TEST(GenusZeroCheck, AcceptsASphere)
 {
   const auto sphere = conformal::makeGeodesicSphere(4);
   const GenusZeroReport report =
-    checkGenusZero(sphere.Faces, sphere.Positions.rows(), sphere.Positions);
+    checkGenusZero(sphere.Triangles, sphere.Positions.rows(), sphere.Positions);
   EXPECT_TRUE(report.isGenusZero());
   EXPECT_TRUE(report.Orientable);
   EXPECT_FALSE(report.InsideOut);
@@ -82,14 +82,14 @@ TEST(GenusZeroCheck, FindsHoles)
 {
   const auto sphere = conformal::makeGeodesicSphere(4);
   // Two triangles far apart: two loops of three edges, found in the direction of their triangle.
-  const Triangles open = withoutRow(withoutRow(sphere.Faces, 200), 0);
+  const Triangles open = withoutRow(withoutRow(sphere.Triangles, 200), 0);
   const GenusZeroReport report = checkGenusZero(open, sphere.Positions.rows());
   EXPECT_FALSE(report.isGenusZero());
   EXPECT_TRUE(report.manifold());
   EXPECT_EQ(report.BoundaryEdges.size(), 6u);
   EXPECT_EQ(report.NumberOfBoundaryLoops, 2);
   EXPECT_EQ(report.EulerNumber, 0);
-  const Edge across = { sphere.Faces(0, 1), sphere.Faces(0, 0) };
+  const Edge across = { sphere.Triangles(0, 1), sphere.Triangles(0, 0) };
   EXPECT_EQ(std::count(report.BoundaryEdges.begin(), report.BoundaryEdges.end(), across), 1);
   EXPECT_NE(conformal::describe(report)[1].find("6 boundary edges in 2 loops"), std::string::npos);
 }
@@ -141,7 +141,7 @@ TEST(GenusZeroCheck, FindsWhatIsNotManifold)
 TEST(GenusZeroCheck, OrientsByMajority)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
-  Triangles mixed = sphere.Faces;
+  Triangles mixed = sphere.Triangles;
   for (Index r : { 0, 7, 8, 100 })
   {
     std::swap(mixed(r, 1), mixed(r, 2));
@@ -159,7 +159,7 @@ TEST(GenusZeroCheck, OrientsByMajority)
 TEST(GenusZeroCheck, TellsInsideOut)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
-  Triangles inward = sphere.Faces;
+  Triangles inward = sphere.Triangles;
   inward.col(1).swap(inward.col(2));
   const GenusZeroReport report = checkGenusZero(inward, sphere.Positions.rows(), sphere.Positions);
   EXPECT_TRUE(report.InsideOut);
@@ -210,16 +210,16 @@ TEST(GenusZeroCheck, AreasDoNotDependOnTheUnit)
 TEST(GenusZeroCheck, WeldsASoup)
 {
   const auto sphere = conformal::makeGeodesicSphere(5);
-  const Index size = sphere.Faces.size();
-  Triangles soup(sphere.Faces.rows(), 3);
+  const Index size = sphere.Triangles.size();
+  Triangles soup(sphere.Triangles.rows(), 3);
   Points corners(size, 3);
   for (Index i = 0; i < size; ++i)
   {
     soup.data()[i] = static_cast<int>(i);
-    corners.row(i) = sphere.Positions.row(sphere.Faces.data()[i]);
+    corners.row(i) = sphere.Positions.row(sphere.Triangles.data()[i]);
   }
   const GenusZeroReport before = checkGenusZero(soup, size, corners);
-  EXPECT_EQ(before.NumberOfComponents, sphere.Faces.rows());
+  EXPECT_EQ(before.NumberOfComponents, sphere.Triangles.rows());
   EXPECT_EQ(conformal::mergeCoincidentBoundaryPoints(soup, corners, before),
     size - sphere.Positions.rows());
   const std::vector<int> kept = conformal::dropIsolatedPoints(soup, size);
@@ -258,7 +258,7 @@ TEST(GenusZeroCheck, RefusesIdsOutOfRange)
 TEST(GenusZeroCheck, StopsWhenAsked)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
-  EXPECT_THROW(checkGenusZero(sphere.Faces, sphere.Positions.rows(), {},
+  EXPECT_THROW(checkGenusZero(sphere.Triangles, sphere.Positions.rows(), {},
                  [](double fraction) { return fraction < 0.5; }),
     conformal::Aborted);
 }

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Vector3;
 
 namespace
@@ -23,9 +23,9 @@ TEST(GeodesicSphere, CountsAreThePapers)
 {
   for (int f : Frequencies)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(f);
-    EXPECT_EQ(sphere.Faces.rows(), 20 * f * f);
-    EXPECT_EQ(sphere.Positions.rows(), sphere.Faces.rows() / 2 + 2);
+    const Mesh sphere = makeGeodesicSphere(f);
+    EXPECT_EQ(sphere.Triangles.rows(), 20 * f * f);
+    EXPECT_EQ(sphere.Positions.rows(), sphere.Triangles.rows() / 2 + 2);
   }
 }
 
@@ -34,13 +34,13 @@ TEST(GeodesicSphere, IsKnownByItsConnectivity)
 {
   for (int f : Frequencies)
   {
-    GeodesicSphere sphere = makeGeodesicSphere(f);
+    conformal::Mesh sphere = makeGeodesicSphere(f);
     const Index size = sphere.Positions.rows();
-    EXPECT_TRUE(conformal::hasGeodesicConnectivity(sphere.Faces, size));
-    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces, size + 1));
-    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces.topRows(size), size));
-    sphere.Faces(0, 0) = sphere.Faces(sphere.Faces.rows() - 1, 0);
-    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Faces, size));
+    EXPECT_TRUE(conformal::hasGeodesicConnectivity(sphere.Triangles, size));
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Triangles, size + 1));
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Triangles.topRows(size), size));
+    sphere.Triangles(0, 0) = sphere.Triangles(sphere.Triangles.rows() - 1, 0);
+    EXPECT_FALSE(conformal::hasGeodesicConnectivity(sphere.Triangles, size));
   }
 }
 
@@ -48,13 +48,14 @@ TEST(GeodesicSphere, IsClosedAndOfEulerNumberTwo)
 {
   for (int f : Frequencies)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(f);
+    const Mesh sphere = makeGeodesicSphere(f);
     std::set<std::pair<int, int>> directed;
-    for (Index r = 0; r < sphere.Faces.rows(); ++r)
+    for (Index r = 0; r < sphere.Triangles.rows(); ++r)
     {
       for (int k = 0; k < 3; ++k)
       {
-        EXPECT_TRUE(directed.emplace(sphere.Faces(r, k), sphere.Faces(r, (k + 1) % 3)).second);
+        EXPECT_TRUE(
+          directed.emplace(sphere.Triangles(r, k), sphere.Triangles(r, (k + 1) % 3)).second);
       }
     }
     for (const auto& [from, to] : directed)
@@ -62,7 +63,7 @@ TEST(GeodesicSphere, IsClosedAndOfEulerNumberTwo)
       EXPECT_TRUE(directed.count({ to, from }));
     }
     const Index edges = static_cast<Index>(directed.size()) / 2;
-    EXPECT_EQ(sphere.Positions.rows() - edges + sphere.Faces.rows(), 2);
+    EXPECT_EQ(sphere.Positions.rows() - edges + sphere.Triangles.rows(), 2);
   }
 }
 
@@ -70,7 +71,7 @@ TEST(GeodesicSphere, PositionsAreDistinctUnitVectors)
 {
   for (int f : Frequencies)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(f);
+    const Mesh sphere = makeGeodesicSphere(f);
     std::set<std::array<double, 3>> seen;
     for (Index i = 0; i < sphere.Positions.rows(); ++i)
     {
@@ -86,13 +87,13 @@ TEST(GeodesicSphere, FacesCoverTheSphereOnceFacingOutwards)
 {
   for (int f : Frequencies)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(f);
+    const Mesh sphere = makeGeodesicSphere(f);
     double solidAngle = 0.0;
-    for (Index r = 0; r < sphere.Faces.rows(); ++r)
+    for (Index r = 0; r < sphere.Triangles.rows(); ++r)
     {
-      const Vector3 a = sphere.Positions.row(sphere.Faces(r, 0)),
-                    b = sphere.Positions.row(sphere.Faces(r, 1)),
-                    c = sphere.Positions.row(sphere.Faces(r, 2));
+      const Vector3 a = sphere.Positions.row(sphere.Triangles(r, 0)),
+                    b = sphere.Positions.row(sphere.Triangles(r, 1)),
+                    c = sphere.Positions.row(sphere.Triangles(r, 2));
       const double determinant = a.dot(b.cross(c));
       EXPECT_GT(determinant, 0.0);
       solidAngle += 2.0 * std::atan2(determinant, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
@@ -104,14 +105,14 @@ TEST(GeodesicSphere, FacesCoverTheSphereOnceFacingOutwards)
 // "Equilateral" holds for f = 1; further subdivision keeps planar angles within 54 and 72 degrees.
 TEST(GeodesicSphere, TrianglesStayNearlyEquilateral)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(36);
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  const Mesh sphere = makeGeodesicSphere(36);
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const Vector3 o = sphere.Positions.row(sphere.Faces(r, k));
-      const Vector3 u = Vector3(sphere.Positions.row(sphere.Faces(r, (k + 1) % 3))) - o;
-      const Vector3 v = Vector3(sphere.Positions.row(sphere.Faces(r, (k + 2) % 3))) - o;
+      const Vector3 o = sphere.Positions.row(sphere.Triangles(r, k));
+      const Vector3 u = Vector3(sphere.Positions.row(sphere.Triangles(r, (k + 1) % 3))) - o;
+      const Vector3 v = Vector3(sphere.Positions.row(sphere.Triangles(r, (k + 2) % 3))) - o;
       const double degrees = std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::acos(-1.0);
       EXPECT_GT(degrees, 53.9);
       EXPECT_LT(degrees, 72.1);

@@ -42,12 +42,12 @@ Points squeezed(const Points& sphere)
 TEST(HingeBending, WhatIsFlatFeelsNoForceHoweverThinItsTriangles)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
-  const auto around = conformal::vertexTriangles(sphere.Faces, sphere.Positions.rows());
+  const auto around = conformal::vertexTriangles(sphere.Triangles, sphere.Positions.rows());
   const Points flat = squeezed(sphere.Positions);
   const Eigen::VectorXd stiffness = Eigen::VectorXd::Ones(flat.rows());
-  HingeBending bending(sphere.Faces, around, flat, stiffness, {});
+  HingeBending bending(sphere.Triangles, around, flat, stiffness, {});
   bending.bend(flat, {});
-  const auto neighbors = conformal::vertexNeighbors(sphere.Faces, flat.rows());
+  const auto neighbors = conformal::vertexNeighbors(sphere.Triangles, flat.rows());
   int inside = 0;
   for (int i = 0; i < flat.rows(); ++i)
   {
@@ -83,11 +83,11 @@ TEST(HingeBending, MeasuresTheAnglesOfEdges)
 TEST(HingeBending, IsOneQuadraticForm)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
-  const auto around = conformal::vertexTriangles(sphere.Faces, sphere.Positions.rows());
+  const auto around = conformal::vertexTriangles(sphere.Triangles, sphere.Positions.rows());
   Points places = sphere.Positions;
   places.col(1) *= 0.3;
   HingeBending bending(
-    sphere.Faces, around, places, Eigen::VectorXd::LinSpaced(places.rows(), 1.0, 2.0), {});
+    sphere.Triangles, around, places, Eigen::VectorXd::LinSpaced(places.rows(), 1.0, 2.0), {});
   conformal::Random random(5);
   Points x(places.rows(), 3), y(places.rows(), 3);
   for (Index i = 0; i < x.size(); ++i)
@@ -122,9 +122,9 @@ TEST(HingeBending, IsAsStiffAsTheUniformLaplacian)
 {
   const auto sphere = conformal::makeGeodesicSphere(32);
   const Index size = sphere.Positions.rows();
-  const auto around = conformal::vertexTriangles(sphere.Faces, size);
-  const auto neighbors = conformal::vertexNeighbors(sphere.Faces, size);
-  HingeBending bending(sphere.Faces, around, sphere.Positions, Eigen::VectorXd::Ones(size), {});
+  const auto around = conformal::vertexTriangles(sphere.Triangles, size);
+  const auto neighbors = conformal::vertexNeighbors(sphere.Triangles, size);
+  HingeBending bending(sphere.Triangles, around, sphere.Positions, Eigen::VectorXd::Ones(size), {});
   const int i = static_cast<int>(size) - 1; // inside a face of the icosahedron
   double laplacian = 1.0;
   for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)

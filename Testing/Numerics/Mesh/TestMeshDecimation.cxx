@@ -15,9 +15,9 @@ using conformal::Points;
 
 namespace
 {
-conformal::GeodesicSphere bumpySphere(int frequency)
+conformal::Mesh bumpySphere(int frequency)
 {
-  conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(frequency);
+  conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     sphere.Positions.row(i) *= 1.0 + 0.2 * std::sin(4.0 * sphere.Positions(i, 0));
@@ -29,20 +29,20 @@ conformal::GeodesicSphere bumpySphere(int frequency)
 TEST(MeshDecimation, StaysClosedOfGenusZeroAndNearTheSurface)
 {
   const auto sphere = bumpySphere(20);
-  const conformal::TriangleTree original(sphere.Positions, sphere.Faces);
+  const conformal::TriangleTree original(sphere.Positions, sphere.Triangles);
   for (Index size : { 4, 50, 700, 3000 })
   {
-    const DecimatedMesh mesh = conformal::decimate(sphere.Positions, sphere.Faces, size);
-    ASSERT_EQ(mesh.Points.rows(), size);
+    const DecimatedMesh mesh = conformal::decimate(sphere, size);
+    ASSERT_EQ(mesh.Positions.rows(), size);
     ASSERT_EQ(mesh.Triangles.rows(), 2 * size - 4);
     EXPECT_TRUE(conformal::checkGenusZero(mesh.Triangles, size).isGenusZero());
-    EXPECT_GT(conformal::signedVolume(mesh.Points, mesh.Triangles), 0.0);
+    EXPECT_GT(conformal::signedVolume(mesh.Positions, mesh.Triangles), 0.0);
     double farthest = 0.0;
     for (Index r = 0; r < mesh.Triangles.rows(); ++r)
     {
       const conformal::Vector3 center =
-        (mesh.Points.row(mesh.Triangles(r, 0)) + mesh.Points.row(mesh.Triangles(r, 1)) +
-          mesh.Points.row(mesh.Triangles(r, 2))) /
+        (mesh.Positions.row(mesh.Triangles(r, 0)) + mesh.Positions.row(mesh.Triangles(r, 1)) +
+          mesh.Positions.row(mesh.Triangles(r, 2))) /
         3.0;
       farthest = std::max(farthest, original.closestPoint(center).SquareDistance);
     }
@@ -54,10 +54,10 @@ TEST(MeshDecimation, StaysClosedOfGenusZeroAndNearTheSurface)
 TEST(MeshDecimation, KeepsSomeOfThePointsInTheirOrder)
 {
   const auto sphere = bumpySphere(8);
-  const DecimatedMesh mesh = conformal::decimate(sphere.Positions, sphere.Faces, 100);
+  const DecimatedMesh mesh = conformal::decimate(sphere, 100);
   for (Index i = 0; i < 100; ++i)
   {
-    EXPECT_EQ(mesh.Points.row(i), sphere.Positions.row(mesh.PointIds[i]));
+    EXPECT_EQ(mesh.Positions.row(i), sphere.Positions.row(mesh.PointIds[i]));
     EXPECT_TRUE(i == 0 || mesh.PointIds[i - 1] < mesh.PointIds[i]);
   }
 }
@@ -65,22 +65,20 @@ TEST(MeshDecimation, KeepsSomeOfThePointsInTheirOrder)
 TEST(MeshDecimation, DoesNothingWhereThereIsNothingToDo)
 {
   const auto sphere = bumpySphere(3);
-  const DecimatedMesh mesh = conformal::decimate(sphere.Positions, sphere.Faces, 92);
-  EXPECT_EQ(mesh.Points, sphere.Positions);
-  EXPECT_EQ(mesh.Triangles.rows(), sphere.Faces.rows());
+  const DecimatedMesh mesh = conformal::decimate(sphere, 92);
+  EXPECT_EQ(mesh.Positions, sphere.Positions);
+  EXPECT_EQ(mesh.Triangles.rows(), sphere.Triangles.rows());
 }
 
 TEST(MeshDecimation, RefusesSurfacesThatAreNotOfGenusZero)
 {
-  const auto sphere = bumpySphere(3);
-  const conformal::Triangles open = sphere.Faces.bottomRows(sphere.Faces.rows() - 1);
-  EXPECT_THROW(conformal::decimate(sphere.Positions, open, 50), std::invalid_argument);
+  auto open = bumpySphere(3);
+  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
+  EXPECT_THROW(conformal::decimate(open, 50), std::invalid_argument);
 }
 
 TEST(MeshDecimation, StopsWhenToldTo)
 {
   const auto sphere = bumpySphere(20);
-  EXPECT_THROW(
-    conformal::decimate(sphere.Positions, sphere.Faces, 50, [](double) { return false; }),
-    conformal::Aborted);
+  EXPECT_THROW(conformal::decimate(sphere, 50, [](double) { return false; }), conformal::Aborted);
 }

@@ -13,7 +13,7 @@ using conformal::Triangles;
 TEST(MeshTopology, LatticeNeighborsAreSymmetricFiveOrSix)
 {
   const auto sphere = conformal::makeGeodesicSphere(5);
-  const Adjacency rings = conformal::vertexNeighbors(sphere.Faces, sphere.Positions.rows());
+  const Adjacency rings = conformal::vertexNeighbors(sphere.Triangles, sphere.Positions.rows());
   int fives = 0;
   for (Index v = 0; v < sphere.Positions.rows(); ++v)
   {
@@ -31,13 +31,13 @@ TEST(MeshTopology, LatticeNeighborsAreSymmetricFiveOrSix)
 TEST(MeshTopology, TrianglesAroundAVertexHoldIt)
 {
   const auto sphere = conformal::makeGeodesicSphere(4);
-  const Adjacency around = conformal::vertexTriangles(sphere.Faces, sphere.Positions.rows());
-  EXPECT_EQ(static_cast<Index>(around.Ids.size()), sphere.Faces.size());
+  const Adjacency around = conformal::vertexTriangles(sphere.Triangles, sphere.Positions.rows());
+  EXPECT_EQ(static_cast<Index>(around.Ids.size()), sphere.Triangles.size());
   for (Index v = 0; v < sphere.Positions.rows(); ++v)
   {
     for (const int* r = around.begin(v); r != around.end(v); ++r)
     {
-      EXPECT_TRUE((sphere.Faces.row(*r).array() == static_cast<int>(v)).any());
+      EXPECT_TRUE((sphere.Triangles.row(*r).array() == static_cast<int>(v)).any());
     }
   }
 }
@@ -45,8 +45,8 @@ TEST(MeshTopology, TrianglesAroundAVertexHoldIt)
 TEST(MeshTopology, NeighborsAcrossEdgesAreMutual)
 {
   const auto sphere = conformal::makeGeodesicSphere(4);
-  const Triangles across = conformal::triangleNeighbors(sphere.Faces, sphere.Positions.rows());
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  const Triangles across = conformal::triangleNeighbors(sphere.Triangles, sphere.Positions.rows());
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {

@@ -20,17 +20,13 @@ using conformal::Vector3;
 
 namespace
 {
-struct Surface
-{
-  Points Positions;
-  conformal::Triangles Triangles;
-};
+using Surface = conformal::Mesh;
 
 // An ellipsoid; stretched triangles where its axes differ.
 Surface ellipsoid(int frequency, const Vector3& axes)
 {
   const auto sphere = conformal::makeGeodesicSphere(frequency);
-  return { sphere.Positions * axes.asDiagonal(), sphere.Faces };
+  return { sphere.Positions * axes.asDiagonal(), sphere.Triangles };
 }
 
 RemeshingOptions exactly(Index count)
@@ -90,7 +86,7 @@ TEST(Remeshing, MeetsTheNumberWithEvenTriangles)
   {
     Surface surface = ellipsoid(12, { 3.0, 1.0, 0.7 });
     const double before = meanSmallestAngle(surface);
-    remesh(surface.Positions, surface.Triangles, exactly(count));
+    remesh(surface, exactly(count));
     EXPECT_EQ(surface.Positions.rows(), count);
     EXPECT_EQ(surface.Triangles.rows(), 2 * count - 4);
     EXPECT_TRUE(isGenusZero(surface));
@@ -107,7 +103,7 @@ TEST(Remeshing, StaysOnTheSurface)
 {
   const Surface original = ellipsoid(24, { 1.5, 1.0, 0.8 });
   Surface surface = original;
-  remesh(surface.Positions, surface.Triangles, exactly(1500));
+  remesh(surface, exactly(1500));
   // The sagitta of an edge of length 0.11 where the radius is 0.4 is 0.004.
   EXPECT_LT(farthest(surface.Positions, original), 0.01);
   EXPECT_LT(farthest(original.Positions, surface), 0.02);
@@ -119,7 +115,7 @@ TEST(Remeshing, StaysOnTheSurface)
 TEST(Remeshing, DoesNotDependOnTheOrderOfBlocks)
 {
   Surface one = ellipsoid(16, { 2.0, 1.0, 0.7 }), other = one;
-  remesh(one.Positions, one.Triangles, exactly(1000));
+  remesh(one, exactly(1000));
   const auto backwards = [](Index count, const std::function<void(Index)>& body)
   {
     for (Index i = count; i-- > 0;)
@@ -127,7 +123,7 @@ TEST(Remeshing, DoesNotDependOnTheOrderOfBlocks)
       body(i);
     }
   };
-  remesh(other.Positions, other.Triangles, exactly(1000), backwards);
+  remesh(other, exactly(1000), backwards);
   EXPECT_EQ(one.Positions, other.Positions);
   EXPECT_EQ(one.Triangles, other.Triangles);
 }
@@ -136,8 +132,8 @@ TEST(Remeshing, ScalesBitByBitWithPowersOfTwo)
 {
   Surface one = ellipsoid(10, { 2.0, 1.0, 0.7 }), other = one;
   other.Positions *= 8.0;
-  remesh(one.Positions, one.Triangles, exactly(500));
-  remesh(other.Positions, other.Triangles, exactly(500));
+  remesh(one, exactly(500));
+  remesh(other, exactly(500));
   EXPECT_EQ(8.0 * one.Positions, other.Positions);
   EXPECT_EQ(one.Triangles, other.Triangles);
 }
@@ -153,7 +149,7 @@ TEST(Remeshing, KeepsTheTopologyOfTheSmallest)
   for (const Index count : { 4, 100 })
   {
     Surface surface = tetrahedron;
-    remesh(surface.Positions, surface.Triangles, exactly(count));
+    remesh(surface, exactly(count));
     EXPECT_TRUE(isGenusZero(surface));
     EXPECT_TRUE(surface.Positions.allFinite());
     EXPECT_EQ(surface.Positions.rows(), count);
@@ -170,18 +166,17 @@ TEST(Remeshing, ReportsProgressAndStops)
     last = fraction;
     return true;
   };
-  remesh(surface.Positions, surface.Triangles, exactly(500), {}, rising);
+  remesh(surface, exactly(500), {}, rising);
   EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, exactly(500), {},
-                 [](double fraction) { return fraction < 0.3; }),
+  EXPECT_THROW(remesh(surface, exactly(500), {}, [](double fraction) { return fraction < 0.3; }),
     conformal::Aborted);
 }
 
 TEST(Remeshing, RefusesOptionsOutOfRange)
 {
   Surface surface = ellipsoid(4, { 1.0, 1.0, 1.0 });
-  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, exactly(3)), std::invalid_argument);
+  EXPECT_THROW(remesh(surface, exactly(3)), std::invalid_argument);
   RemeshingOptions options;
   options.NumberOfIterations = -1;
-  EXPECT_THROW(remesh(surface.Positions, surface.Triangles, options), std::invalid_argument);
+  EXPECT_THROW(remesh(surface, options), std::invalid_argument);
 }

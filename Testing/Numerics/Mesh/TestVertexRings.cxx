@@ -33,9 +33,9 @@ std::vector<std::array<int, 3>> sorted(const Triangles& triangles)
 TEST(VertexRings, HoldTheMesh)
 {
   const auto sphere = conformal::makeGeodesicSphere(4);
-  const VertexRings rings(sphere.Faces, sphere.Positions.rows());
+  const VertexRings rings(sphere.Triangles, sphere.Positions.rows());
   const Triangles same = rings.triangles();
-  ASSERT_EQ(same.rows(), sphere.Faces.rows());
+  ASSERT_EQ(same.rows(), sphere.Triangles.rows());
   conformal::requireGenusZero(same, sphere.Positions.rows());
   for (Index i = 0; i < rings.size(); ++i)
   {
@@ -48,7 +48,7 @@ TEST(VertexRings, SplitsUndoCollapses)
 {
   const auto sphere = conformal::makeGeodesicSphere(5);
   const Index size = sphere.Positions.rows();
-  VertexRings rings(sphere.Faces, size);
+  VertexRings rings(sphere.Triangles, size);
   const Triangles before = rings.triangles();
   QuadricCollapse collapse(sphere.Positions, rings);
   std::vector<QuadricCollapse::Collapse> done;
@@ -70,9 +70,9 @@ TEST(VertexRings, ACollapseThatWouldPinchIsRefused)
 {
   // A tetrahedron on each side of a triangle: 0, 1, 2 with 3 above and 4 below. Edges of the
   // triangle have two common neighbors beside those of their own triangles' third corners.
-  Triangles faces(6, 3);
-  faces << 0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4, 2, 1, 4, 0, 2, 4;
-  const VertexRings rings(faces, 5);
+  Triangles triangles(6, 3);
+  triangles << 0, 1, 3, 1, 2, 3, 2, 0, 3, 1, 0, 4, 2, 1, 4, 0, 2, 4;
+  const VertexRings rings(triangles, 5);
   EXPECT_FALSE(rings.canCollapse(0, 1)); // 2 is a neighbor of both, across no triangle of 0 1
   EXPECT_TRUE(rings.canCollapse(3, 0));
 }
@@ -81,24 +81,24 @@ TEST(VertexRings, SplitsEdges)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
   const int size = static_cast<int>(sphere.Positions.rows());
-  VertexRings rings(sphere.Faces, size);
+  VertexRings rings(sphere.Triangles, size);
   const int a = 20, b = rings[a][2];
   const auto across = rings.across(a, b);
   rings.resize(size + 1);
   rings.splitEdge(a, b, size);
   conformal::requireGenusZero(rings.triangles(), size + 1);
-  EXPECT_EQ(rings.triangles().rows(), sphere.Faces.rows() + 2);
+  EXPECT_EQ(rings.triangles().rows(), sphere.Triangles.rows() + 2);
   EXPECT_EQ(rings[size], (Ring{ a, across.Right, b, across.Left }));
   EXPECT_EQ(std::count(rings[a].begin(), rings[a].end(), b), 0);
   rings.collapse(size, a);
   const Triangles same = rings.triangles();
-  EXPECT_EQ(sorted(same), sorted(VertexRings(sphere.Faces, size).triangles()));
+  EXPECT_EQ(sorted(same), sorted(VertexRings(sphere.Triangles, size).triangles()));
 }
 
 TEST(VertexRings, FlipsEdges)
 {
   const auto sphere = conformal::makeGeodesicSphere(3);
-  VertexRings rings(sphere.Faces, sphere.Positions.rows());
+  VertexRings rings(sphere.Triangles, sphere.Positions.rows());
   const Triangles before = rings.triangles();
   const int a = 20, b = rings[a][2];
   const auto across = rings.across(a, b);

@@ -67,7 +67,7 @@ TEST(TriangleTree, AgreesWithEveryTriangleInTurn)
   std::mt19937 random(2);
   const auto sphere = conformal::makeGeodesicSphere(6);
   Points positions = sphere.Positions;
-  TriangleTree tree(positions, sphere.Faces);
+  TriangleTree tree(positions, sphere.Triangles);
   for (int move = 0; move < 2; ++move)
   {
     if (move == 1)
@@ -76,23 +76,23 @@ TEST(TriangleTree, AgreesWithEveryTriangleInTurn)
       {
         positions.row(i) += 0.5 * randomPoint(random, 1).transpose();
       }
-      tree.refit(positions, sphere.Faces);
+      tree.refit(positions, sphere.Triangles);
     }
     for (int trial = 0; trial < 500; ++trial)
     {
       const Vector3 x = randomPoint(random, 1.5);
       FootPoint best;
-      for (int r = 0; r < sphere.Faces.rows(); ++r)
+      for (int r = 0; r < sphere.Triangles.rows(); ++r)
       {
-        FootPoint foot = closestPointOfTriangle(x, positions.row(sphere.Faces(r, 0)),
-          positions.row(sphere.Faces(r, 1)), positions.row(sphere.Faces(r, 2)));
+        FootPoint foot = closestPointOfTriangle(x, positions.row(sphere.Triangles(r, 0)),
+          positions.row(sphere.Triangles(r, 1)), positions.row(sphere.Triangles(r, 2)));
         foot.Triangle = r;
         if (foot.SquareDistance < best.SquareDistance)
         {
           best = foot;
         }
       }
-      for (int hint : { -1, trial % int(sphere.Faces.rows()) })
+      for (int hint : { -1, trial % int(sphere.Triangles.rows()) })
       {
         const FootPoint foot = tree.closestPoint(x, hint);
         EXPECT_EQ(foot.Triangle, best.Triangle);

@@ -14,7 +14,7 @@ TEST(Resampling, GivesBackTheVerticesValues)
 {
   const auto sphere = conformal::makeGeodesicSphere(6);
   const Points values = sphere.Positions.array().square();
-  const Points same = resample(sphere.Positions, values, sphere.Faces, sphere.Positions);
+  const Points same = resample(sphere.Positions, values, sphere.Triangles, sphere.Positions);
   EXPECT_LT((same - values).cwiseAbs().maxCoeff(), 1e-14);
 }
 
@@ -22,7 +22,8 @@ TEST(Resampling, GivesBackTheVerticesValues)
 TEST(Resampling, InterpolatesAlongTheRay)
 {
   const auto coarse = conformal::makeGeodesicSphere(3), fine = conformal::makeGeodesicSphere(11);
-  const Points flat = resample(coarse.Positions, coarse.Positions, coarse.Faces, fine.Positions);
+  const Points flat =
+    resample(coarse.Positions, coarse.Positions, coarse.Triangles, fine.Positions);
   for (Index i = 0; i < flat.rows(); ++i)
   {
     EXPECT_LT((flat.row(i).normalized() - fine.Positions.row(i)).norm(), 1e-13);
@@ -36,7 +37,7 @@ TEST(Resampling, TurnsAMirroredMapRound)
   const auto sphere = conformal::makeGeodesicSphere(6);
   Points mirrored = sphere.Positions;
   mirrored.col(0) *= -1.0;
-  const Points same = resample(mirrored, sphere.Positions, sphere.Faces, sphere.Positions);
+  const Points same = resample(mirrored, sphere.Positions, sphere.Triangles, sphere.Positions);
   EXPECT_LT((same - sphere.Positions).cwiseAbs().maxCoeff(), 1e-14);
 }
 
@@ -46,8 +47,8 @@ TEST(Resampling, RefusesMapsThatFoldOrMiss)
   Points folded = sphere.Positions;
   folded.row(40) = -folded.row(40);
   EXPECT_THROW(
-    resample(folded, sphere.Positions, sphere.Faces, sphere.Positions), std::invalid_argument);
-  const conformal::Triangles part = sphere.Faces.topRows(20);
+    resample(folded, sphere.Positions, sphere.Triangles, sphere.Positions), std::invalid_argument);
+  const conformal::Triangles part = sphere.Triangles.topRows(20);
   EXPECT_THROW(
     resample(sphere.Positions, sphere.Positions, part, sphere.Positions), std::invalid_argument);
 }

@@ -8,9 +8,9 @@
 #include <complex>
 #include <random>
 
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::SphereLocation;
 using conformal::SphereLocator;
@@ -34,25 +34,25 @@ private:
   std::normal_distribution<double> Normal;
 };
 
-Vector3 pointAt(const Points& positions, const Triangles& faces, const SphereLocation& location)
+Vector3 pointAt(const Points& positions, const Triangles& triangles, const SphereLocation& location)
 {
   Vector3 point = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    point += location.Barycentric[k] * Vector3(positions.row(faces(location.Triangle, k)));
+    point += location.Barycentric[k] * Vector3(positions.row(triangles(location.Triangle, k)));
   }
   return point;
 }
 
 /// p' is on the line through p, by default to the rounding of the coordinates.
-void expectFound(const Points& positions, const Triangles& faces, const SphereLocator& locator,
+void expectFound(const Points& positions, const Triangles& triangles, const SphereLocator& locator,
   const Vector3& direction, double tolerance = 5e-16)
 {
   const SphereLocation location = locator.locate(direction);
   ASSERT_GE(location.Triangle, 0);
   ASSERT_GE(location.Barycentric.minCoeff(), 0.0);
   ASSERT_NEAR(location.Barycentric.sum(), 1.0, 1e-15);
-  const Vector3 point = pointAt(positions, faces, location);
+  const Vector3 point = pointAt(positions, triangles, location);
   ASSERT_LT(point.cross(direction).norm(), tolerance);
   ASSERT_GT(point.dot(direction), 0.0);
 }
@@ -82,22 +82,22 @@ Points squeezed(const Points& positions, double factor)
 
 TEST(SphereLocator, HintsChangeNothing)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(11);
-  const SphereLocator locator(sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(11);
+  const SphereLocator locator(sphere.Positions, sphere.Triangles);
   Directions directions;
   for (int i = 0; i < 20000; ++i)
   {
     Vector3 direction = directions.next();
     if (i % 3 == 0) // on edges and vertices it is a matter of order
     {
-      const auto ids = sphere.Faces.row(i % sphere.Faces.rows());
+      const auto ids = sphere.Triangles.row(i % sphere.Triangles.rows());
       direction = Vector3(sphere.Positions.row(ids[0]));
       direction = i % 2
         ? direction
         : Vector3((direction + sphere.Positions.row(ids[1]).transpose()).normalized());
     }
     const SphereLocation expected = locator.locate(direction);
-    const int near = i % 2 ? expected.Triangle : i % static_cast<int>(sphere.Faces.rows());
+    const int near = i % 2 ? expected.Triangle : i % static_cast<int>(sphere.Triangles.rows());
     const SphereLocation hinted = locator.locate(direction, near);
     ASSERT_EQ(hinted.Triangle, expected.Triangle);
     ASSERT_EQ(hinted.Barycentric, expected.Barycentric);
@@ -109,11 +109,11 @@ TEST(SphereLocator, FindsEveryDirectionOnEveryLattice)
   Directions directions;
   for (int f = 1; f <= 36; ++f)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(f);
-    const SphereLocator locator(sphere.Positions, sphere.Faces);
+    const Mesh sphere = makeGeodesicSphere(f);
+    const SphereLocator locator(sphere.Positions, sphere.Triangles);
     for (int i = 0; i < 2000; ++i)
     {
-      expectFound(sphere.Positions, sphere.Faces, locator, directions.next());
+      expectFound(sphere.Positions, sphere.Triangles, locator, directions.next());
     }
   }
 }
@@ -121,18 +121,18 @@ TEST(SphereLocator, FindsEveryDirectionOnEveryLattice)
 TEST(SphereLocator, AgreesWithBruteForce)
 {
   Directions directions;
-  const GeodesicSphere sphere = makeGeodesicSphere(7);
-  const SphereLocator locator(sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(7);
+  const SphereLocator locator(sphere.Positions, sphere.Triangles);
   for (int i = 0; i < 2000; ++i)
   {
     const Vector3 direction = directions.next();
     int expected = -1;
-    for (Index r = 0; r < sphere.Faces.rows() && expected < 0; ++r)
+    for (Index r = 0; r < sphere.Triangles.rows() && expected < 0; ++r)
     {
       Eigen::Matrix3d corners;
       for (int k = 0; k < 3; ++k)
       {
-        corners.col(k) = sphere.Positions.row(sphere.Faces(r, k)).transpose();
+        corners.col(k) = sphere.Positions.row(sphere.Triangles(r, k)).transpose();
       }
       const Vector3 weights = corners.inverse() * direction;
       if (weights.minCoeff() >= 0.0)
@@ -149,36 +149,36 @@ TEST(SphereLocator, AgreesWithBruteForce)
 
 TEST(SphereLocator, VerticesAreFoundExactlyInTheirLowestTriangle)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(9);
-  const SphereLocator locator(sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(9);
+  const SphereLocator locator(sphere.Positions, sphere.Triangles);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     const SphereLocation location = locator.locate(sphere.Positions.row(i));
     int lowest = 0;
-    while ((sphere.Faces.row(lowest).array() != static_cast<int>(i)).all())
+    while ((sphere.Triangles.row(lowest).array() != static_cast<int>(i)).all())
     {
       ++lowest;
     }
     ASSERT_EQ(location.Triangle, lowest);
-    EXPECT_EQ(
-      Vector3(pointAt(sphere.Positions, sphere.Faces, location)), Vector3(sphere.Positions.row(i)));
+    EXPECT_EQ(Vector3(pointAt(sphere.Positions, sphere.Triangles, location)),
+      Vector3(sphere.Positions.row(i)));
     EXPECT_EQ(location.Barycentric.maxCoeff(), 1.0);
   }
 }
 
 TEST(SphereLocator, EdgeMidpointsAreFoundInOneOfTheTwoTriangles)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(9);
-  const SphereLocator locator(sphere.Positions, sphere.Faces);
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  const Mesh sphere = makeGeodesicSphere(9);
+  const SphereLocator locator(sphere.Positions, sphere.Triangles);
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int from = sphere.Faces(r, k), to = sphere.Faces(r, (k + 1) % 3);
+      const int from = sphere.Triangles(r, k), to = sphere.Triangles(r, (k + 1) % 3);
       const Vector3 middle =
         Vector3(sphere.Positions.row(from) + sphere.Positions.row(to)).normalized();
       const SphereLocation location = locator.locate(middle);
-      const auto ids = sphere.Faces.row(location.Triangle).array();
+      const auto ids = sphere.Triangles.row(location.Triangle).array();
       EXPECT_TRUE((ids == from).any() && (ids == to).any());
       EXPECT_LT(location.Barycentric.minCoeff(), 1e-14);
       EXPECT_NEAR(location.Barycentric.maxCoeff(), 0.5, 1e-13);
@@ -189,26 +189,27 @@ TEST(SphereLocator, EdgeMidpointsAreFoundInOneOfTheTwoTriangles)
 // exp(-30) of the fair area: triangles of 1e-8, found to the last digit of their coordinates.
 TEST(SphereLocator, IsExactWhereTrianglesShrink)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(18);
+  const Mesh sphere = makeGeodesicSphere(18);
   const Points positions = squeezed(sphere.Positions, std::exp(-15.0));
-  const SphereLocator locator(positions, sphere.Faces);
+  const SphereLocator locator(positions, sphere.Triangles);
   Directions directions;
   for (int i = 0; i < 20000; ++i)
   {
     // The few triangles left for most of the sphere are long and pass close by its centre.
-    expectFound(positions, sphere.Faces, locator, directions.next(), 1e-10);
+    expectFound(positions, sphere.Triangles, locator, directions.next(), 1e-10);
   }
   std::mt19937_64 engine(1);
   std::uniform_real_distribution<double> uniform(0.05, 1.0);
   double smallest = 1.0;
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
-    const Vector3 a = positions.row(sphere.Faces(r, 0)), b = positions.row(sphere.Faces(r, 1)),
-                  c = positions.row(sphere.Faces(r, 2));
+    const Vector3 a = positions.row(sphere.Triangles(r, 0)),
+                  b = positions.row(sphere.Triangles(r, 1)),
+                  c = positions.row(sphere.Triangles(r, 2));
     smallest = std::min(smallest, (b - a).norm());
     const Vector3 weights = Vector3(uniform(engine), uniform(engine), uniform(engine));
     const Vector3 direction = (weights[0] * a + weights[1] * b + weights[2] * c).normalized();
-    expectFound(positions, sphere.Faces, locator, direction);
+    expectFound(positions, sphere.Triangles, locator, direction);
     const double inside = 1e-16 / (b - a).norm();
     if (inside < 0.01) // else the direction's own rounding may carry it across an edge
     {
@@ -224,15 +225,15 @@ TEST(SphereLocator, TrianglesWithoutAreaDoNoHarm)
   Points positions(5, 3);
   const double s = 1.0 / std::sqrt(3.0);
   positions << s, s, s, -s, -s, s, -s, s, -s, s, -s, -s, 0.0, 0.0, 1.0;
-  Triangles faces(6, 3);
-  faces << 0, 4, 1, 0, 2, 4, 4, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-  const SphereLocator locator(positions, faces);
+  Triangles triangles(6, 3);
+  triangles << 0, 4, 1, 0, 2, 4, 4, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  const SphereLocator locator(positions, triangles);
   Directions directions;
   for (int i = 0; i < 1000; ++i)
   {
-    expectFound(positions, faces, locator, directions.next());
+    expectFound(positions, triangles, locator, directions.next());
   }
-  expectFound(positions, faces, locator, Vector3(0, 0, 1));
+  expectFound(positions, triangles, locator, Vector3(0, 0, 1));
 }
 
 TEST(SphereLocator, NoTrianglesMeansNotFound)

@@ -17,9 +17,9 @@ class FlipRepair : public testing::Test
 {
 protected:
   FlipRepair()
-    : Shapes(Sphere.Positions, Sphere.Faces)
-    , Rings(Sphere.Faces, Sphere.Positions.rows())
-    , Strings(conformal::harmonicStrings(Sphere.Positions, Sphere.Faces).Strings)
+    : Shapes(Sphere.Positions, Sphere.Triangles)
+    , Rings(Sphere.Triangles, Sphere.Positions.rows())
+    , Strings(conformal::harmonicStrings(Sphere.Positions, Sphere.Triangles).Strings)
   {
     for (Index v = 0; v < this->Sphere.Positions.rows(); ++v)
     {
@@ -28,11 +28,11 @@ protected:
   }
   std::size_t bad() const
   {
-    return conformal::badTriangles(this->Positions, this->Sphere.Faces).size();
+    return conformal::badTriangles(this->Positions, this->Sphere.Triangles).size();
   }
   bool repair()
   {
-    return conformal::repairFlips(this->Positions, this->Sphere.Positions, this->Sphere.Faces,
+    return conformal::repairFlips(this->Positions, this->Sphere.Positions, this->Sphere.Triangles,
       this->Strings, this->Rings, this->Shapes);
   }
   double largestDistance() const
@@ -46,7 +46,7 @@ protected:
     return largest;
   }
 
-  const conformal::GeodesicSphere Sphere = conformal::makeGeodesicSphere(16);
+  const conformal::Mesh Sphere = conformal::makeGeodesicSphere(16);
   const conformal::SurfaceShapes Shapes;
   const conformal::VertexRings Rings;
   const conformal::EdgeWeights Strings;

@@ -16,13 +16,13 @@
 #include <thread>
 #include <vector>
 
-using conformal::GeodesicSphere;
 using conformal::globalConformalMap;
 using conformal::GlobalConformalMapOptions;
 using conformal::GlobalConformalMapResult;
 using conformal::GlobalConformalMethod;
 using conformal::GlobalConformalTier;
 using conformal::Index;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
 
@@ -30,9 +30,9 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 
-GeodesicSphere shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
+Mesh shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
 {
-  GeodesicSphere sphere = conformal::makeGeodesicSphere(frequency);
+  Mesh sphere = conformal::makeGeodesicSphere(frequency);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     sphere.Positions.row(i) = move(sphere.Positions.row(i));
@@ -41,14 +41,14 @@ GeodesicSphere shaped(int frequency, const std::function<Vector3(const Vector3&)
 }
 
 // Smooth, without symmetry, its triangles acute.
-GeodesicSphere bumpy(int frequency)
+Mesh bumpy(int frequency)
 {
   return shaped(frequency,
     [](const Vector3& n)
     { return Vector3(n * (1.0 + 0.15 * std::sin(3.0 * n[0] + 1.0) * std::cos(2.0 * n[1]))); });
 }
 
-GeodesicSphere noisy(int frequency, double amount)
+Mesh noisy(int frequency, double amount)
 {
   conformal::Random random(1);
   return shaped(
@@ -56,7 +56,7 @@ GeodesicSphere noisy(int frequency, double amount)
 }
 
 // A closed tube of circumference 2 pi; length in circumferences.
-GeodesicSphere tube(double length, int sides = 16)
+Mesh tube(double length, int sides = 16)
 {
   std::vector<std::pair<double, double>> profile; // radius, height
   const int cap = sides / 4;
@@ -75,7 +75,7 @@ GeodesicSphere tube(double length, int sides = 16)
     profile.emplace_back(std::sin(0.5 * Pi * i / cap), rings * step + std::cos(0.5 * Pi * i / cap));
   }
   const int size = static_cast<int>(profile.size());
-  GeodesicSphere mesh;
+  Mesh mesh;
   mesh.Positions.resize(2 + size * sides, 3);
   mesh.Positions.row(0) << 0.0, 0.0, -1.0;
   const int last = 1 + size * sides;
@@ -97,53 +97,55 @@ GeodesicSphere tube(double length, int sides = 16)
     ids.insert(ids.end(), { 0, id(0, k + 1), id(0, k) });
     ids.insert(ids.end(), { last, id(size - 1, k), id(size - 1, k + 1) });
   }
-  mesh.Faces = Eigen::Map<conformal::Triangles>(ids.data(), static_cast<Index>(ids.size()) / 3, 3);
+  mesh.Triangles =
+    Eigen::Map<conformal::Triangles>(ids.data(), static_cast<Index>(ids.size()) / 3, 3);
   return mesh;
 }
 
 // Triangles split into three, again and again, at random.
-GeodesicSphere valenceThree(int splits)
+Mesh valenceThree(int splits)
 {
   conformal::Random random(1);
   std::vector<Vector3> points = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
-  std::vector<std::array<int, 3>> faces = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } };
+  std::vector<std::array<int, 3>> triangles = { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 },
+    { 1, 3, 2 } };
   for (int i = 0; i < splits; ++i)
   {
-    const Index r = random.index(static_cast<Index>(faces.size()));
-    const auto [a, b, c] = faces[r];
+    const Index r = random.index(static_cast<Index>(triangles.size()));
+    const auto [a, b, c] = triangles[r];
     const int middle = static_cast<int>(points.size());
     points.push_back((points[a] + points[b] + points[c]) / 3.0);
-    faces[r] = { a, b, middle };
-    faces.push_back({ b, c, middle });
-    faces.push_back({ c, a, middle });
+    triangles[r] = { a, b, middle };
+    triangles.push_back({ b, c, middle });
+    triangles.push_back({ c, a, middle });
   }
-  GeodesicSphere mesh;
+  Mesh mesh;
   mesh.Positions.resize(static_cast<Index>(points.size()), 3);
-  mesh.Faces.resize(static_cast<Index>(faces.size()), 3);
+  mesh.Triangles.resize(static_cast<Index>(triangles.size()), 3);
   for (Index i = 0; i < mesh.Positions.rows(); ++i)
   {
     mesh.Positions.row(i) = points[i];
   }
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    mesh.Faces.row(r) << faces[r][0], faces[r][1], faces[r][2];
+    mesh.Triangles.row(r) << triangles[r][0], triangles[r][1], triangles[r][2];
   }
   return mesh;
 }
 
 // By plain floating point too, as other programs look.
-void expectOneToOne(const GeodesicSphere& mesh, const Points& map)
+void expectOneToOne(const Mesh& mesh, const Points& map)
 {
   ASSERT_EQ(map.rows(), mesh.Positions.rows());
   ASSERT_TRUE(map.allFinite());
   EXPECT_LT((map.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
-  EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Faces), 0);
+  EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Triangles), 0);
   double solidAngle = 0.0;
   Index flips = 0;
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    const Vector3 a = map.row(mesh.Faces(r, 0)), b = map.row(mesh.Faces(r, 1)),
-                  c = map.row(mesh.Faces(r, 2));
+    const Vector3 a = map.row(mesh.Triangles(r, 0)), b = map.row(mesh.Triangles(r, 1)),
+                  c = map.row(mesh.Triangles(r, 2));
     const double volume = a.dot(b.cross(c));
     flips += !(volume > 0.0);
     solidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
@@ -152,15 +154,14 @@ void expectOneToOne(const GeodesicSphere& mesh, const Points& map)
   EXPECT_NEAR(solidAngle, 4.0 * Pi, 1e-9);
 }
 
-GlobalConformalMapResult mapOf(
-  const GeodesicSphere& mesh, const GlobalConformalMapOptions& options = {})
+GlobalConformalMapResult mapOf(const Mesh& mesh, const GlobalConformalMapOptions& options = {})
 {
-  return globalConformalMap(mesh.Positions, mesh.Faces, options);
+  return globalConformalMap(mesh, options);
 }
 
-double meanK(const GeodesicSphere& mesh, const Points& map)
+double meanK(const Mesh& mesh, const Points& map)
 {
-  return conformal::measureDistortion(mesh.Positions, mesh.Faces, map).MeanQuasiConformalError;
+  return conformal::measureDistortion(mesh.Positions, mesh.Triangles, map).MeanQuasiConformalError;
 }
 }
 
@@ -197,22 +198,22 @@ TEST(GlobalConformalMap, IsCanonical)
   auto mesh = bumpy(15);
   const auto map = mapOf(mesh);
   Vector3 mean = Vector3::Zero();
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    const Vector3 a = mesh.Positions.row(mesh.Faces(r, 0));
-    const double area = (mesh.Positions.row(mesh.Faces(r, 1)).transpose() - a)
-                          .cross(mesh.Positions.row(mesh.Faces(r, 2)).transpose() - a)
+    const Vector3 a = mesh.Positions.row(mesh.Triangles(r, 0));
+    const double area = (mesh.Positions.row(mesh.Triangles(r, 1)).transpose() - a)
+                          .cross(mesh.Positions.row(mesh.Triangles(r, 2)).transpose() - a)
                           .norm();
     for (int k = 0; k < 3; ++k)
     {
-      mean += area * map.Positions.row(mesh.Faces(r, k)).transpose();
+      mean += area * map.Positions.row(mesh.Triangles(r, k)).transpose();
     }
   }
   EXPECT_LT(mean.norm(), 1e-9);
 
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.0, Vector3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
-  GeodesicSphere moved = mesh;
+  Mesh moved = mesh;
   moved.Positions = (100.0 * mesh.Positions * turn.transpose()).eval();
   moved.Positions.rowwise() += Eigen::RowVector3d(1e3, -2e3, 5e2);
   const Points expected = map.Positions * turn.transpose();
@@ -232,7 +233,7 @@ TEST(GlobalConformalMap, NeverFolds)
       const double radius = 0.05 + n[2] * n[2];
       return Vector3(radius * n[0], radius * n[1], 1.5 * n[2]);
     });
-  GeodesicSphere bottles = tube(8.0, 32); // joined by necks of needles
+  Mesh bottles = tube(8.0, 32); // joined by necks of needles
   for (Index v = 0; v < bottles.Positions.rows(); ++v)
   {
     bottles.Positions.row(v).head<2>() *=
@@ -266,7 +267,7 @@ TEST(GlobalConformalMap, NeverFoldsWhatHasNoArea)
 {
   const auto line = shaped(6, [](const Vector3& n) { return Vector3(n[0], 0.0, 0.0); });
   const auto point = shaped(6, [](const Vector3&) { return Vector3(1.0, 2.0, 3.0); });
-  GeodesicSphere partly = bumpy(10);
+  Mesh partly = bumpy(10);
   conformal::Random random(1);
   for (int i = 0; i < 100; ++i)
   {
@@ -282,7 +283,7 @@ TEST(GlobalConformalMap, NeverFoldsWhatHasNoArea)
 
 TEST(GlobalConformalMap, RepairsAFewFolds)
 {
-  GeodesicSphere mesh = conformal::makeGeodesicSphere(20);
+  Mesh mesh = conformal::makeGeodesicSphere(20);
   conformal::Random random(4);
   for (Index v = 0; v < mesh.Positions.rows(); v += 7) // tangentially, which makes needles
   {
@@ -305,7 +306,8 @@ TEST(GlobalConformalMap, BalanceTradesAnglesForAreas)
     options.AreaBalance = balance;
     const auto map = mapOf(mesh, options);
     expectOneToOne(mesh, map.Positions);
-    const auto distortion = conformal::measureDistortion(mesh.Positions, mesh.Faces, map.Positions);
+    const auto distortion =
+      conformal::measureDistortion(mesh.Positions, mesh.Triangles, map.Positions);
     EXPECT_LT(distortion.AreaDistortionDeviation, lastArea);
     EXPECT_GT(distortion.MeanQuasiConformalError, lastAngle);
     lastArea = distortion.AreaDistortionDeviation;
@@ -351,8 +353,8 @@ TEST(GlobalConformalMap, GuYauFoldsWithObtuseTriangles)
 
 TEST(GlobalConformalMap, GuYauCountsInfiniteStringConstants)
 {
-  GeodesicSphere mesh = conformal::makeGeodesicSphere(6);
-  mesh.Positions.row(mesh.Faces(10, 0)) = mesh.Positions.row(mesh.Faces(10, 1));
+  Mesh mesh = conformal::makeGeodesicSphere(6);
+  mesh.Positions.row(mesh.Triangles(10, 0)) = mesh.Positions.row(mesh.Triangles(10, 1));
   GlobalConformalMapOptions options;
   options.Method = GlobalConformalMethod::GuYau;
   options.MaximumNumberOfIterations = 100;
@@ -385,8 +387,8 @@ TEST(GlobalConformalMap, SameBitsOnTwoThreads)
     GlobalConformalMapOptions options;
     options.Method = method;
     options.MaximumNumberOfIterations = 20;
-    const auto one = globalConformalMap(mesh.Positions, mesh.Faces, options);
-    const auto two = globalConformalMap(mesh.Positions, mesh.Faces, options, parallelFor);
+    const auto one = globalConformalMap(mesh, options);
+    const auto two = globalConformalMap(mesh, options, parallelFor);
     EXPECT_EQ(one.Positions, two.Positions);
     EXPECT_EQ(one.Energy, two.Energy);
   }
@@ -405,7 +407,7 @@ TEST(GlobalConformalMap, ReportsProgressAndStops)
     {
       double last = -1.0;
       int calls = 0;
-      globalConformalMap(mesh.Positions, mesh.Faces, options, {},
+      globalConformalMap(mesh, options, {},
         [&](double fraction)
         {
           EXPECT_GE(fraction, last);
@@ -417,8 +419,8 @@ TEST(GlobalConformalMap, ReportsProgressAndStops)
       EXPECT_GT(calls, 5);
       for (double end : { 0.01, 0.2, 0.5 })
       {
-        EXPECT_THROW(globalConformalMap(mesh.Positions, mesh.Faces, options, {},
-                       [end](double fraction) { return fraction < end; }),
+        EXPECT_THROW(
+          globalConformalMap(mesh, options, {}, [end](double fraction) { return fraction < end; }),
           conformal::Aborted);
       }
     }
@@ -428,11 +430,11 @@ TEST(GlobalConformalMap, ReportsProgressAndStops)
 TEST(GlobalConformalMap, RefusesWhatItCannotMap)
 {
   const auto mesh = bumpy(4);
-  const conformal::Triangles open = mesh.Faces.bottomRows(mesh.Faces.rows() - 1);
-  EXPECT_THROW(globalConformalMap(mesh.Positions, open), std::invalid_argument);
+  const conformal::Triangles open = mesh.Triangles.bottomRows(mesh.Triangles.rows() - 1);
+  EXPECT_THROW(globalConformalMap({ mesh.Positions, open }), std::invalid_argument);
   Points bad = mesh.Positions;
   bad(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(globalConformalMap(bad, mesh.Faces), std::invalid_argument);
+  EXPECT_THROW(globalConformalMap({ bad, mesh.Triangles }), std::invalid_argument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   GlobalConformalMapOptions options[4];
   options[0].AreaBalance = nan;

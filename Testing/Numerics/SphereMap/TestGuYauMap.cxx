@@ -8,11 +8,11 @@
 
 #include <cmath>
 
-using conformal::GeodesicSphere;
 using conformal::GuYauOptions;
 using conformal::GuYauResult;
 using conformal::makeGeodesicSphere;
 using conformal::mapByGuYau;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
 
@@ -33,12 +33,12 @@ double largestDistance(const Points& a, const Points& b)
 // The paper's first step, by itself.
 TEST(GuYauMap, StartsAtTheGaussMap)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(6);
+  const Mesh sphere = makeGeodesicSphere(6);
   const Points points = ellipsoid(sphere.Positions);
   GuYauOptions options;
   options.MaximumNumberOfIterations = 0;
-  const GuYauResult result = mapByGuYau(points, sphere.Faces, options);
-  EXPECT_EQ(result.Positions, conformal::vertexNormals(points, sphere.Faces));
+  const GuYauResult result = mapByGuYau({ points, sphere.Triangles }, options);
+  EXPECT_EQ(result.Positions, conformal::vertexNormals(points, sphere.Triangles));
   EXPECT_EQ(result.NumberOfIterations, 0);
   EXPECT_FALSE(result.Converged);
 }
@@ -46,8 +46,8 @@ TEST(GuYauMap, StartsAtTheGaussMap)
 // The sphere is a fixed point, of the energy of a conformal map.
 TEST(GuYauMap, LeavesTheSphereWhereItIs)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(12);
-  const GuYauResult result = mapByGuYau(sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(12);
+  const GuYauResult result = mapByGuYau(sphere);
   EXPECT_TRUE(result.Converged);
   EXPECT_EQ(result.NumberOfNegativeStringConstants, 0);
   EXPECT_EQ(result.NumberOfInfiniteStringConstants, 0);
@@ -57,28 +57,28 @@ TEST(GuYauMap, LeavesTheSphereWhereItIs)
 
 TEST(GuYauMap, LowersTheEnergyAndKeepsTheMeanAtTheCenter)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(8);
+  const Mesh sphere = makeGeodesicSphere(8);
   const Points points = ellipsoid(sphere.Positions);
   GuYauOptions options;
   options.MaximumNumberOfIterations = 0;
-  const GuYauResult start = mapByGuYau(points, sphere.Faces, options);
-  const GuYauResult result = mapByGuYau(points, sphere.Faces);
+  const GuYauResult start = mapByGuYau({ points, sphere.Triangles }, options);
+  const GuYauResult result = mapByGuYau({ points, sphere.Triangles });
   EXPECT_LT(result.Energy, start.Energy);
   EXPECT_LT((result.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-14);
-  const Eigen::VectorXd areas = conformal::vertexAreas(points, sphere.Faces);
+  const Eigen::VectorXd areas = conformal::vertexAreas(points, sphere.Triangles);
   const Eigen::RowVector3d mean = areas.transpose() * result.Positions / areas.sum();
   EXPECT_LT(mean.norm(), 1e-3);
 }
 
 TEST(GuYauMap, TurnsWithTheSurface)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(6);
+  const Mesh sphere = makeGeodesicSphere(6);
   const Points points = ellipsoid(sphere.Positions);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.1, Vector3(1, 2, -3).normalized()).toRotationMatrix();
   GuYauOptions options;
   options.MaximumNumberOfIterations = 50;
-  const GuYauResult result = mapByGuYau(points, sphere.Faces, options);
-  const GuYauResult turned = mapByGuYau(points * turn.transpose(), sphere.Faces, options);
+  const GuYauResult result = mapByGuYau({ points, sphere.Triangles }, options);
+  const GuYauResult turned = mapByGuYau({ points * turn.transpose(), sphere.Triangles }, options);
   EXPECT_LT(largestDistance(turned.Positions, result.Positions * turn.transpose()), 1e-10);
 }

@@ -10,11 +10,11 @@
 #include <cmath>
 #include <functional>
 
-using conformal::GeodesicSphere;
 using conformal::HarmonicSphereMap;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
 using conformal::mapHarmonically;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
 
@@ -30,8 +30,8 @@ double conformalHeight(double s, double e)
 
 TEST(HarmonicSphereMap, OfTheSphereIsTheSphere)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(16);
-  HarmonicSphereMap map = mapHarmonically(sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(16);
+  HarmonicSphereMap map = mapHarmonically(sphere);
   EXPECT_TRUE(map.OneToOne);
   EXPECT_FALSE(map.Repaired);
   EXPECT_EQ(map.NumberOfSolves, 1);
@@ -49,7 +49,7 @@ TEST(HarmonicSphereMap, OfASpheroidIsItsConformalLatitude)
   double errors[2] = {};
   for (int level = 0; level < 2; ++level)
   {
-    const GeodesicSphere sphere = makeGeodesicSphere(level == 0 ? 12 : 24);
+    const Mesh sphere = makeGeodesicSphere(level == 0 ? 12 : 24);
     Points points = sphere.Positions, exact = sphere.Positions;
     points.col(2) *= c;
     for (Index v = 0; v < points.rows(); ++v)
@@ -62,10 +62,10 @@ TEST(HarmonicSphereMap, OfASpheroidIsItsConformalLatitude)
       const double radius = across > 0.0 ? std::sqrt(1.0 - z * z) / across : 0.0;
       exact.row(v) = Vector3(radius * points(v, 0), radius * points(v, 1), z);
     }
-    HarmonicSphereMap map = mapHarmonically(points, sphere.Faces);
+    HarmonicSphereMap map = mapHarmonically({ points, sphere.Triangles });
     ASSERT_TRUE(map.OneToOne);
     conformal::closestMoebiusTransform(
-      map.Positions, exact, conformal::vertexAreas(points, sphere.Faces))
+      map.Positions, exact, conformal::vertexAreas(points, sphere.Triangles))
       .applyTo(map.Positions);
     errors[level] = std::sqrt((map.Positions - exact).rowwise().squaredNorm().mean());
   }
@@ -75,28 +75,28 @@ TEST(HarmonicSphereMap, OfASpheroidIsItsConformalLatitude)
 
 TEST(HarmonicSphereMap, IsCenteredByAreaAndOfUnitLength)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(10);
+  const Mesh sphere = makeGeodesicSphere(10);
   Points points = sphere.Positions;
   for (Index v = 0; v < points.rows(); ++v)
   {
     points.row(v) *= 1.0 + 0.5 * std::exp(4.0 * (sphere.Positions(v, 0) - 1.0));
   }
-  const HarmonicSphereMap map = mapHarmonically(points, sphere.Faces);
+  const HarmonicSphereMap map = mapHarmonically({ points, sphere.Triangles });
   EXPECT_TRUE(map.OneToOne);
   EXPECT_LT((map.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
-  const Eigen::VectorXd areas = conformal::vertexAreas(points, sphere.Faces);
+  const Eigen::VectorXd areas = conformal::vertexAreas(points, sphere.Triangles);
   EXPECT_LT((areas.transpose() * map.Positions / areas.sum()).norm(), 1e-9);
   std::vector<Vector3> positions(map.Positions.rows());
   for (Index v = 0; v < map.Positions.rows(); ++v)
   {
     positions[v] = map.Positions.row(v);
   }
-  EXPECT_TRUE(conformal::badTriangles(positions, sphere.Faces).empty());
+  EXPECT_TRUE(conformal::badTriangles(positions, sphere.Triangles).empty());
 }
 
 TEST(HarmonicSphereMap, DoesNotDependOnThreads)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(10);
+  const Mesh sphere = makeGeodesicSphere(10);
   Points points = sphere.Positions;
   points.col(0) *= 3.0;
   const auto backwards = [](Index count, const std::function<void(Index)>& body)
@@ -106,6 +106,6 @@ TEST(HarmonicSphereMap, DoesNotDependOnThreads)
       body(i);
     }
   };
-  const Points one = mapHarmonically(points, sphere.Faces).Positions;
-  EXPECT_EQ(mapHarmonically(points, sphere.Faces, backwards).Positions, one);
+  const Points one = mapHarmonically({ points, sphere.Triangles }).Positions;
+  EXPECT_EQ(mapHarmonically({ points, sphere.Triangles }, backwards).Positions, one);
 }

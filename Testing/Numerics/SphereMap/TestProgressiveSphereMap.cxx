@@ -22,9 +22,9 @@ using conformal::Vector3;
 namespace
 {
 // A geodesic sphere with every point moved.
-conformal::GeodesicSphere shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
+conformal::Mesh shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
 {
-  conformal::GeodesicSphere sphere = conformal::makeGeodesicSphere(frequency);
+  conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     sphere.Positions.row(i) = move(sphere.Positions.row(i));
@@ -32,20 +32,21 @@ conformal::GeodesicSphere shaped(int frequency, const std::function<Vector3(cons
   return sphere;
 }
 
-conformal::GeodesicSphere limb(double length)
+conformal::Mesh limb(double length)
 {
   return shaped(12, [length](const Vector3& n) { return Vector3(n[0], n[1], length * n[2]); });
 }
 
-void expectOneToOne(const conformal::GeodesicSphere& mesh, const ProgressiveSphereMapResult& map)
+void expectOneToOne(const conformal::Mesh& mesh, const ProgressiveSphereMapResult& map)
 {
   ASSERT_EQ(map.Positions.rows(), mesh.Positions.rows());
   EXPECT_EQ(map.NumberOfFlippedTriangles, 0);
   double solidAngle = 0.0;
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
-    const Vector3 a = map.Positions.row(mesh.Faces(r, 0)), b = map.Positions.row(mesh.Faces(r, 1)),
-                  c = map.Positions.row(mesh.Faces(r, 2));
+    const Vector3 a = map.Positions.row(mesh.Triangles(r, 0)),
+                  b = map.Positions.row(mesh.Triangles(r, 1)),
+                  c = map.Positions.row(mesh.Triangles(r, 2));
     const double volume = (b - a).cross(c - a).dot(a);
     EXPECT_GT(volume, 0.0);
     solidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
@@ -66,7 +67,7 @@ TEST(ProgressiveSphereMap, CoversTheSphereOnceWithoutFolds)
   for (const auto& mesh : { limb(1.0), limb(0.05), limb(12.0), limb(60.0), spikes, rough,
          conformal::makeGeodesicSphere(1) })
   {
-    expectOneToOne(mesh, mapToSphere(mesh.Positions, mesh.Faces));
+    expectOneToOne(mesh, mapToSphere(mesh));
   }
 }
 
@@ -76,20 +77,20 @@ TEST(ProgressiveSphereMap, DegenerateTrianglesDoNotFold)
   auto mesh = limb(1.0);
   for (int k = 0; k < 3; ++k)
   {
-    mesh.Positions.row(mesh.Faces(7, k)) = mesh.Positions.row(mesh.Faces(7, 0));
-    mesh.Positions.row(mesh.Faces(500, k))[2] = 0.3;
-    mesh.Positions.row(mesh.Faces(500, k))[1] = 0.2;
+    mesh.Positions.row(mesh.Triangles(7, k)) = mesh.Positions.row(mesh.Triangles(7, 0));
+    mesh.Positions.row(mesh.Triangles(500, k))[2] = 0.3;
+    mesh.Positions.row(mesh.Triangles(500, k))[1] = 0.2;
   }
-  expectOneToOne(mesh, mapToSphere(mesh.Positions, mesh.Faces));
+  expectOneToOne(mesh, mapToSphere(mesh));
 }
 
 TEST(ProgressiveSphereMap, ASphereIsMappedNearlyWithoutDistortion)
 {
   const auto sphere = limb(1.0);
-  const auto map = mapToSphere(sphere.Positions, sphere.Faces);
+  const auto map = mapToSphere(sphere);
   expectOneToOne(sphere, map);
   const auto distortion =
-    conformal::measureDistortion(sphere.Positions, sphere.Faces, map.Positions);
+    conformal::measureDistortion(sphere.Positions, sphere.Triangles, map.Positions);
   EXPECT_LT(distortion.MeanQuasiConformalError, 1.1);
   EXPECT_LT(distortion.AreaDistortionDeviation, 0.2);
 }
@@ -102,9 +103,10 @@ TEST(ProgressiveSphereMap, BalanceTradesAnglesForAreas)
   {
     ProgressiveSphereMapOptions options;
     options.AreaBalance = balance;
-    const auto map = mapToSphere(mesh.Positions, mesh.Faces, options);
+    const auto map = mapToSphere(mesh, options);
     expectOneToOne(mesh, map);
-    const auto distortion = conformal::measureDistortion(mesh.Positions, mesh.Faces, map.Positions);
+    const auto distortion =
+      conformal::measureDistortion(mesh.Positions, mesh.Triangles, map.Positions);
     EXPECT_LT(distortion.AreaDistortionDeviation, lastArea);
     EXPECT_GT(distortion.MeanQuasiConformalError, lastAngle);
     lastArea = distortion.AreaDistortionDeviation;
@@ -115,16 +117,16 @@ TEST(ProgressiveSphereMap, BalanceTradesAnglesForAreas)
 TEST(ProgressiveSphereMap, RefusesWhatItCannotMap)
 {
   const auto mesh = limb(1.0);
-  const conformal::Triangles open = mesh.Faces.bottomRows(mesh.Faces.rows() - 1);
-  EXPECT_THROW(mapToSphere(mesh.Positions, open), std::invalid_argument);
+  const conformal::Triangles open = mesh.Triangles.bottomRows(mesh.Triangles.rows() - 1);
+  EXPECT_THROW(mapToSphere({ mesh.Positions, open }), std::invalid_argument);
   Points bad = mesh.Positions;
   bad(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(mapToSphere(bad, mesh.Faces), std::invalid_argument);
+  EXPECT_THROW(mapToSphere({ bad, mesh.Triangles }), std::invalid_argument);
   for (double balance : { -0.1, 1.1, std::numeric_limits<double>::quiet_NaN() })
   {
     ProgressiveSphereMapOptions options;
     options.AreaBalance = balance;
-    EXPECT_THROW(mapToSphere(mesh.Positions, mesh.Faces, options), std::invalid_argument);
+    EXPECT_THROW(mapToSphere(mesh, options), std::invalid_argument);
   }
 }
 
@@ -133,7 +135,7 @@ TEST(ProgressiveSphereMap, ReportsProgressAndStops)
   const auto mesh = limb(2.0);
   double last = -1.0;
   int calls = 0;
-  mapToSphere(mesh.Positions, mesh.Faces, {},
+  mapToSphere(mesh, {},
     [&](double fraction)
     {
       EXPECT_GE(fraction, last);
@@ -143,6 +145,5 @@ TEST(ProgressiveSphereMap, ReportsProgressAndStops)
     });
   EXPECT_GT(calls, 5);
   EXPECT_THROW(
-    mapToSphere(mesh.Positions, mesh.Faces, {}, [](double fraction) { return fraction < 0.5; }),
-    conformal::Aborted);
+    mapToSphere(mesh, {}, [](double fraction) { return fraction < 0.5; }), conformal::Aborted);
 }

@@ -25,9 +25,9 @@ using conformal::CurvedSeamlessSurface;
 using conformal::CurvedSeamlessSurfaceOptions;
 using conformal::CurvedSeamlessSurfaceResult;
 using conformal::DomeHeight;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::SeamMode;
 using conformal::Triangles;
@@ -96,18 +96,18 @@ Points randomDirections(Index size)
 class Transcription
 {
 public:
-  Transcription(const Points& sphere, const Points& model, const Triangles& faces)
+  Transcription(const Points& sphere, const Points& model, const Triangles& triangles)
     : Sphere(sphere)
     , Model(model)
-    , Faces(faces)
-    , Neighbors(conformal::triangleNeighbors(faces, sphere.rows()))
+    , Triangles(triangles)
+    , Neighbors(conformal::triangleNeighbors(triangles, sphere.rows()))
   {
   }
 
   Vector3 image(const Vector3& p) const
   {
     // Step 6: t by the two determinants, in the triangle that then holds p' = t p.
-    for (Index r = 0; r < this->Faces.rows(); ++r)
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       Eigen::Matrix4d above, below;
       above.row(0).setOnes();
@@ -131,13 +131,13 @@ public:
   }
 
 private:
-  static Vector3 corner(const Points& points, const Triangles& faces, Index r, int k)
+  static Vector3 corner(const Points& points, const Triangles& triangles, Index r, int k)
   {
-    return points.row(faces(r, k));
+    return points.row(triangles(r, k));
   }
   Vector3 corner(const Points& points, Index r, int k) const
   {
-    return corner(points, this->Faces, r, k);
+    return corner(points, this->Triangles, r, k);
   }
 
   static bool inside(const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
@@ -206,17 +206,17 @@ private:
   /// Eqs. 4 and 5 by quadrature over the unit disk, prevertices at the cube roots of unity.
   Vector3 conformal(Index r, const Vector3& point) const
   {
-    const Disk from(this->Sphere, this->Faces, r), to(this->Model, this->Faces, r);
+    const Disk from(this->Sphere, this->Triangles, r), to(this->Model, this->Triangles, r);
     return to.point(to.map(from.inverse(from.flat(point))));
   }
 
   class Disk
   {
   public:
-    Disk(const Points& points, const Triangles& faces, Index r)
-      : Origin(corner(points, faces, r, 0))
+    Disk(const Points& points, const Triangles& triangles, Index r)
+      : Origin(corner(points, triangles, r, 0))
     {
-      const Vector3 j = corner(points, faces, r, 1), k = corner(points, faces, r, 2);
+      const Vector3 j = corner(points, triangles, r, 1), k = corner(points, triangles, r, 2);
       this->X = (j - this->Origin).normalized();
       this->Y = (k - this->Origin - (k - this->Origin).dot(this->X) * this->X).normalized();
       const std::array<Complex, 3> z{ this->flat(this->Origin), this->flat(j), this->flat(k) };
@@ -307,19 +307,19 @@ private:
 
   const Points& Sphere;
   const Points& Model;
-  const Triangles& Faces;
-  Triangles Neighbors;
+  const conformal::Triangles& Triangles;
+  conformal::Triangles Neighbors;
 };
 }
 
 TEST(CurvedSeamlessSurface, FollowsThePaperToTheLetter)
 {
-  const GeodesicSphere network = makeGeodesicSphere(3);
+  const Mesh network = makeGeodesicSphere(3);
   const Points model = lumpyModel(network.Positions);
   const Points directions = randomDirections(60);
-  const Transcription paper(network.Positions, model, network.Faces);
-  const CurvedSeamlessSurfaceResult result =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions, Published);
+  const Transcription paper(network.Positions, model, network.Triangles);
+  const CurvedSeamlessSurfaceResult result = buildCurvedSeamlessSurface(
+    { { model, network.Triangles }, network.Positions }, directions, Published);
   for (Index i = 0; i < directions.rows(); ++i)
   {
     const Vector3 expected = paper.image(directions.row(i));
@@ -333,9 +333,9 @@ TEST(CurvedSeamlessSurface, TheSpheresOwnDomesGiveTheSphere)
   const Points directions = makeGeodesicSphere(40).Positions;
   const auto largestError = [&](int f)
   {
-    const GeodesicSphere network = makeGeodesicSphere(f);
+    const Mesh network = makeGeodesicSphere(f);
     const auto result = buildCurvedSeamlessSurface(
-      network.Positions, network.Positions, network.Faces, directions, Published);
+      { { network.Positions, network.Triangles }, network.Positions }, directions, Published);
     EXPECT_EQ(result.NumberOfDegeneratePatches, 0);
     return (result.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff();
   };
@@ -346,20 +346,21 @@ TEST(CurvedSeamlessSurface, TheSpheresOwnDomesGiveTheSphere)
 
 TEST(CurvedSeamlessSurface, NetworkVerticesGoToTheirWeightsExactly)
 {
-  const GeodesicSphere network = makeGeodesicSphere(7);
+  const Mesh network = makeGeodesicSphere(7);
   const Points model = shaken(lumpyModel(network.Positions), 0.05);
-  const auto result =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, network.Positions);
+  const auto result = buildCurvedSeamlessSurface(
+    { { model, network.Triangles }, network.Positions }, network.Positions);
   EXPECT_EQ(result.Positions, model);
 }
 
 TEST(CurvedSeamlessSurface, MovesWithTheModel)
 {
-  const GeodesicSphere network = makeGeodesicSphere(5);
+  const Mesh network = makeGeodesicSphere(5);
   const Points model = shaken(lumpyModel(network.Positions), 0.03);
   const Points directions = randomDirections(500);
   const Points expected =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions).Positions;
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions)
+      .Positions;
 
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
@@ -368,7 +369,8 @@ TEST(CurvedSeamlessSurface, MovesWithTheModel)
   {
     const Points moved = (scale * model * turn).rowwise() + scale * shift;
     const Points images =
-      buildCurvedSeamlessSurface(network.Positions, moved, network.Faces, directions).Positions;
+      buildCurvedSeamlessSurface({ { moved, network.Triangles }, network.Positions }, directions)
+        .Positions;
     const Points back = ((images / scale).rowwise() - shift) * turn.transpose();
     EXPECT_LT((back - expected).cwiseAbs().maxCoeff(), 1e-12);
   }
@@ -376,36 +378,38 @@ TEST(CurvedSeamlessSurface, MovesWithTheModel)
 
 TEST(CurvedSeamlessSurface, TurningTheSphereMapTurnsTheDirections)
 {
-  const GeodesicSphere network = makeGeodesicSphere(5);
+  const Mesh network = makeGeodesicSphere(5);
   const Points model = lumpyModel(network.Positions);
   const Points directions = randomDirections(500);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.7, Vector3(3, -2, 1).normalized()).toRotationMatrix();
   const Points expected =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions).Positions;
-  const Points images =
-    buildCurvedSeamlessSurface(network.Positions * turn, model, network.Faces, directions * turn)
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions)
       .Positions;
+  const Points images = buildCurvedSeamlessSurface(
+    { { model, network.Triangles }, network.Positions * turn }, directions * turn)
+                          .Positions;
   EXPECT_LT((images - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(CurvedSeamlessSurface, MirrorsAndTrianglesInsideOutChangeNothing)
 {
-  const GeodesicSphere network = makeGeodesicSphere(5);
+  const Mesh network = makeGeodesicSphere(5);
   const Points model = lumpyModel(network.Positions);
   const Points directions = randomDirections(500);
-  Triangles insideOut = network.Faces;
+  Triangles insideOut = network.Triangles;
   insideOut.col(0).swap(insideOut.col(1));
   for (const DomeHeight domeHeight : AllButFitted)
   {
     const auto expected = buildCurvedSeamlessSurface(
-      network.Positions, model, network.Faces, directions, optionsOf(domeHeight));
-    for (const Triangles& faces : { network.Faces, insideOut })
+      { { model, network.Triangles }, network.Positions }, directions, optionsOf(domeHeight));
+    for (const Triangles& triangles : { network.Triangles, insideOut })
     {
       for (const double sign : { 1.0, -1.0 })
       {
-        const auto images = buildCurvedSeamlessSurface(
-          sign * network.Positions, model, faces, sign * directions, optionsOf(domeHeight));
+        const auto images =
+          buildCurvedSeamlessSurface({ { model, triangles }, sign * network.Positions },
+            sign * directions, optionsOf(domeHeight));
         EXPECT_LT((images.Positions - expected.Positions).cwiseAbs().maxCoeff(), 1e-13);
         EXPECT_LT((images.Normals - expected.Normals).cwiseAbs().maxCoeff(), 1e-12);
       }
@@ -415,11 +419,11 @@ TEST(CurvedSeamlessSurface, MirrorsAndTrianglesInsideOutChangeNothing)
 
 TEST(CurvedSeamlessSurface, ThreadsAndCompanyChangeNothing)
 {
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   const Points model = shaken(lumpyModel(network.Positions), 0.03);
   const Points directions = randomDirections(3000);
   const auto alone =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions);
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions);
   const conformal::ParallelFor twoThreads = [](Index count, const std::function<void(Index)>& body)
   {
     std::thread second(
@@ -437,10 +441,10 @@ TEST(CurvedSeamlessSurface, ThreadsAndCompanyChangeNothing)
     second.join();
   };
   const auto together = buildCurvedSeamlessSurface(
-    network.Positions, model, network.Faces, directions, {}, nullptr, twoThreads);
+    { { model, network.Triangles }, network.Positions }, directions, {}, nullptr, twoThreads);
   EXPECT_EQ(alone.Positions, together.Positions);
   EXPECT_EQ(alone.Normals, together.Normals);
-  const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
+  const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions });
   for (Index i = 0; i < directions.rows(); i += 100)
   {
     CurvedSeamlessSurface::Evaluator fresh(surface); // remembers no triangle
@@ -451,13 +455,14 @@ TEST(CurvedSeamlessSurface, ThreadsAndCompanyChangeNothing)
 // Errors on the sphere itself, where the published domes are at home.
 TEST(CurvedSeamlessSurface, EveryDomeHeightComesToTheSphereAsCloseAsItCan)
 {
-  const GeodesicSphere network = makeGeodesicSphere(6);
+  const Mesh network = makeGeodesicSphere(6);
   const Points directions = makeGeodesicSphere(40).Positions;
   const auto largestError = [&](DomeHeight domeHeight)
   {
-    const Points images = buildCurvedSeamlessSurface(
-      network.Positions, network.Positions, network.Faces, directions, optionsOf(domeHeight))
-                            .Positions;
+    const Points images =
+      buildCurvedSeamlessSurface({ { network.Positions, network.Triangles }, network.Positions },
+        directions, optionsOf(domeHeight))
+        .Positions;
     return (images.rowwise().norm().array() - 1.0).abs().maxCoeff();
   };
   EXPECT_NEAR(largestError(DomeHeight::None), 7.8e-3, 3e-4);
@@ -469,7 +474,7 @@ TEST(CurvedSeamlessSurface, EveryDomeHeightComesToTheSphereAsCloseAsItCan)
 TEST(CurvedSeamlessSurface, ScaledDomesGrowWithTheModelAroundThem)
 {
   // One half of a sphere of ten times the size: its domes are those of its own radius.
-  const GeodesicSphere network = makeGeodesicSphere(8);
+  const Mesh network = makeGeodesicSphere(8);
   Points model = network.Positions;
   for (Index i = 0; i < model.rows(); ++i)
   {
@@ -479,7 +484,7 @@ TEST(CurvedSeamlessSurface, ScaledDomesGrowWithTheModelAroundThem)
   for (const DomeHeight domeHeight : { DomeHeight::Scaled, DomeHeight::Published })
   {
     const CurvedSeamlessSurface surface(
-      network.Positions, model, network.Faces, optionsOf(domeHeight));
+      { { model, network.Triangles }, network.Positions }, optionsOf(domeHeight));
     CurvedSeamlessSurface::Evaluator evaluator(surface);
     const double ofLarge = evaluator.evaluate(large).Position.norm() / 10.0,
                  ofSmall = evaluator.evaluate(small).Position.norm();
@@ -497,7 +502,7 @@ TEST(CurvedSeamlessSurface, ScaledDomesGrowWithTheModelAroundThem)
 
 TEST(CurvedSeamlessSurface, IsContinuousAcrossEdges)
 {
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   const Points model = shaken(lumpyModel(network.Positions), 0.04);
   for (const DomeHeight domeHeight : AllButFitted)
   {
@@ -505,14 +510,14 @@ TEST(CurvedSeamlessSurface, IsContinuousAcrossEdges)
     for (const SeamMode seamMode : { SeamMode::PerTriangle, SeamMode::EdgeMatched })
     {
       const CurvedSeamlessSurface surface(
-        network.Positions, model, network.Faces, optionsOf(domeHeight, seamMode));
+        { { model, network.Triangles }, network.Positions }, optionsOf(domeHeight, seamMode));
       CurvedSeamlessSurface::Evaluator evaluator(surface);
       std::mt19937_64 engine(4);
       std::uniform_real_distribution<double> uniform(0.0, 1.0);
       for (int i = 0; i < 20000; ++i)
       {
-        const Index r = static_cast<Index>(engine() % network.Faces.rows());
-        const int a = network.Faces(r, 0), b = network.Faces(r, 1);
+        const Index r = static_cast<Index>(engine() % network.Triangles.rows());
+        const int a = network.Triangles(r, 0), b = network.Triangles(r, 1);
         const Vector3 from = network.Positions.row(a), to = network.Positions.row(b);
         const double t = uniform(engine);
         const Vector3 onEdge = ((1.0 - t) * from + t * to).normalized();
@@ -544,13 +549,13 @@ TEST(CurvedSeamlessSurface, IsContinuousAcrossEdges)
 
 TEST(CurvedSeamlessSurface, GoesToTheSurfaceAndBack)
 {
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   const Points model = lumpyModel(network.Positions);
   const Points directions = randomDirections(20000);
   for (const DomeHeight domeHeight : { DomeHeight::None, DomeHeight::Curvature })
   {
     const CurvedSeamlessSurface surface(
-      network.Positions, model, network.Faces, optionsOf(domeHeight));
+      { { model, network.Triangles }, network.Positions }, optionsOf(domeHeight));
     Points images(directions.rows(), 3), back = images, feet = images;
     conformal::SurfaceSamples samples;
     samples.Positions = images.data();
@@ -572,20 +577,21 @@ TEST(CurvedSeamlessSurface, GoesToTheSurfaceAndBack)
         (evaluator.evaluate(foot.Direction).Position - foot.OnSurface.Position).norm(), 1e-9);
     }
   }
-  EXPECT_THROW(CurvedSeamlessInverse(CurvedSeamlessSurface(
-                 network.Positions, model, network.Faces, optionsOf(DomeHeight::Published))),
+  EXPECT_THROW(
+    CurvedSeamlessInverse(CurvedSeamlessSurface(
+      { { model, network.Triangles }, network.Positions }, optionsOf(DomeHeight::Published))),
     std::invalid_argument);
 }
 
 TEST(CurvedSeamlessSurface, DerivativesAreDifferences)
 {
-  const GeodesicSphere network = makeGeodesicSphere(7);
+  const Mesh network = makeGeodesicSphere(7);
   const Points model = shaken(lumpyModel(network.Positions), 0.02);
   const Points directions = randomDirections(500);
   for (const SeamMode seamMode : { SeamMode::PerTriangle, SeamMode::EdgeMatched })
   {
-    const CurvedSeamlessSurface surface(
-      network.Positions, model, network.Faces, optionsOf(DomeHeight::Curvature, seamMode));
+    const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions },
+      optionsOf(DomeHeight::Curvature, seamMode));
     CurvedSeamlessSurface::Evaluator evaluator(surface);
     int compared = 0;
     for (Index i = 0; i < directions.rows(); ++i)
@@ -608,7 +614,7 @@ TEST(CurvedSeamlessSurface, DerivativesAreDifferences)
     }
     EXPECT_GT(compared, 490);
   }
-  const CurvedSeamlessSurface domes(network.Positions, model, network.Faces, Published);
+  const CurvedSeamlessSurface domes({ { model, network.Triangles }, network.Positions }, Published);
   double unused[9];
   conformal::SurfaceSamples samples;
   samples.Derivatives = unused;
@@ -619,10 +625,10 @@ TEST(CurvedSeamlessSurface, DerivativesAreDifferences)
 // What differentiation and integration are good for.
 TEST(CurvedSeamlessSurface, IntegratesToItsAreaAndItsTotalCurvature)
 {
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   const Points model = lumpyModel(network.Positions);
-  const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
-  const GeodesicSphere dense = makeGeodesicSphere(180);
+  const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions });
+  const Mesh dense = makeGeodesicSphere(180);
   Points positions(dense.Positions.rows(), 3), normals = positions,
                                                metrics(3 * positions.rows(), 3);
   std::vector<double> elements(positions.rows());
@@ -636,12 +642,12 @@ TEST(CurvedSeamlessSurface, IntegratesToItsAreaAndItsTotalCurvature)
   const auto solidAngle = [](const Vector3& a, const Vector3& b, const Vector3& c)
   { return 2.0 * std::atan2(a.cross(b).dot(c), 1.0 + a.dot(b) + b.dot(c) + c.dot(a)); };
   double ofMesh = 0.0, integral = 0.0, curvature = 0.0;
-  for (Index r = 0; r < dense.Faces.rows(); ++r)
+  for (Index r = 0; r < dense.Triangles.rows(); ++r)
   {
     const auto corners = [&](const Points& points)
     {
-      return std::array<Vector3, 3>{ Vector3(points.row(dense.Faces(r, 0))),
-        Vector3(points.row(dense.Faces(r, 1))), Vector3(points.row(dense.Faces(r, 2))) };
+      return std::array<Vector3, 3>{ Vector3(points.row(dense.Triangles(r, 0))),
+        Vector3(points.row(dense.Triangles(r, 1))), Vector3(points.row(dense.Triangles(r, 2))) };
     };
     const auto q = corners(positions), p = corners(dense.Positions), n = corners(normals);
     ofMesh += 0.5 * (q[1] - q[0]).cross(q[2] - q[0]).norm();
@@ -672,16 +678,17 @@ TEST(CurvedSeamlessSurface, AFitComesCloserThanItsStart)
 {
   // Points of a fine lumpy model, learned on few vertices.
   const Points cloud = lumpyModel(makeGeodesicSphere(60).Positions);
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   const Points model = shaken(lumpyModel(network.Positions), 0.004);
-  const GeodesicSphere dense = makeGeodesicSphere(45);
+  const Mesh dense = makeGeodesicSphere(45);
   const conformal::TrainingSamples samples{ conformal::PointView(cloud) };
   const auto error = [&](DomeHeight domeHeight)
   {
-    const Points surface = buildCurvedSeamlessSurface(
-      network.Positions, model, network.Faces, dense.Positions, optionsOf(domeHeight), &samples)
-                             .Positions;
-    const conformal::TriangleTree tree(surface, dense.Faces);
+    const Points surface =
+      buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions },
+        dense.Positions, optionsOf(domeHeight), &samples)
+        .Positions;
+    const conformal::TriangleTree tree(surface, dense.Triangles);
     double sum = 0.0;
     for (Index i = 0; i < cloud.rows(); ++i)
     {
@@ -690,23 +697,23 @@ TEST(CurvedSeamlessSurface, AFitComesCloserThanItsStart)
     return sum / static_cast<double>(cloud.rows());
   };
   EXPECT_LT(error(DomeHeight::Fitted), 0.05 * error(DomeHeight::Curvature));
-  EXPECT_THROW(buildCurvedSeamlessSurface(network.Positions, model, network.Faces, dense.Positions,
-                 optionsOf(DomeHeight::Fitted)),
+  EXPECT_THROW(buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions },
+                 dense.Positions, optionsOf(DomeHeight::Fitted)),
     std::invalid_argument);
 }
 
 TEST(CurvedSeamlessSurface, DegenerateTrianglesAreFlaggedAndFinite)
 {
-  const GeodesicSphere network = makeGeodesicSphere(4);
+  const Mesh network = makeGeodesicSphere(4);
   Points model = lumpyModel(network.Positions);
-  const int i = network.Faces(10, 0), j = network.Faces(10, 1);
+  const int i = network.Triangles(10, 0), j = network.Triangles(10, 1);
   model.row(j) = model.row(i); // two triangles lose their area
   const Points directions = randomDirections(5000);
   const auto result =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, directions);
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions);
   EXPECT_EQ(result.NumberOfDegeneratePatches, 2);
   EXPECT_TRUE(result.Positions.allFinite());
-  const CurvedSeamlessSurface surface(network.Positions, model, network.Faces);
+  const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions });
   EXPECT_EQ(surface.degenerate()[10], 1);
   const auto flagged = std::count(result.Degenerate.begin(), result.Degenerate.end(), 1);
   EXPECT_GT(flagged, 0);
@@ -715,34 +722,35 @@ TEST(CurvedSeamlessSurface, DegenerateTrianglesAreFlaggedAndFinite)
 
 TEST(CurvedSeamlessSurface, AModelWithoutSizeIsOnePoint)
 {
-  const GeodesicSphere network = makeGeodesicSphere(2);
+  const Mesh network = makeGeodesicSphere(2);
   const Points model = Points::Constant(network.Positions.rows(), 3, 5.0);
-  const auto result =
-    buildCurvedSeamlessSurface(network.Positions, model, network.Faces, randomDirections(100));
-  EXPECT_EQ(result.NumberOfDegeneratePatches, network.Faces.rows());
+  const auto result = buildCurvedSeamlessSurface(
+    { { model, network.Triangles }, network.Positions }, randomDirections(100));
+  EXPECT_EQ(result.NumberOfDegeneratePatches, network.Triangles.rows());
   EXPECT_LT((result.Positions.array() - 5.0).abs().maxCoeff(), 1e-14);
 }
 
 TEST(CurvedSeamlessSurface, NeighboursFacingOppositeWaysAreFlagged)
 {
   // A lattice pressed flat: all triangles at the rim have a neighbour on the other side.
-  const GeodesicSphere network = makeGeodesicSphere(4);
+  const Mesh network = makeGeodesicSphere(4);
   Points model = network.Positions;
   model.col(2).setZero();
   const auto result = buildCurvedSeamlessSurface(
-    network.Positions, model, network.Faces, randomDirections(2000), Published);
+    { { model, network.Triangles }, network.Positions }, randomDirections(2000), Published);
   EXPECT_GT(result.NumberOfDegeneratePatches, 0);
-  EXPECT_LT(result.NumberOfDegeneratePatches, network.Faces.rows());
+  EXPECT_LT(result.NumberOfDegeneratePatches, network.Triangles.rows());
   EXPECT_TRUE(result.Positions.allFinite());
 }
 
 TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
 {
-  const GeodesicSphere network = makeGeodesicSphere(3);
+  const Mesh network = makeGeodesicSphere(3);
   const Points& sphere = network.Positions;
   const Points directions = randomDirections(10);
-  const auto build = [&](const Points& map, const Points& model, const Points& at)
-  { buildCurvedSeamlessSurface(map, model, network.Faces, at); };
+  const auto build = [&](const Points& map, const Points& model, const Points& at) {
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, map }, at);
+  };
   EXPECT_NO_THROW(build(3.0 * sphere, sphere, directions));
 
   Points bad = sphere;
@@ -764,7 +772,7 @@ TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
   EXPECT_THROW(build(sphere, sphere, bad), std::invalid_argument);
   bad(3, 0) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(build(sphere, sphere, bad), std::invalid_argument);
-  const CurvedSeamlessSurface surface(sphere, sphere, network.Faces);
+  const CurvedSeamlessSurface surface({ { sphere, network.Triangles }, sphere });
   EXPECT_THROW(CurvedSeamlessSurface::Evaluator(surface).evaluate(
                  Vector3::Constant(std::numeric_limits<double>::quiet_NaN())),
     std::invalid_argument);
@@ -772,10 +780,10 @@ TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
 
 TEST(CurvedSeamlessSurface, ReportsProgressAndStopsWhenAsked)
 {
-  const GeodesicSphere network = makeGeodesicSphere(3);
+  const Mesh network = makeGeodesicSphere(3);
   const auto build = [&](const conformal::Progress& progress)
   {
-    buildCurvedSeamlessSurface(network.Positions, network.Positions, network.Faces,
+    buildCurvedSeamlessSurface({ { network.Positions, network.Triangles }, network.Positions },
       makeGeodesicSphere(120).Positions, {}, nullptr, {}, progress);
   };
   std::vector<double> fractions;

@@ -15,9 +15,9 @@ using conformal::CurvedTriangleFitOptions;
 using conformal::CurvedTriangles;
 using conformal::CurvedTriangleTree;
 using conformal::fitCurvedTriangles;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::PointView;
 using conformal::TrainingSamples;
@@ -27,8 +27,8 @@ namespace
 {
 CurvedTriangles ball(int frequency, double radius)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(frequency);
-  return CurvedTriangles(radius * sphere.Positions, sphere.Positions, sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(frequency);
+  return CurvedTriangles(radius * sphere.Positions, sphere.Positions, sphere.Triangles);
 }
 
 Points ellipsoid(int frequency)

@@ -16,9 +16,9 @@ using conformal::CurvedTriangle;
 using conformal::CurvedTriangles;
 using conformal::CurvedTriangleTree;
 using conformal::FootPoint;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Random;
 using conformal::ShadingNormals;
@@ -29,7 +29,7 @@ namespace
 /// An ellipsoid with bumps.
 CurvedTriangles lumps(int frequency)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(frequency);
+  const Mesh sphere = makeGeodesicSphere(frequency);
   Points positions = sphere.Positions;
   for (Index i = 0; i < positions.rows(); ++i)
   {
@@ -38,7 +38,7 @@ CurvedTriangles lumps(int frequency)
     positions(i, 2) *= 0.7;
   }
   return CurvedTriangles(
-    positions, conformal::vertexNormals(positions, sphere.Faces), sphere.Faces);
+    positions, conformal::vertexNormals(positions, sphere.Triangles), sphere.Triangles);
 }
 
 Vector3 randomPoint(Random& random)
@@ -51,7 +51,7 @@ double volume(const CurvedTriangles& surface, int cuts)
 {
   // Every triangle cut into cuts^2 small ones.
   double sum = 0.0;
-  for (Index r = 0; r < surface.faces().rows(); ++r)
+  for (Index r = 0; r < surface.triangles().rows(); ++r)
   {
     const CurvedTriangle triangle = surface[r];
     const auto at = [&](int i, int j)
@@ -80,10 +80,10 @@ double volume(const CurvedTriangles& surface, int cuts)
 TEST(CurvedTriangles, NeighboursMeetToTheBit)
 {
   const CurvedTriangles surface = lumps(5);
-  const conformal::Triangles& faces = surface.faces();
+  const conformal::Triangles& triangles = surface.triangles();
   const conformal::Triangles neighbors =
-    conformal::triangleNeighbors(faces, surface.positions().rows());
-  for (Index r = 0; r < faces.rows(); ++r)
+    conformal::triangleNeighbors(triangles, surface.positions().rows());
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
@@ -95,18 +95,18 @@ TEST(CurvedTriangles, NeighboursMeetToTheBit)
         here[(k + 1) % 3] = share;
         for (int l = 0; l < 3; ++l)
         {
-          there[l] = faces(other, l) == faces(r, k)    ? 1.0 - share
-            : faces(other, l) == faces(r, (k + 1) % 3) ? share
-                                                       : 0.0;
+          there[l] = triangles(other, l) == triangles(r, k)    ? 1.0 - share
+            : triangles(other, l) == triangles(r, (k + 1) % 3) ? share
+                                                               : 0.0;
         }
         EXPECT_EQ(surface[r].position(here), surface[other].position(there));
         EXPECT_LT(
           (ShadingNormals(surface[r])(here) - ShadingNormals(surface[other])(there)).norm(), 1e-15);
       }
       // At its corners a triangle is tangent to the plane across the normal.
-      EXPECT_LT(
-        (surface[r].surfaceNormal(Vector3::Unit(k)) - Vector3(surface.normals().row(faces(r, k))))
-          .norm(),
+      EXPECT_LT((surface[r].surfaceNormal(Vector3::Unit(k)) -
+                  Vector3(surface.normals().row(triangles(r, k))))
+                  .norm(),
         1e-12);
     }
   }
@@ -116,7 +116,7 @@ TEST(CurvedTriangles, DerivativesAreDifferences)
 {
   const CurvedTriangles surface = lumps(3);
   Random random(1);
-  for (Index r = 0; r < surface.faces().rows(); ++r)
+  for (Index r = 0; r < surface.triangles().rows(); ++r)
   {
     const CurvedTriangle triangle = surface[r];
     const Vector3 m = randomPoint(random);
@@ -136,7 +136,7 @@ TEST(CurvedTriangles, BoundsHoldTheTriangle)
 {
   const CurvedTriangles surface = lumps(3);
   Random random(2);
-  for (Index r = 0; r < surface.faces().rows(); ++r)
+  for (Index r = 0; r < surface.triangles().rows(); ++r)
   {
     const CurvedTriangle triangle = surface[r];
     for (int i = 0; i < 100; ++i)
@@ -148,19 +148,19 @@ TEST(CurvedTriangles, BoundsHoldTheTriangle)
 
 TEST(CurvedTriangles, WithoutNormalsTheyAreFlat)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(1);
-  const CurvedTriangles flat(sphere.Positions, Points::Zero(12, 3), sphere.Faces);
+  const Mesh sphere = makeGeodesicSphere(1);
+  const CurvedTriangles flat(sphere.Positions, Points::Zero(12, 3), sphere.Triangles);
   const Vector3 m(0.2, 0.3, 0.5);
   Vector3 expected = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    expected += m[k] * sphere.Positions.row(sphere.Faces(4, k)).transpose();
+    expected += m[k] * sphere.Positions.row(sphere.Triangles(4, k)).transpose();
   }
   EXPECT_LT((flat[4].position(m) - expected).norm(), 1e-16);
   EXPECT_EQ(flat[4].rise(1), Vector3(Vector3::Zero()));
   // The angle between an icosahedron's faces.
   const auto jumps = conformal::measureNormalJumps(
-    flat, conformal::triangleNeighbors(sphere.Faces, sphere.Positions.rows()));
+    flat, conformal::triangleNeighbors(sphere.Triangles, sphere.Positions.rows()));
   const double angle = 180.0 - std::acos(-std::sqrt(5.0) / 3.0) * 180.0 / std::acos(-1.0);
   EXPECT_NEAR(jumps.Mean, angle, 1e-10);
   EXPECT_NEAR(jumps.Largest, angle, 1e-10);
@@ -170,9 +170,9 @@ TEST(CurvedTriangles, NormalsJumpLittleOnARoundSurface)
 {
   const CurvedTriangles surface = lumps(12);
   const conformal::Triangles neighbors =
-    conformal::triangleNeighbors(surface.faces(), surface.positions().rows());
+    conformal::triangleNeighbors(surface.triangles(), surface.positions().rows());
   const CurvedTriangles flat(
-    surface.positions(), Points::Zero(surface.positions().rows(), 3), surface.faces());
+    surface.positions(), Points::Zero(surface.positions().rows(), 3), surface.triangles());
   const auto jumps = conformal::measureNormalJumps(surface, neighbors);
   EXPECT_GT(jumps.Mean, 0.0);
   EXPECT_LT(jumps.Mean, 0.1 * conformal::measureNormalJumps(flat, neighbors).Mean);
@@ -182,13 +182,13 @@ TEST(CurvedTriangles, LoweredVerticesKeepTheVolume)
 {
   const CurvedTriangles surface = lumps(8);
   const conformal::Adjacency around =
-    conformal::vertexTriangles(surface.faces(), surface.positions().rows());
-  const double flat = conformal::signedVolume(surface.positions(), surface.faces());
+    conformal::vertexTriangles(surface.triangles(), surface.positions().rows());
+  const double flat = conformal::signedVolume(surface.positions(), surface.triangles());
   const auto excess = [&](double share)
   {
     const Points lowered = conformal::lowerVertices(surface, around, share);
-    return volume(CurvedTriangles(
-                    lowered, conformal::vertexNormals(lowered, surface.faces()), surface.faces()),
+    return volume(CurvedTriangles(lowered, conformal::vertexNormals(lowered, surface.triangles()),
+                    surface.triangles()),
              6) -
       flat;
   };
@@ -213,7 +213,7 @@ TEST(CurvedTriangles, ClosestPointsAreTheClosest)
     EXPECT_LT((triangle.position(foot.Barycentric) - foot.Position).norm(), 1e-15);
     EXPECT_DOUBLE_EQ((foot.Position - x).squaredNorm(), foot.SquareDistance);
     double least = std::numeric_limits<double>::infinity();
-    for (Index r = 0; r < surface.faces().rows(); ++r)
+    for (Index r = 0; r < surface.triangles().rows(); ++r)
     {
       for (int a = 0; a <= 10; ++a)
       {

@@ -8,9 +8,9 @@
 #include <cmath>
 
 using conformal::FlatMap;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::SphereDomes;
 using conformal::Triangles;
@@ -30,18 +30,18 @@ struct Model
       const Vector3 n = this->Sphere.Positions.row(v);
       this->Positions.row(v) *= 1.0 + 0.3 * std::sin(3.0 * n[0]) * n[1];
     }
-    this->Neighbors = conformal::triangleNeighbors(this->Sphere.Faces, this->Positions.rows());
-    this->Map = FlatMap(this->Sphere.Positions, this->Positions, this->Sphere.Faces,
+    this->Neighbors = conformal::triangleNeighbors(this->Sphere.Triangles, this->Positions.rows());
+    this->Map = FlatMap(this->Sphere.Positions, this->Positions, this->Sphere.Triangles,
       this->Neighbors, conformal::SeamMode::PerTriangle);
   }
 
   SphereDomes domes(bool insideOut = false) const
   {
-    return SphereDomes(this->Sphere.Positions, this->Positions, this->Sphere.Faces, this->Neighbors,
-      this->Map, insideOut, {});
+    return SphereDomes(this->Sphere.Positions, this->Positions, this->Sphere.Triangles,
+      this->Neighbors, this->Map, insideOut, {});
   }
 
-  GeodesicSphere Sphere;
+  Mesh Sphere;
   Points Positions;
   Triangles Neighbors;
   FlatMap Map;
@@ -62,11 +62,11 @@ TEST(SphereDomes, AreAsHighAsTheSphereIsAboveItsTriangles)
 {
   const Model model(4);
   const SphereDomes domes = model.domes();
-  for (Index r = 0; r < model.Sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < model.Sphere.Triangles.rows(); ++r)
   {
     for (const Vector3& place : Places)
     {
-      const Vector3 flat = at(model.Sphere.Positions, model.Sphere.Faces, r, place);
+      const Vector3 flat = at(model.Sphere.Positions, model.Sphere.Triangles, r, place);
       ASSERT_NEAR(domes.height(r, place), (flat.normalized() - flat).norm(), 1e-15);
     }
   }
@@ -77,7 +77,7 @@ TEST(SphereDomes, RiseAlongTheNormalInTheMiddleAndTheMeanOneOnEdges)
 {
   const Model model(4);
   const SphereDomes domes = model.domes();
-  const Triangles& triangles = model.Sphere.Faces;
+  const Triangles& triangles = model.Sphere.Triangles;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     ASSERT_TRUE(domes.defined(r));
@@ -107,9 +107,10 @@ TEST(SphereDomes, RiseOutwardWhicheverWayTrianglesRun)
 {
   const Model model(3);
   const SphereDomes domes = model.domes(), turned = model.domes(true);
-  for (Index r = 0; r < model.Sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < model.Sphere.Triangles.rows(); ++r)
   {
-    const Vector3 middle = at(model.Positions, model.Sphere.Faces, r, Vector3::Constant(1.0 / 3.0));
+    const Vector3 middle =
+      at(model.Positions, model.Sphere.Triangles, r, Vector3::Constant(1.0 / 3.0));
     EXPECT_GT(domes.normal(r).dot(middle), 0.0);
     EXPECT_EQ(turned.normal(r), -domes.normal(r));
     for (const Vector3& place : Places)
@@ -122,13 +123,13 @@ TEST(SphereDomes, RiseOutwardWhicheverWayTrianglesRun)
 TEST(SphereDomes, ATriangleWithoutAreaIsNotDefined)
 {
   Model model(3);
-  const auto ids = model.Sphere.Faces.row(7);
+  const auto ids = model.Sphere.Triangles.row(7);
   model.Positions.row(ids[1]) = model.Positions.row(ids[0]);
-  model.Map = FlatMap(model.Sphere.Positions, model.Positions, model.Sphere.Faces, model.Neighbors,
-    conformal::SeamMode::PerTriangle);
+  model.Map = FlatMap(model.Sphere.Positions, model.Positions, model.Sphere.Triangles,
+    model.Neighbors, conformal::SeamMode::PerTriangle);
   const SphereDomes domes = model.domes();
   EXPECT_EQ(domes.normal(7), Vector3::Zero());
-  for (Index r = 0; r < model.Sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < model.Sphere.Triangles.rows(); ++r)
   {
     for (const Vector3& place : Places)
     {

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::SphereProjection;
 using conformal::SphericalTexture;
@@ -22,7 +22,7 @@ using conformal::wrapped;
 namespace
 {
 // The network with the coordinates of its vertices, as splitAtSeams is given them.
-SphericalTexture unsplit(const GeodesicSphere& sphere, SphereProjection projection)
+SphericalTexture unsplit(const Mesh& sphere, SphereProjection projection)
 {
   SphericalTexture texture;
   texture.Image.Projection = projection;
@@ -35,10 +35,10 @@ SphericalTexture unsplit(const GeodesicSphere& sphere, SphereProjection projecti
   return texture;
 }
 
-SphericalTexture split(const GeodesicSphere& sphere, SphereProjection projection)
+SphericalTexture split(const Mesh& sphere, SphereProjection projection)
 {
   SphericalTexture texture = unsplit(sphere, projection);
-  splitAtSeams(texture, sphere.Faces, sphere.Positions, TextureWrap::Clamp, {}, {});
+  splitAtSeams(texture, sphere.Triangles, sphere.Positions, TextureWrap::Clamp, {}, {});
   return texture;
 }
 
@@ -84,15 +84,15 @@ TEST(SeamSplit, WrapsCoordinates)
 // Each triangle is cut into parts of its own plane and sense that fill it.
 TEST(SeamSplit, PartsFillTheirTriangles)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(7);
+  const Mesh sphere = makeGeodesicSphere(7);
   for (const SphereProjection projection : Seamed)
   {
     const SphericalTexture texture = split(sphere, projection);
     ASSERT_EQ(static_cast<Index>(texture.TriangleIds.size()), texture.SplitTriangles.rows());
     ASSERT_EQ(texture.Coordinates.rows(),
       sphere.Positions.rows() + static_cast<Index>(texture.AddedPlaces.size()));
-    EXPECT_GT(texture.SplitTriangles.rows(), sphere.Faces.rows());
-    Points sums = Points::Zero(sphere.Faces.rows(), 3);
+    EXPECT_GT(texture.SplitTriangles.rows(), sphere.Triangles.rows());
+    Points sums = Points::Zero(sphere.Triangles.rows(), 3);
     for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
     {
       Vector3 corners[3];
@@ -100,7 +100,7 @@ TEST(SeamSplit, PartsFillTheirTriangles)
       {
         corners[k] = placeOf(texture, sphere.Positions, texture.SplitTriangles(r, k));
       }
-      const auto ids = sphere.Faces.row(texture.TriangleIds[r]);
+      const auto ids = sphere.Triangles.row(texture.TriangleIds[r]);
       const Vector3 part = areaVector(corners[0], corners[1], corners[2]);
       const Vector3 whole = areaVector(
         sphere.Positions.row(ids[0]), sphere.Positions.row(ids[1]), sphere.Positions.row(ids[2]));
@@ -108,9 +108,9 @@ TEST(SeamSplit, PartsFillTheirTriangles)
       ASSERT_LT(part.cross(whole).norm(), 1e-12);
       sums.row(texture.TriangleIds[r]) += part;
     }
-    for (Index r = 0; r < sphere.Faces.rows(); ++r)
+    for (Index r = 0; r < sphere.Triangles.rows(); ++r)
     {
-      const auto ids = sphere.Faces.row(r);
+      const auto ids = sphere.Triangles.row(r);
       const Vector3 whole = areaVector(
         sphere.Positions.row(ids[0]), sphere.Positions.row(ids[1]), sphere.Positions.row(ids[2]));
       ASSERT_LT((Vector3(sums.row(r)) - whole).norm(), 1e-12) << r;
@@ -121,7 +121,7 @@ TEST(SeamSplit, PartsFillTheirTriangles)
 // Without the split, triangles across a seam show all of the image.
 TEST(SeamSplit, NoPartSpansASeam)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(7);
+  const Mesh sphere = makeGeodesicSphere(7);
   const auto widest = [](const conformal::TextureCoordinates& st, const conformal::Triangles& ids)
   {
     double width = 0.0;
@@ -138,7 +138,7 @@ TEST(SeamSplit, NoPartSpansASeam)
   {
     const SphericalTexture before = unsplit(sphere, projection);
     const SphericalTexture texture = split(sphere, projection);
-    EXPECT_GT(widest(before.Coordinates, sphere.Faces), 0.3);
+    EXPECT_GT(widest(before.Coordinates, sphere.Triangles), 0.3);
     EXPECT_TRUE((texture.Coordinates.array() >= 0.0).all());
     EXPECT_TRUE((texture.Coordinates.array() <= 1.0).all());
     if (projection == SphereProjection::LongitudeLatitude)
@@ -153,7 +153,7 @@ TEST(SeamSplit, NoPartSpansASeam)
 // projection.
 TEST(SeamSplit, PartsLieWhereTheyDoOnTheSphere)
 {
-  const GeodesicSphere sphere = makeGeodesicSphere(12);
+  const Mesh sphere = makeGeodesicSphere(12);
   for (const SphereProjection projection : Seamed)
   {
     const SphericalTexture texture = split(sphere, projection);

@@ -36,8 +36,8 @@ TEST(SphereViewChoice, StandsUprightOnTheSphere)
     { { 1, 0.3, 0 }, { 0, 0, 1e-3 } }, { { -1, 2, 3 }, { 1, 1, 1 } } };
   for (const auto& [direction, up] : views)
   {
-    const SphereView view =
-      chooseSphereView(sphere.Positions, sphere.Faces, sphere.Positions, seenFrom(direction, up));
+    const SphereView view = chooseSphereView(
+      sphere.Positions, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
     const Vector3 pole = direction.normalized(), right = up.cross(direction).normalized();
     EXPECT_LT((view.Pole - pole).norm(), 1e-12);
     EXPECT_LT((view.Right - right).norm(), 2e-2); // the lattice is not symmetric to all views
@@ -53,7 +53,7 @@ TEST(SphereViewChoice, FramesAreOrthonormalAndRightHanded)
     SphereViewOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
     options.FieldOfView = degrees;
     const SphereView view =
-      chooseSphereView(egg(sphere.Positions), sphere.Faces, sphere.Positions, options);
+      chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
     EXPECT_NEAR(view.Pole.norm(), 1.0, 1e-14);
     EXPECT_NEAR(view.Up.norm(), 1.0, 1e-14);
     EXPECT_LT((view.Right.cross(view.Up) - view.Pole).norm(), 1e-14);
@@ -72,7 +72,7 @@ TEST(SphereViewChoice, TakesTheFarthestPointWhereTheLineMisses)
     bow.row(i) = Vector3(radius * std::sin(along), radius * std::cos(along),
       0.2 * sphere.Positions(i, 2) + 0.1 * along);
   }
-  const SphereView view = chooseSphereView(bow, sphere.Faces, sphere.Positions);
+  const SphereView view = chooseSphereView(bow, sphere.Triangles, sphere.Positions);
   Index top = 0;
   bow.col(2).maxCoeff(&top);
   EXPECT_LT((view.Pole - Vector3(sphere.Positions.row(top))).norm(), 1e-12);
@@ -82,7 +82,7 @@ TEST(SphereViewChoice, RefusesViewsThatAreNone)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
   const auto choose = [&](const SphereViewOptions& options)
-  { return chooseSphereView(sphere.Positions, sphere.Faces, sphere.Positions, options); };
+  { return chooseSphereView(sphere.Positions, sphere.Triangles, sphere.Positions, options); };
   EXPECT_THROW(choose(seenFrom({ 0, 0, 0 }, { 0, 1, 0 })), std::invalid_argument);
   EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, 0 })), std::invalid_argument);
   EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, -2 })), std::invalid_argument);
@@ -111,14 +111,14 @@ TEST(SphereViewChoice, TakesAPickedPointAsThePole)
 {
   const auto sphere = conformal::makeGeodesicSphere(12);
   const Points model = egg(sphere.Positions);
-  Triangles insideOut = sphere.Faces;
+  Triangles insideOut = sphere.Triangles;
   insideOut.col(1).swap(insideOut.col(2));
   SphereViewOptions options = seenFrom({ 0, 0, 1 }, { 0, 1, 0 });
   options.UseViewPoint = true;
   for (Index picked : { 5, 40, 333, 900 })
   {
     options.ViewPoint = 1.01 * Vector3(model.row(picked)); // a little off the surface
-    const SphereView view = chooseSphereView(model, sphere.Faces, sphere.Positions, options);
+    const SphereView view = chooseSphereView(model, sphere.Triangles, sphere.Positions, options);
     EXPECT_GT(view.Pole.dot(sphere.Positions.row(picked)), std::cos(0.05));
     EXPECT_GT(view.Up[1], 0.0);
     EXPECT_LT(std::abs(view.Right[1]), 0.15);
@@ -134,10 +134,10 @@ TEST(SphereViewChoice, RotatesAsTheViewerSeesIt)
   const auto sphere = conformal::makeGeodesicSphere(8);
   SphereViewOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
   const SphereView upright =
-    chooseSphereView(egg(sphere.Positions), sphere.Faces, sphere.Positions, options);
+    chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
   options.Rotation = 90.0; // counter-clockwise: the image's right edge goes up
   const SphereView turned =
-    chooseSphereView(egg(sphere.Positions), sphere.Faces, sphere.Positions, options);
+    chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
   EXPECT_LT((turned.Pole - upright.Pole).norm(), 1e-15);
   EXPECT_LT((turned.Right - upright.Up).norm(), 1e-14);
   EXPECT_LT((turned.Up + upright.Right).norm(), 1e-14);

@@ -66,25 +66,25 @@ TEST(SphericalTexture, DoesNotDependOnCoordinates)
   const Points model = egg(sphere.Positions);
   const Vector3 direction(1, 0.4, 2), up(0.1, 1, 0);
   const SphericalTexture texture =
-    makeSphericalTexture(model, sphere.Faces, sphere.Positions, seenFrom(direction, up));
+    makeSphericalTexture(model, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(2.1, Vector3(3, 1, -1).normalized()).toRotationMatrix();
 
   Points turned = 1e150 * (model * turn.transpose());
   turned.rowwise() += Eigen::RowVector3d(3e150, 0, -1e150);
   const SphericalTexture ofTurned = makeSphericalTexture(
-    turned, sphere.Faces, sphere.Positions, seenFrom(turn * direction, turn * up));
+    turned, sphere.Triangles, sphere.Positions, seenFrom(turn * direction, turn * up));
   EXPECT_LT((ofTurned.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 
   const Points turnedSphere = sphere.Positions * turn.transpose();
   const SphericalTexture onTurned =
-    makeSphericalTexture(model, sphere.Faces, turnedSphere, seenFrom(direction, up));
+    makeSphericalTexture(model, sphere.Triangles, turnedSphere, seenFrom(direction, up));
   EXPECT_LT((onTurned.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 
   Points mirrored = sphere.Positions;
   mirrored.col(1) *= -1.0;
   const SphericalTexture onMirrored =
-    makeSphericalTexture(model, sphere.Faces, mirrored, seenFrom(direction, up));
+    makeSphericalTexture(model, sphere.Triangles, mirrored, seenFrom(direction, up));
   EXPECT_LT((onMirrored.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 }
 
@@ -97,7 +97,7 @@ TEST(SphericalTexture, IsNotMirroredOnAModel)
   {
     const Vector3 up(0.2, 1, 0.1), right = up.cross(direction).normalized();
     const SphericalTexture texture =
-      makeSphericalTexture(model, sphere.Faces, sphere.Positions, seenFrom(direction, up));
+      makeSphericalTexture(model, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
     const Vector3 upright = direction.cross(right).normalized();
     double alongRight = 0.0, alongUp = 0.0, across = 0.0;
     for (Index i = 0; i < model.rows(); ++i)
@@ -121,7 +121,7 @@ TEST(SphericalTexture, MasksWhatTheImageDoesNotReach)
 {
   const auto sphere = conformal::makeGeodesicSphere(6);
   const SphericalTexture texture =
-    makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions);
+    makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     const Vector2 st = texture.Coordinates.row(i);
@@ -151,7 +151,7 @@ TEST(SphericalTexture, StaysFiniteOnDegenerateModels)
   {
     for (const Points& positions : { sphere.Positions, collapsed })
     {
-      const SphericalTexture texture = makeSphericalTexture(model, sphere.Faces, positions);
+      const SphericalTexture texture = makeSphericalTexture(model, sphere.Triangles, positions);
       EXPECT_TRUE(texture.Coordinates.allFinite());
       EXPECT_NEAR(texture.Image.View.Pole.norm(), 1.0, 1e-12);
       EXPECT_NEAR(texture.Image.View.Up.norm(), 1.0, 1e-12);
@@ -173,7 +173,7 @@ TEST(SphericalTexture, SplitTrianglesShowWhatBelongsThere)
       options.Projection = projection;
       options.Margin = margin;
       const SphericalTexture texture =
-        makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+        makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
       const Points places = placed(texture, sphere.Positions);
       EXPECT_GE(texture.Coordinates.minCoeff(), 0.0);
       EXPECT_LE(texture.Coordinates.maxCoeff(), 1.0);
@@ -204,7 +204,7 @@ TEST(SphericalTexture, SplitTrianglesShowWhatBelongsThere)
           ASSERT_LT((conformal::textureToSphere(st, texture.Image) - n.normalized()).norm(), 0.01);
         }
       }
-      EXPECT_GT(shown, sphere.Faces.rows() / 2);
+      EXPECT_GT(shown, sphere.Triangles.rows() / 2);
     }
   }
 }
@@ -223,9 +223,9 @@ TEST(SphericalTexture, SplitKeepsTheSurface)
       options.Wrap = wrap;
       options.Scale = { 0.7, 0.4 };
       const SphericalTexture texture =
-        makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+        makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
       const Points places = placed(texture, sphere.Positions);
-      Points areas = Points::Zero(sphere.Faces.rows(), 3);
+      Points areas = Points::Zero(sphere.Triangles.rows(), 3);
       const auto areaOf = [](const Points& points, const auto& ids)
       {
         const Vector3 a = points.row(ids[0]), b = points.row(ids[1]), c = points.row(ids[2]);
@@ -235,12 +235,12 @@ TEST(SphericalTexture, SplitKeepsTheSurface)
       {
         const Vector3 piece = areaOf(places, texture.SplitTriangles.row(r));
         const Index whole = texture.TriangleIds[r];
-        ASSERT_GT(piece.dot(areaOf(sphere.Positions, sphere.Faces.row(whole))), 0.0);
+        ASSERT_GT(piece.dot(areaOf(sphere.Positions, sphere.Triangles.row(whole))), 0.0);
         areas.row(whole) += piece.transpose();
       }
-      for (Index r = 0; r < sphere.Faces.rows(); ++r)
+      for (Index r = 0; r < sphere.Triangles.rows(); ++r)
       {
-        const Vector3 expected = areaOf(sphere.Positions, sphere.Faces.row(r));
+        const Vector3 expected = areaOf(sphere.Positions, sphere.Triangles.row(r));
         ASSERT_LT((Vector3(areas.row(r)) - expected).norm(), 1e-9 * expected.norm());
       }
       ASSERT_TRUE(texture.Coordinates.allFinite());
@@ -261,7 +261,7 @@ TEST(SphericalTexture, SplitLeavesNoCracks)
     options.Wrap =
       projection == SphereProjection::Stereographic ? TextureWrap::Repeat : TextureWrap::Clamp;
     const SphericalTexture texture =
-      makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+      makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
     const Points places = placed(texture, sphere.Positions);
     const auto place = [&](int id)
     {
@@ -305,18 +305,18 @@ TEST(SphericalTexture, SplitKeepsThinTrianglesBesideAPoleTheRightWayRound)
   const auto count = static_cast<int>(sphere.Positions.rows());
   Points positions(count + 3, 3);
   positions << sphere.Positions, at(0.02, 0.2), at(0.76, 0.2), at(0.39, 0.195);
-  Triangles faces(sphere.Faces.rows() + 1, 3);
-  faces << sphere.Faces, count, count + 1, count + 2;
+  Triangles triangles(sphere.Triangles.rows() + 1, 3);
+  triangles << sphere.Triangles, count, count + 1, count + 2;
   // 0.195 is farther from the pole than the side's middle, 0.2 cos(0.37) = 0.186, so from outside,
   // with the pole above, the third corner lies below.
-  faces.bottomRows(1) << count, count + 2, count + 1;
+  triangles.bottomRows(1) << count, count + 2, count + 1;
   options.ViewUp = { 0, 1, 0 };
-  const SphericalTexture texture = makeSphericalTexture(positions, faces, positions, options);
+  const SphericalTexture texture = makeSphericalTexture(positions, triangles, positions, options);
   double area = 0.0;
   int pieces = 0;
   for (Index r = 0; r < texture.SplitTriangles.rows(); ++r)
   {
-    if (texture.TriangleIds[r] == sphere.Faces.rows())
+    if (texture.TriangleIds[r] == sphere.Triangles.rows())
     {
       ASSERT_GT(signedArea(texture, r), 0.0);
       area += signedArea(texture, r);
@@ -335,7 +335,7 @@ TEST(SphericalTexture, WrapsAsAsked)
   const auto make = [&](TextureWrap wrap)
   {
     options.Wrap = wrap;
-    return makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+    return makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
   };
   const SphericalTexture clamp = make(TextureWrap::Clamp), repeat = make(TextureWrap::Repeat),
                          mirror = make(TextureWrap::Mirror);
@@ -362,10 +362,10 @@ TEST(SphericalTexture, ScalesTheImageAboutItsMiddle)
   SphericalTextureOptions options;
   options.Wrap = TextureWrap::Repeat;
   const SphericalTexture whole =
-    makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+    makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
   options.Scale = { 2.0, 0.5 };
   const SphericalTexture scaled =
-    makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options);
+    makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
   for (Index i = 0; i < sphere.Positions.rows(); ++i)
   {
     if (sphere.Positions(i, 2) > -0.9)
@@ -380,7 +380,7 @@ TEST(SphericalTexture, RefusesScalesAndMarginsOutOfRange)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
   const auto make = [&](const SphericalTextureOptions& options)
-  { makeSphericalTexture(sphere.Positions, sphere.Faces, sphere.Positions, options); };
+  { makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options); };
   for (double bad : { 0.0, -1.0, 1e4, std::nan("") })
   {
     SphericalTextureOptions options;

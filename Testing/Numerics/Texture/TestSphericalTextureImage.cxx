@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 using conformal::Index;
+using conformal::MappedMesh;
 using conformal::paintSphericalTexture;
 using conformal::PixelGrid;
 using conformal::Points;
 using conformal::SphereImage;
-using conformal::SphereMappedSurface;
 using conformal::SphereProjection;
 using conformal::SurfacePlace;
 using conformal::Triangles;
@@ -23,7 +23,7 @@ namespace
 {
 const PixelGrid Grid = { 30, 20 };
 
-std::vector<SurfacePlace> painted(const SphereMappedSurface& surface, const SphereImage& image)
+std::vector<SurfacePlace> painted(const MappedMesh& surface, const SphereImage& image)
 {
   std::vector<SurfacePlace> result(Grid.size());
   paintSphericalTexture(surface, image, Grid,
@@ -46,7 +46,7 @@ Vector3 valueAt(const SurfacePlace& place, const Points& values)
 TEST(SphericalTextureImage, PixelsShowTheirDirection)
 {
   const auto sphere = conformal::makeGeodesicSphere(6);
-  Triangles mirrored = sphere.Faces; // clockwise on the sphere
+  Triangles mirrored = sphere.Triangles; // clockwise on the sphere
   mirrored.col(1).swap(mirrored.col(2));
   SphereImage image;
   image.Margin = 0.05;
@@ -55,9 +55,9 @@ TEST(SphericalTextureImage, PixelsShowTheirDirection)
       SphereProjection::Octahedral, SphereProjection::CubeMap })
   {
     image.Projection = projection;
-    for (const Triangles& faces : { sphere.Faces, mirrored })
+    for (const Triangles& triangles : { sphere.Triangles, mirrored })
     {
-      const auto places = painted({ sphere.Positions, faces, sphere.Positions }, image);
+      const auto places = painted({ sphere.Positions, triangles, sphere.Positions }, image);
       for (Index i = 0; i < Grid.size(); ++i)
       {
         const Vector3 direction = conformal::textureToSphere(Grid.middleOf(i), image);
@@ -71,13 +71,13 @@ TEST(SphericalTextureImage, PixelsShowTheirDirection)
 TEST(SphericalTextureImage, LeavesHolesOut)
 {
   const auto sphere = conformal::makeGeodesicSphere(6);
-  Triangles half(sphere.Faces.rows(), 3);
+  Triangles half(sphere.Triangles.rows(), 3);
   Index kept = 0;
-  for (Index r = 0; r < sphere.Faces.rows(); ++r)
+  for (Index r = 0; r < sphere.Triangles.rows(); ++r)
   {
-    if (sphere.Positions(sphere.Faces(r, 0), 2) > 0.3)
+    if (sphere.Positions(sphere.Triangles(r, 0), 2) > 0.3)
     {
-      half.row(kept++) = sphere.Faces.row(r);
+      half.row(kept++) = sphere.Triangles.row(r);
     }
   }
   SphereImage image;
@@ -98,12 +98,12 @@ TEST(SphericalTextureImage, TakesPlacesFromAnotherSurface)
 {
   const auto coarse = conformal::makeGeodesicSphere(6), fine = conformal::makeGeodesicSphere(20);
   const Points model = fixtures::egg(coarse.Positions), cloud = fixtures::egg(fine.Positions);
-  const SphereMappedSurface surface = { model, coarse.Faces, coarse.Positions };
+  const MappedMesh surface = { model, coarse.Triangles, coarse.Positions };
   const SphereImage image;
   const auto own = painted(surface, image);
-  for (const Triangles& faces : { Triangles(0, 3), fine.Faces })
+  for (const Triangles& triangles : { Triangles(0, 3), fine.Triangles })
   {
-    paintSphericalTexture(surface, cloud, faces, image, Grid,
+    paintSphericalTexture(surface, cloud, triangles, image, Grid,
       [&](Index first, const std::vector<SurfacePlace>& places)
       {
         for (std::size_t i = 0; i < places.size(); ++i)
@@ -111,7 +111,7 @@ TEST(SphericalTextureImage, TakesPlacesFromAnotherSurface)
           const Vector3 x = valueAt(own[first + i], model);
           const double distance = (valueAt(places[i], cloud) - x).norm();
           const double nearest = (cloud.rowwise() - x.transpose()).rowwise().norm().minCoeff();
-          if (faces.rows() == 0)
+          if (triangles.rows() == 0)
           {
             ASSERT_NEAR(distance, nearest, 1e-15);
           }
@@ -124,7 +124,7 @@ TEST(SphericalTextureImage, TakesPlacesFromAnotherSurface)
 TEST(SphericalTextureImage, RefusesWhatHasNoPixelsOrPoints)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
-  const SphereMappedSurface surface = { sphere.Positions, sphere.Faces, sphere.Positions };
+  const MappedMesh surface = { sphere.Positions, sphere.Triangles, sphere.Positions };
   const auto sink = [](Index, const std::vector<SurfacePlace>&) {};
   EXPECT_THROW(paintSphericalTexture(surface, {}, { 0, 5 }, sink), std::invalid_argument);
   EXPECT_THROW(
@@ -135,12 +135,12 @@ TEST(SphericalTextureImage, RefusesWhatHasNoPixelsOrPoints)
     std::invalid_argument);
   Points broken = sphere.Positions;
   broken(3, 1) = std::nan("");
-  EXPECT_THROW(
-    paintSphericalTexture(surface, broken, sphere.Faces, {}, Grid, sink), std::invalid_argument);
+  EXPECT_THROW(paintSphericalTexture(surface, broken, sphere.Triangles, {}, Grid, sink),
+    std::invalid_argument);
   EXPECT_THROW(
     paintSphericalTexture(surface, broken, Triangles(0, 3), {}, Grid, sink), std::invalid_argument);
-  EXPECT_THROW(paintSphericalTexture({ broken, sphere.Faces, sphere.Positions }, sphere.Positions,
-                 sphere.Faces, {}, Grid, sink),
+  EXPECT_THROW(paintSphericalTexture({ broken, sphere.Triangles, sphere.Positions },
+                 sphere.Positions, sphere.Triangles, {}, Grid, sink),
     std::invalid_argument);
 }
 
@@ -149,8 +149,8 @@ TEST(SphericalTextureImage, LeavesOutWhatNumbersCannotHold)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
   const Points huge = 1e200 * sphere.Positions;
-  paintSphericalTexture({ huge, sphere.Faces, sphere.Positions }, sphere.Positions, sphere.Faces,
-    {}, Grid,
+  paintSphericalTexture({ huge, sphere.Triangles, sphere.Positions }, sphere.Positions,
+    sphere.Triangles, {}, Grid,
     [&](Index, const std::vector<SurfacePlace>& places)
     {
       for (const SurfacePlace& place : places)

@@ -12,9 +12,9 @@
 #include <cmath>
 
 using conformal::FlatMap;
-using conformal::GeodesicSphere;
 using conformal::Index;
 using conformal::makeGeodesicSphere;
+using conformal::Mesh;
 using conformal::Points;
 using conformal::Random;
 using conformal::SeamMode;
@@ -24,22 +24,22 @@ using conformal::Vector3;
 namespace
 {
 /// A closed mesh with its map to the sphere.
-struct Mesh
+struct Shape
 {
-  Mesh(const Points& sphere, const Points& model, const Triangles& faces)
+  Shape(const Points& sphere, const Points& model, const conformal::Triangles& triangles)
     : Sphere(sphere)
     , Model(model)
-    , Faces(faces)
-    , Neighbors(conformal::triangleNeighbors(faces, sphere.rows()))
+    , Triangles(triangles)
+    , Neighbors(conformal::triangleNeighbors(triangles, sphere.rows()))
   {
   }
   FlatMap map(SeamMode mode) const
   {
-    return FlatMap(this->Sphere, this->Model, this->Faces, this->Neighbors, mode);
+    return FlatMap(this->Sphere, this->Model, this->Triangles, this->Neighbors, mode);
   }
 
   Points Sphere, Model;
-  Triangles Faces, Neighbors;
+  conformal::Triangles Triangles, Neighbors;
 };
 
 Points shaken(const Points& points, double by, unsigned int seed)
@@ -53,16 +53,16 @@ Points shaken(const Points& points, double by, unsigned int seed)
   return result;
 }
 
-double smallestAngle(const Points& points, const Triangles& faces)
+double smallestAngle(const Points& points, const Triangles& triangles)
 {
   double smallest = 180.0;
-  for (Index r = 0; r < faces.rows(); ++r)
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const Vector3 o = points.row(faces(r, k));
-      const Vector3 u = Vector3(points.row(faces(r, (k + 1) % 3))) - o,
-                    v = Vector3(points.row(faces(r, (k + 2) % 3))) - o;
+      const Vector3 o = points.row(triangles(r, k));
+      const Vector3 u = Vector3(points.row(triangles(r, (k + 1) % 3))) - o,
+                    v = Vector3(points.row(triangles(r, (k + 2) % 3))) - o;
       const double angle = std::atan2(u.cross(v).norm(), u.dot(v)) * 45.0 / std::atan(1.0);
       smallest = std::min(smallest, angle);
     }
@@ -71,18 +71,18 @@ double smallestAngle(const Points& points, const Triangles& faces)
 }
 
 /// Closed meshes of triangles of any shape, on the sphere too.
-Mesh randomMesh(double by, unsigned int seed = 1)
+Shape randomMesh(double by, unsigned int seed = 1)
 {
-  const GeodesicSphere network = makeGeodesicSphere(9);
+  const Mesh network = makeGeodesicSphere(9);
   Points sphere = shaken(network.Positions, 0.025, seed);
   sphere.rowwise().normalize();
-  return Mesh(sphere, shaken(sphere, by, seed + 100), network.Faces);
+  return Shape(sphere, shaken(sphere, by, seed + 100), network.Triangles);
 }
 
 /// The sphere's own conformal maps: a stereographic plane scaled.
-Mesh moebiusMesh(int frequency, double factor)
+Shape moebiusMesh(int frequency, double factor)
 {
-  const GeodesicSphere network = makeGeodesicSphere(frequency);
+  const Mesh network = makeGeodesicSphere(frequency);
   Points model = network.Positions;
   for (Index i = 0; i < model.rows(); ++i)
   {
@@ -92,7 +92,7 @@ Mesh moebiusMesh(int frequency, double factor)
     const double sum = half + other;
     model.row(i) << 2.0 * factor * n[0] / sum, 2.0 * factor * n[1] / sum, (other - half) / sum;
   }
-  return Mesh(network.Positions, model, network.Faces);
+  return Shape(network.Positions, model, network.Triangles);
 }
 
 Vector3 randomPoint(Random& random)
@@ -135,13 +135,13 @@ struct Across
   int Edge;
 };
 
-Across across(const Mesh& mesh, Index r, int edge)
+Across across(const Shape& mesh, Index r, int edge)
 {
   const Index other = mesh.Neighbors(r, (edge + 1) % 3);
   for (int k = 0; k < 3; ++k)
   {
-    const int id = mesh.Faces(other, k);
-    if (id != mesh.Faces(r, (edge + 1) % 3) && id != mesh.Faces(r, (edge + 2) % 3))
+    const int id = mesh.Triangles(other, k);
+    if (id != mesh.Triangles(r, (edge + 1) % 3) && id != mesh.Triangles(r, (edge + 2) % 3))
     {
       return { other, k };
     }
@@ -150,7 +150,7 @@ Across across(const Mesh& mesh, Index r, int edge)
 }
 
 /// Images of a point a little to either side of an edge: how far apart, in shares of the edge.
-double slip(const Mesh& mesh, const FlatMap& map, Index r, int edge, double t, double aside)
+double slip(const Shape& mesh, const FlatMap& map, Index r, int edge, double t, double aside)
 {
   const auto point = [&](int k, double share)
   {
@@ -166,26 +166,26 @@ double slip(const Mesh& mesh, const FlatMap& map, Index r, int edge, double t, d
     Vector3 sum = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
     {
-      sum += q[k] * mesh.Model.row(mesh.Faces(triangle, k)).transpose();
+      sum += q[k] * mesh.Model.row(mesh.Triangles(triangle, k)).transpose();
     }
     return sum;
   };
   const Across other = across(mesh, r, edge);
   const Vector3 here = place(r, point(edge, t)),
                 there = place(other.Triangle, point(other.Edge, 1.0 - t));
-  const double length =
-    (mesh.Model.row(mesh.Faces(r, (edge + 1) % 3)) - mesh.Model.row(mesh.Faces(r, (edge + 2) % 3)))
-      .norm();
+  const double length = (mesh.Model.row(mesh.Triangles(r, (edge + 1) % 3)) -
+    mesh.Model.row(mesh.Triangles(r, (edge + 2) % 3)))
+                          .norm();
   return (here - there).norm() / length;
 }
 
-double largestSlip(const Mesh& mesh, const FlatMap& map, double aside, int count)
+double largestSlip(const Shape& mesh, const FlatMap& map, double aside, int count)
 {
   Random random(5);
   double largest = 0.0;
   for (int i = 0; i < count; ++i)
   {
-    const Index r = random.index(mesh.Faces.rows());
+    const Index r = random.index(mesh.Triangles.rows());
     const int edge = static_cast<int>(random.index(3));
     // Half of them close to an end, where exponents differ.
     double t = random.uniform();
@@ -200,10 +200,10 @@ TEST(FlatMap, MeetsAcrossEdgesOfTrianglesOfAnyShape)
 {
   for (const double by : { 0.02, 0.06, 0.15 })
   {
-    const Mesh mesh = randomMesh(by);
+    const Shape mesh = randomMesh(by);
     if (by == 0.15)
     {
-      EXPECT_LT(smallestAngle(mesh.Model, mesh.Faces), 1.0);
+      EXPECT_LT(smallestAngle(mesh.Model, mesh.Triangles), 1.0);
     }
     const FlatMap map = mesh.map(SeamMode::EdgeMatched);
     EXPECT_LT(largestSlip(mesh, map, 1e-12, 100000), 1e-9) << by;
@@ -213,10 +213,10 @@ TEST(FlatMap, MeetsAcrossEdgesOfTrianglesOfAnyShape)
 
 TEST(FlatMap, PublishedMapsSlip)
 {
-  const Mesh mesh = randomMesh(0.06);
+  const Shape mesh = randomMesh(0.06);
   const FlatMap map = mesh.map(SeamMode::PerTriangle);
   double sum = 0.0, largest = 0.0;
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
     for (const double t : { 0.1, 0.25, 0.5, 0.75, 0.9 })
     {
@@ -225,7 +225,7 @@ TEST(FlatMap, PublishedMapsSlip)
       largest = std::max(largest, here);
     }
   }
-  EXPECT_GT(sum / (5.0 * static_cast<double>(mesh.Faces.rows())), 0.08);
+  EXPECT_GT(sum / (5.0 * static_cast<double>(mesh.Triangles.rows())), 0.08);
   EXPECT_GT(largest, 0.5);
 }
 
@@ -234,12 +234,12 @@ TEST(FlatMap, GoesThereAndBack)
   Random random(2);
   for (const double by : { 0.0, 0.06, 0.15 })
   {
-    const Mesh mesh = randomMesh(by);
+    const Shape mesh = randomMesh(by);
     for (const SeamMode mode : { SeamMode::PerTriangle, SeamMode::EdgeMatched })
     {
       const FlatMap map = mesh.map(mode);
       double largest = 0.0;
-      for (Index r = 0; r < mesh.Faces.rows(); ++r)
+      for (Index r = 0; r < mesh.Triangles.rows(); ++r)
       {
         FlatMap::Triangle triangle(map, r);
         for (int i = 0; i < 20; ++i)
@@ -264,10 +264,10 @@ TEST(FlatMap, NeverFolds)
   Random random(3);
   for (const double by : { 0.02, 0.06, 0.15 })
   {
-    const Mesh mesh = randomMesh(by);
+    const Shape mesh = randomMesh(by);
     const FlatMap map = mesh.map(SeamMode::EdgeMatched);
     double least = 1.0;
-    for (Index r = 0; r < mesh.Faces.rows(); ++r)
+    for (Index r = 0; r < mesh.Triangles.rows(); ++r)
     {
       FlatMap::Triangle triangle(map, r);
       for (int i = 0; i < 60; ++i)
@@ -284,11 +284,11 @@ TEST(FlatMap, NeverFolds)
 TEST(FlatMap, DerivativesAreThoseOfTheMap)
 {
   Random random(4);
-  const Mesh mesh = randomMesh(0.06);
+  const Shape mesh = randomMesh(0.06);
   for (const SeamMode mode : { SeamMode::PerTriangle, SeamMode::EdgeMatched })
   {
     const FlatMap map = mesh.map(mode);
-    for (Index r = 0; r < mesh.Faces.rows(); r += 3)
+    for (Index r = 0; r < mesh.Triangles.rows(); r += 3)
     {
       FlatMap::Triangle triangle(map, r);
       const Vector3 l = (randomPoint(random) + Vector3::Constant(0.1)) / 1.3;
@@ -312,9 +312,9 @@ TEST(FlatMap, DerivativesAreThoseOfTheMap)
 
 TEST(FlatMap, CornersStayAndEdgesGoToEdges)
 {
-  const Mesh mesh = randomMesh(0.06);
+  const Shape mesh = randomMesh(0.06);
   const FlatMap map = mesh.map(SeamMode::EdgeMatched);
-  for (Index r = 0; r < mesh.Faces.rows(); r += 7)
+  for (Index r = 0; r < mesh.Triangles.rows(); r += 7)
   {
     FlatMap::Triangle triangle(map, r);
     for (int k = 0; k < 3; ++k)
@@ -331,10 +331,10 @@ TEST(FlatMap, CornersStayAndEdgesGoToEdges)
 TEST(FlatMap, TheNetworkItselfStays)
 {
   Random random(6);
-  const GeodesicSphere network = makeGeodesicSphere(7);
-  const Mesh mesh(network.Positions, 3.0 * network.Positions, network.Faces);
+  const Mesh network = makeGeodesicSphere(7);
+  const Shape mesh(network.Positions, 3.0 * network.Positions, network.Triangles);
   const FlatMap map = mesh.map(SeamMode::EdgeMatched);
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
     const Vector3 l = randomPoint(random);
     EXPECT_LT((FlatMap::Triangle(map, r).toModel(l) - l).cwiseAbs().maxCoeff(), 1e-13);
@@ -344,12 +344,12 @@ TEST(FlatMap, TheNetworkItselfStays)
 TEST(FlatMap, DoesNotDependOnWhereATriangleStarts)
 {
   Random random(7);
-  const Mesh mesh = randomMesh(0.06);
-  Triangles turned(mesh.Faces.rows(), 3);
-  turned << mesh.Faces.col(1), mesh.Faces.col(2), mesh.Faces.col(0);
-  const Mesh other(mesh.Sphere, mesh.Model, turned);
+  const Shape mesh = randomMesh(0.06);
+  Triangles turned(mesh.Triangles.rows(), 3);
+  turned << mesh.Triangles.col(1), mesh.Triangles.col(2), mesh.Triangles.col(0);
+  const Shape other(mesh.Sphere, mesh.Model, turned);
   const FlatMap map = mesh.map(SeamMode::EdgeMatched), otherMap = other.map(SeamMode::EdgeMatched);
-  for (Index r = 0; r < mesh.Faces.rows(); ++r)
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
     const Vector3 l = randomPoint(random);
     const Vector3 image = FlatMap::Triangle(map, r).toModel(l),
@@ -362,18 +362,18 @@ TEST(FlatMap, DoesNotDependOnWhereATriangleStarts)
 // conformal, affine ones are not, and the matched ones should stay near the first.
 TEST(FlatMap, StaysNearlyConformalOnAConformalMesh)
 {
-  const Mesh mesh = moebiusMesh(18, 2.0);
+  const Shape mesh = moebiusMesh(18, 2.0);
   const auto meanDilatation = [&](const FlatMap* map)
   {
     Random random(8);
     double sum = 0.0;
     const int pointsPerTriangle = 10;
-    for (Index r = 0; r < mesh.Faces.rows(); ++r)
+    for (Index r = 0; r < mesh.Triangles.rows(); ++r)
     {
       const auto sides = [&](const Points& points)
       {
-        const Vector3 a = points.row(mesh.Faces(r, 0)), b = points.row(mesh.Faces(r, 1)),
-                      c = points.row(mesh.Faces(r, 2));
+        const Vector3 a = points.row(mesh.Triangles(r, 0)), b = points.row(mesh.Triangles(r, 1)),
+                      c = points.row(mesh.Triangles(r, 2));
         const Vector3 x = (b - a).normalized(),
                       y = (b - a).cross(c - a).normalized().cross(x).eval();
         Eigen::Matrix2d sides;
@@ -394,7 +394,7 @@ TEST(FlatMap, StaysNearlyConformalOnAConformalMesh)
         sum += mean + std::sqrt(std::max(0.0, mean * mean - 1.0));
       }
     }
-    return sum / (pointsPerTriangle * static_cast<double>(mesh.Faces.rows()));
+    return sum / (pointsPerTriangle * static_cast<double>(mesh.Triangles.rows()));
   };
   const FlatMap published = mesh.map(SeamMode::PerTriangle),
                 matched = mesh.map(SeamMode::EdgeMatched);
@@ -406,10 +406,10 @@ TEST(FlatMap, StaysNearlyConformalOnAConformalMesh)
 
 TEST(FlatMap, TrianglesWithoutShapeAreMappedAffinely)
 {
-  const GeodesicSphere network = makeGeodesicSphere(4);
+  const Mesh network = makeGeodesicSphere(4);
   Points model = shaken(network.Positions, 0.05, 1);
-  model.row(network.Faces(10, 1)) = model.row(network.Faces(10, 0));
-  const Mesh mesh(network.Positions, model, network.Faces);
+  model.row(network.Triangles(10, 1)) = model.row(network.Triangles(10, 0));
+  const Shape mesh(network.Positions, model, network.Triangles);
   const Vector3 l(0.2, 0.3, 0.5);
   for (const SeamMode mode : { SeamMode::PerTriangle, SeamMode::EdgeMatched })
   {

@@ -323,15 +323,16 @@ TEST(SchwarzChristoffel, DegenerateTrianglesAreFlagged)
 TEST(SchwarzChristoffel, TablesOfANetworkChangeNothing)
 {
   const auto sphere = conformal::makeGeodesicSphere(18);
-  const NetworkShapes shapes(sphere.Positions, sphere.Faces);
+  const NetworkShapes shapes(sphere.Positions, sphere.Triangles);
   EXPECT_GE(shapes.numberOfTables(), 42);
   EXPECT_LE(shapes.numberOfTables(), 2 * 42);
   Random random;
   for (int i = 0; i < 20000; ++i)
   {
-    const Index r = static_cast<Index>(random.number() * static_cast<double>(sphere.Faces.rows()));
-    const TriangleShape network(sphere.Positions.row(sphere.Faces(r, 0)),
-      sphere.Positions.row(sphere.Faces(r, 1)), sphere.Positions.row(sphere.Faces(r, 2)));
+    const Index r =
+      static_cast<Index>(random.number() * static_cast<double>(sphere.Triangles.rows()));
+    const TriangleShape network(sphere.Positions.row(sphere.Triangles(r, 0)),
+      sphere.Positions.row(sphere.Triangles(r, 1)), sphere.Positions.row(sphere.Triangles(r, 2)));
     const TriangleShape model = random.triangle(Degree).shape();
     const Vector3 point = random.inside();
     const Vector3 image = shapes.toModel(r, model, point);
@@ -345,7 +346,7 @@ TEST(SchwarzChristoffel, TablesOfANetworkChangeNothing)
 TEST(SchwarzChristoffel, NetworksShareTheShapesOfAFineLattice)
 {
   const auto sphere = conformal::makeGeodesicSphere(36);
-  const NetworkShapes shapes(sphere.Positions, sphere.Faces);
+  const NetworkShapes shapes(sphere.Positions, sphere.Triangles);
   EXPECT_LE(shapes.numberOfTables(), 2 * 156);
   EXPECT_GE(shapes.numberOfTables(), 156);
 }
@@ -354,7 +355,7 @@ TEST(SchwarzChristoffel, NetworksMayHaveAnyTriangles)
 {
   Random random;
   Points positions(60, 3);
-  Triangles faces(20, 3);
+  Triangles triangles(20, 3);
   std::vector<FlatTriangle> flat;
   for (int r = 0; r < 20; ++r)
   {
@@ -363,10 +364,10 @@ TEST(SchwarzChristoffel, NetworksMayHaveAnyTriangles)
     {
       const Complex z = flat.back().Corners[k];
       positions.row(3 * r + k) << z.real(), z.imag(), 0.0;
-      faces(r, k) = 3 * r + k;
+      triangles(r, k) = 3 * r + k;
     }
   }
-  const NetworkShapes shapes(positions, faces);
+  const NetworkShapes shapes(positions, triangles);
   EXPECT_EQ(shapes.numberOfTables(), 0);
   for (int i = 0; i < 2000; ++i)
   {
@@ -382,13 +383,13 @@ TEST(SchwarzChristoffel, NetworksMayHaveAnyTriangles)
 TEST(SchwarzChristoffel, NeedlesOfANetworkShareNothing)
 {
   Points positions(30, 3);
-  Triangles faces(10, 3);
+  Triangles triangles(10, 3);
   for (int r = 0; r < 10; ++r)
   {
     positions.middleRows(3 * r, 3) << 0, 0, 0, 1, 0, 0, 0.4, 1e-6 * (1 + r), 0;
-    faces.row(r) << 3 * r, 3 * r + 1, 3 * r + 2;
+    triangles.row(r) << 3 * r, 3 * r + 1, 3 * r + 2;
   }
-  const NetworkShapes shapes(positions, faces);
+  const NetworkShapes shapes(positions, triangles);
   EXPECT_EQ(shapes.numberOfTables(), 0);
   const TriangleShape model = fromAngles(0.31, 0.35).shape();
   const Vector3 point(0.2, 0.3, 0.5);
@@ -404,9 +405,9 @@ TEST(SchwarzChristoffel, NetworksMapAffinelyWhereATriangleIsDegenerate)
 {
   Points positions(4, 3);
   positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.5, 0, 0;
-  Triangles faces(2, 3);
-  faces << 0, 1, 2, 0, 3, 1;
-  const NetworkShapes shapes(positions, faces);
+  Triangles triangles(2, 3);
+  triangles << 0, 1, 2, 0, 3, 1;
+  const NetworkShapes shapes(positions, triangles);
   EXPECT_FALSE(shapes.degenerate(0));
   EXPECT_TRUE(shapes.degenerate(1));
   const TriangleShape model = fromAngles(0.2, 0.3).shape();
