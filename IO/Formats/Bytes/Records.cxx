@@ -334,4 +334,25 @@ bool Records::isFinitePoint(std::size_t record) const
   return points.Type == ScalarType::Float32 ? isFiniteTriple<float>(point)
                                             : isFiniteTriple<double>(point);
 }
+
+//------------------------------------------------------------------------------
+std::string componentName(const NamedArray& array, std::size_t component)
+{
+  const std::string name = array.Name.empty() ? "array" : array.Name;
+  return array.Components == 1 ? name : name + "_" + std::to_string(component);
+}
+
+//------------------------------------------------------------------------------
+std::string FieldNames::add(std::string wanted)
+{
+  std::replace_if(
+    wanted.begin(), wanted.end(),
+    [&](char c) { return (c >= 0 && c <= ' ') || this->Refused.find(c) != std::string::npos; },
+    '_');
+  while (!this->Taken.insert(wanted).second)
+  {
+    wanted += "_";
+  }
+  return wanted;
+}
 }

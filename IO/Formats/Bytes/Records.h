@@ -1,4 +1,4 @@
-/// Conversion of records to named arrays, record by record or field by field.
+/// Records and named arrays: their fields, and conversion record by record or field by field.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -6,9 +6,12 @@
 #include "Bytes/NamedArray.h"
 #include "Bytes/ScalarType.h"
 
+#include <cstddef>
 #include <cstring>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace conformal
@@ -118,6 +121,29 @@ private:
   std::map<std::string, std::size_t> Names; ///< of fields and arrays: the one field that has it
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
+};
+
+/// The name of an array's component: that of the array, "array" if it has none, and behind it, if
+/// there are several components, "_" and the component's number.
+std::string componentName(const NamedArray& array, std::size_t component);
+
+/// The names of the fields of a record, each there once.
+class FieldNames
+{
+public:
+  /// @param[in] refused  characters that no name may have, besides blanks and control characters
+  explicit FieldNames(std::string_view refused = {})
+    : Refused(refused)
+  {
+  }
+
+  /// One more name: the wanted one with "_" for each character that it may not have, and with "_"
+  /// behind it as often as it takes to be a name of its own.
+  std::string add(std::string wanted);
+
+private:
+  std::string Refused;
+  std::set<std::string> Taken;
 };
 }
 

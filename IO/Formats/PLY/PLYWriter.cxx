@@ -1,6 +1,5 @@
 #include "PLY/PLYWriter.h"
 
-#include "Bytes/FieldNames.h"
 #include "Bytes/Records.h"
 #include "Bytes/SurfaceWalk.h"
 

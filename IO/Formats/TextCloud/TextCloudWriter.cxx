@@ -1,6 +1,6 @@
 #include "TextCloud/TextCloudWriter.h"
 
-#include "Bytes/FieldNames.h"
+#include "Bytes/Records.h"
 #include "Bytes/SurfaceWalk.h"
 
 namespace conformal
