@@ -3,6 +3,7 @@
 #include "Learn/Training.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"
+#include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
