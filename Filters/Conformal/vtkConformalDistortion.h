@@ -16,9 +16,10 @@
  * Field data (one value), over the triangles that have an area on both:
  * - "MeanAngleDistortion", "MeanQuasiConformalError" (double).
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
- * - "SphereDegree" (double): how often the sphere is covered, 1 for a proper map.
- * - "NumberOfFlippedTriangles" (vtkIdType): triangles turned over by the map, or flat on the
- * sphere.
+ * - "SphereDegree" (double): how often the sphere is covered, 1 for a proper map. Less than 0 if
+ *   the triangles run clockwise there: -1 for a map that mirrors, and for a surface wound inward.
+ * - "NumberOfFlippedTriangles" (vtkIdType): triangles turned over by the map, against most of the
+ *   sphere's area, or flat on the sphere. 0 for a map that mirrors all of them.
  * - "NumberOfZeroAreaTriangles" (vtkIdType): those without area, left out.
  *
  * Triangles on the sphere are taken flat, between the places of their corners. That a map to the

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -359,21 +361,31 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     return fromSphere;
   }
   steps.replan({ ofHull, hullPolish });
-  const HullStart start = startFromHull(samples,
+  const std::optional<HullStart> start = startFromHull(samples,
     makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
+  if (!start && mustHull)
+  {
+    throw std::runtime_error(
+      "the hull of the points winds too much to be mapped to the sphere, as "
+      "those of long thin curves do: let StartingShape be Sphere or Automatic");
+  }
+  if (!start)
+  {
+    return fromSphere;
+  }
   ConformalSOMResult fromHull = polishFrom(
-    start.Positions, fromSphere.NoiseToDetail,
-    [&](const Vector3& x) { return start.Data.contains(x); }, samples, options, parallelFor,
+    start->Positions, fromSphere.NoiseToDetail,
+    [&](const Vector3& x) { return start->Data.contains(x); }, samples, options, parallelFor,
     steps.next());
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;
-  fromHull.HullLeaks = start.Leaks;
-  fromHull.NumberOfCutNodes = start.NumberOfCutNodes;
-  fromHull.NumberOfSamplesOutside = start.NumberOfSamplesOutside;
+  fromHull.HullLeaks = start->Leaks;
+  fromHull.NumberOfCutNodes = start->NumberOfCutNodes;
+  fromHull.NumberOfSamplesOutside = start->NumberOfSamplesOutside;
 
   // Where there was no web to be rid of, the hull has to be worth it.
-  const bool clean = !start.Leaks && fromHull.UnsupportedFraction <= ToleratedArea &&
+  const bool clean = !start->Leaks && fromHull.UnsupportedFraction <= ToleratedArea &&
     stretched(fromHull) < stretched(fromSphere) &&
     fromHull.History.back().MeanSquareError <= 2.0 * fromSphere.History.back().MeanSquareError;
   return mustHull || webs || clean ? fromHull : fromSphere;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace conformal
 {
@@ -50,7 +51,7 @@ double workOfHullStart(const TrainingSamples& samples)
   return workOfHull(samples) + WorkOfThinning * vertices + WorkOfMap;
 }
 
-HullStart startFromHull(const TrainingSamples& samples, const Points& directions,
+std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
   const ParallelFor& parallelFor, const Progress& progress)
 {
   GenusZeroHullOptions hullOptions;
@@ -64,7 +65,15 @@ HullStart startFromHull(const TrainingSamples& samples, const Points& directions
   const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
   ProgressiveSphereMapOptions mapOptions;
   mapOptions.AreaBalance = Balance;
-  const ProgressiveSphereMapResult map = mapToSphere(thinned, mapOptions, steps.next());
+  ProgressiveSphereMapResult map;
+  try
+  {
+    map = mapToSphere(thinned, mapOptions, steps.next());
+  }
+  catch (const std::runtime_error&)
+  {
+    return {};
+  }
 
   steps.next();
   HullStart start;

@@ -8,6 +8,8 @@
 #include "Cloud/TrainingSamples.h"
 #include "Hull/GenusZeroHull.h"
 
+#include <optional>
+
 namespace conformal
 {
 struct HullStart
@@ -22,8 +24,10 @@ struct HullStart
 /// A genus-zero hull of the samples, thinned, mapped to the sphere without folds and resampled at
 /// the directions of a lattice.
 /// @param[in] directions  #N by 3 unit vectors
+/// @return nothing if the hull cannot be mapped: it winds so much that the sphere has no room for
+/// it
 /// @throws Aborted
-HullStart startFromHull(const TrainingSamples& samples, const Points& directions,
+std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
   const ParallelFor& parallelFor, const Progress& progress);
 
 /// What startFromHull() takes, in nanoseconds as in Steps.

@@ -104,7 +104,7 @@ void summarize(Distortion& result, const Measured& measured)
   const double meshArea = sumOf(measured.MeshAreas), sphereArea = sumOf(measured.SphereAreas);
   const double covered = sumOf(measured.SolidAngles);
   const double sign = covered > 0.0 ? 1.0 : -1.0;
-  result.SphereDegree = std::abs(covered) / (4.0 * Pi);
+  result.SphereDegree = covered / (4.0 * Pi);
 
   double angles = 0.0, errors = 0.0, logs = 0.0;
   Index count = 0;

@@ -21,8 +21,8 @@ struct Distortion
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation
-  double SphereDegree = 0.0;          ///< how often the sphere is covered, whatever its orientation
-  Index NumberOfFlippedTriangles = 0; ///< oriented unlike the whole, or flat on the sphere
+  double SphereDegree = 0.0;            ///< how often the sphere is covered; below 0 if mirrored
+  Index NumberOfFlippedTriangles = 0;   ///< oriented unlike most of the area, or flat
   Index NumberOfZeroAreaTriangles = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 using conformal::ConformalSOMOptions;
@@ -274,6 +275,35 @@ TEST(ConformalSOM, WebsAreSeenAndAvoided)
   EXPECT_EQ(clean.Positions,
     trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards)
       .Positions);
+}
+
+// The hull of a coil is a long thin tube, for which the sphere has no room.
+TEST(ConformalSOM, KeepsTheSpheresMeshWhereTheHullCannotBeMapped)
+{
+  constexpr Index size = 3000;
+  Points coil(size, 3);
+  for (Index i = 0; i < size; ++i)
+  {
+    const double t = static_cast<double>(i) / (size - 1);
+    coil.row(i) << std::cos(60.0 * t), std::sin(60.0 * t), t;
+  }
+  ConformalSOMOptions options = batch(4);
+  options.StartingShape = conformal::StartingShape::Hull;
+  try
+  {
+    trainConformalSOM(TrainingSamples(coil), options);
+    ADD_FAILURE() << "no error";
+  }
+  catch (const std::runtime_error& e)
+  {
+    EXPECT_NE(std::string(e.what()).find("StartingShape"), std::string::npos) << e.what();
+  }
+  options.StartingShape = conformal::StartingShape::Automatic;
+  const ConformalSOMResult automatic = trainConformalSOM(TrainingSamples(coil), options);
+  EXPECT_FALSE(automatic.Hulled);
+  EXPECT_GT(automatic.UnsupportedFraction, 0.002); // of which the filter warns
+  options.StartingShape = conformal::StartingShape::Sphere;
+  EXPECT_EQ(automatic.Positions, trainConformalSOM(TrainingSamples(coil), options).Positions);
 }
 
 TEST(ConformalSOM, SimpleObjectsNeedNoHull)

@@ -153,7 +153,7 @@ TEST(Distortion, CountsFlipsWhateverTheOrientationOfTheWhole)
   positions.col(0) *= -1.0;
   const Distortion mirrored = measureDistortion(sphere.Positions, sphere.Triangles, positions);
   EXPECT_EQ(mirrored.NumberOfFlippedTriangles, 1);
-  EXPECT_NEAR(mirrored.SphereDegree, 1.0, 1e-12);
+  EXPECT_NEAR(mirrored.SphereDegree, -1.0, 1e-12);
 }
 
 TEST(Distortion, LeavesOutWhatHasNoArea)
