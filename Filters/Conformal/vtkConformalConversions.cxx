@@ -146,6 +146,7 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
     {
       vtkInputChecks::RequireConsistentInputs(self);
       core();
+      conformal::report(ProgressOf(self), 1.0); // the last time that a wish to stop is heard
     });
 }
 

@@ -6,6 +6,8 @@
 #include "Base/Parallel.h"        // for ParallelFor, Reduce
 #include "Base/Types.h"           // for Points, Triangles, PointView, Progress
 
+#include "vtkSmartPointer.h" // for Held
+
 #include <exception>        // for MessageOf's argument
 #include <functional>       // for RunCore's argument, GhostTest
 #include <initializer_list> // for FrameOf's argument
@@ -27,6 +29,23 @@ namespace vtkConformalConversions
 inline const char* SpherePositionName()
 {
   return "SpherePosition";
+}
+
+/// What a run reads of a data object, for as long as it runs: a shallow copy, which keeps its
+/// arrays when an observer of the progress empties the object or gives it others. Null for null.
+///
+/// Outputs are likewise made apart from what observers can reach, and handed over when they are
+/// whole.
+template <typename Data>
+vtkSmartPointer<Data> Held(Data* data)
+{
+  vtkSmartPointer<Data> held;
+  if (data)
+  {
+    held.TakeReference(data->NewInstance());
+    held->ShallowCopy(data);
+  }
+  return held;
 }
 
 /// Threads of vtkSMPTools.

@@ -9,6 +9,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -41,7 +42,7 @@ std::vector<double> OfCells(vtkIdType numberOfCells, const std::vector<vtkIdType
 int vtkConformalDistortion::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return vtkConformalConversions::RunCore(this,
     [&]()
@@ -66,19 +67,20 @@ int vtkConformalDistortion::RequestData(
                                        vtkConformalConversions::FrameOf({ input }), copy),
           triangles, map, vtkConformalConversions::SMPFor(), steps.next());
 
-      output->ShallowCopy(input);
+      const vtkNew<vtkPolyData> result;
+      result->ShallowCopy(input);
       const auto addCellArray = [&](
                                   const char* name, const std::vector<double>& values, double none)
       {
         steps.next();
         vtkConformalConversions::AddNumbers(
-          output->GetCellData(), name, OfCells(input->GetNumberOfCells(), cellIds, values, none));
+          result->GetCellData(), name, OfCells(input->GetNumberOfCells(), cellIds, values, none));
       };
       addCellArray("AngleDistortion", distortion.AngleDistortion, 0.0);
       addCellArray("AreaDistortion", distortion.AreaDistortion, 0.0);
       addCellArray("QuasiConformalError", distortion.QuasiConformalError, 1.0);
 
-      vtkFieldData* data = output->GetFieldData();
+      vtkFieldData* data = result->GetFieldData();
       using vtkConformalConversions::AddNumber;
       AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
       AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
@@ -88,6 +90,7 @@ int vtkConformalDistortion::RequestData(
         static_cast<long long>(distortion.NumberOfFlippedTriangles));
       AddNumber(data, "NumberOfZeroAreaTriangles",
         static_cast<long long>(distortion.NumberOfZeroAreaTriangles));
+      output->ShallowCopy(result);
     });
 }
 

@@ -52,24 +52,23 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
 
 // The priorities of this process's points, none where it has no points.
 conformal::NumberView ViewPriorities(
-  vtkPointSet* input, const char* name, std::vector<double>& copy)
+  vtkPointSet* input, const std::string& name, std::vector<double>& copy)
 {
-  if (!name || !name[0] || input->GetNumberOfPoints() == 0)
+  if (name.empty() || input->GetNumberOfPoints() == 0)
   {
     return {};
   }
-  vtkDataArray* array = input->GetPointData()->GetArray(name);
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(
-      std::string("the input has no point array \"") + name + "\" with 1 component");
+    throw std::invalid_argument("the input has no point array \"" + name + "\" with 1 component");
   }
   return vtkConformalConversions::ViewNumbers(array, copy);
 }
 
 // How many priorities are no use as weights, on all processes.
 vtkIdType CountUnusable(
-  const conformal::NumberView& priorities, const char* name, const conformal::Reduce& reduce)
+  const conformal::NumberView& priorities, const std::string& name, const conformal::Reduce& reduce)
 {
   std::int64_t unusable = 0, positive = 0;
   for (vtkIdType i = 0; i < priorities.size(); ++i)
@@ -82,8 +81,7 @@ vtkIdType CountUnusable(
   reduce.sum(sums, 3);
   if (sums[0] > 0 && sums[2] == 0)
   {
-    throw std::invalid_argument(
-      std::string("no point has a positive priority in the array \"") + name + "\"");
+    throw std::invalid_argument("no point has a positive priority in the array \"" + name + "\"");
   }
   return sums[1];
 }
@@ -215,11 +213,13 @@ int vtkConformalSOM::RequestUpdateExtent(
 int vtkConformalSOM::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
-  vtkPolyData* start = vtkPolyData::GetData(inputVector[1]);
+  const auto input = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[0]));
+  const auto start = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
-
+  const conformal::ConformalSOMOptions options = OptionsOf(this);
+  const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
+  const bool measuresErrors = this->GenerateErrorScalars, inPieces = this->DistributeOutput;
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
     {
@@ -229,20 +229,18 @@ int vtkConformalSOM::RequestData(
       const conformal::PointView points =
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy);
       std::vector<double> priorityCopy;
-      const conformal::NumberView priorities =
-        ViewPriorities(input, this->PriorityArrayName, priorityCopy);
-      const vtkIdType unusable =
-        CountUnusable(priorities, this->PriorityArrayName, processes.reduce());
+      const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
+      const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double neurons = 10.0 * this->Frequency * this->Frequency;
-      const bool online = this->TrainingMode == ONLINE;
+      const double neurons = 10.0 * options.Frequency * options.Frequency;
+      const bool online = options.TrainingMode == conformal::TrainingMode::Online;
       // Reading, learning (the middle of what the shapes of objects make of it), errors, the
       // output.
       conformal::Steps steps(processes.progress(),
         { 40.0 * size,
-          online ? 5000.0 * this->NumberOfEpochs * this->SamplesPerEpoch : 150000.0 * neurons,
-          this->GenerateErrorScalars ? 450.0 * size : 0.0, 10.0 * neurons });
+          online ? 5000.0 * options.NumberOfEpochs * options.SamplesPerEpoch : 150000.0 * neurons,
+          measuresErrors ? 450.0 * size : 0.0, 10.0 * neurons });
       const conformal::TrainingSamples samples(points, priorities,
         vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
       if (processes.isFirst())
@@ -259,25 +257,26 @@ int vtkConformalSOM::RequestData(
         mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
       }
       const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
-        samples, OptionsOf(this), start ? &mesh : nullptr, threads, steps.next());
+        samples, options, start ? &mesh : nullptr, threads, steps.next());
       if (processes.isFirst())
       {
         WarnAbout(this, result, samples.totalSize());
       }
-      vtkConformalConversions::SetSurface(output, result.Positions, result.Triangles, frame);
-      vtkConformalConversions::AddVectors(output->GetPointData(),
+      const vtkNew<vtkPolyData> surface;
+      vtkConformalConversions::SetSurface(surface, result.Positions, result.Triangles, frame);
+      vtkConformalConversions::AddVectors(surface->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.SpherePositions);
       const conformal::Progress measuring = steps.next();
-      if (this->GenerateErrorScalars)
+      if (measuresErrors)
       {
-        vtkConformalConversions::AddLengths(output->GetPointData(), "QuantizationError",
+        vtkConformalConversions::AddLengths(surface->GetPointData(), "QuantizationError",
           conformal::quantizationErrors(samples, result, threads, measuring), frame);
       }
-      const conformal::Progress finishing = steps.next();
-      const bool polished = this->TrainingMode == BATCH && this->NumberOfPolishRounds > 0;
-      AddFigures(output->GetFieldData(), samples, result, polished);
-      vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
-      conformal::report(finishing, 1.0); // the last time that a wish to stop is heard
+      steps.next();
+      const bool polished = !online && options.NumberOfPolishRounds > 0;
+      AddFigures(surface->GetFieldData(), samples, result, polished);
+      vtkConformalConversions::KeepOwnShare(surface, inPieces, processes);
+      output->ShallowCopy(surface);
       FillHistory(history, processes.isFirst() ? result.History : Records());
     });
 }

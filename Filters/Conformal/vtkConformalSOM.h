@@ -245,7 +245,9 @@ public:
    * Batch: where learning starts if there is no mesh on input port 1. AUTOMATIC (default): from the
    * unit sphere, as in the paper; where the mesh so learned has parts without points, webs between
    * limbs or lids over holes, or triangles stretched over limbs (a fifth of them obtuse), anew from
-   * a closed hull of the points that is mapped to the sphere. SPHERE or HULL: always from that.
+   * a closed hull of the points that is mapped to the sphere. SPHERE or HULL: always from that. A
+   * hull that winds too much to be mapped, as that of a long thin curve does, is an error with
+   * HULL; with AUTOMATIC the mesh learned from the sphere is kept.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, HULL);
   vtkGetMacro(StartingShape, int);

@@ -279,6 +279,24 @@ void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkP
 }
 
 //------------------------------------------------------------------------------
+void vtkCurvedSeamlessMap::TakeProperties(const vtkCurvedSeamlessMap& other)
+{
+  this->SeamMode = other.SeamMode;
+  this->DomeHeight = other.DomeHeight;
+  this->Polished = other.Polished;
+  this->VertexShift = other.VertexShift;
+  this->NumberOfFitRounds = other.NumberOfFitRounds;
+  this->FitSmoothness = other.FitSmoothness;
+}
+
+//------------------------------------------------------------------------------
+void vtkCurvedSeamlessMap::TakeMap(vtkCurvedSeamlessMap& other)
+{
+  this->Surface = std::move(other.Surface);
+  this->Frame = std::move(other.Frame);
+}
+
+//------------------------------------------------------------------------------
 bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
 {
   return vtkConformalConversions::ReportErrors(this,

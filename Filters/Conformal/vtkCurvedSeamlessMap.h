@@ -219,6 +219,8 @@ private:
   void BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
     const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes);
   const conformal::CurvedSeamlessSurface& Built() const;
+  void TakeProperties(const vtkCurvedSeamlessMap& other);
+  void TakeMap(vtkCurvedSeamlessMap& other);
 
   int SeamMode = EDGE_MATCHED;
   int DomeHeight = CURVATURE;

@@ -80,6 +80,21 @@ void SmoothNormals(
   }
 }
 
+// Whether most of the area is wound against the normals, as where the map to the sphere mirrors.
+bool IsWoundInward(
+  const VectorMap& positions, const conformal::Triangles& triangles, const VectorMap& normals)
+{
+  double along = 0.0;
+  for (conformal::Index r = 0; r < triangles.rows(); ++r)
+  {
+    const int a = triangles(r, 0), b = triangles(r, 1), c = triangles(r, 2);
+    const conformal::Vector3 u = positions.row(b) - positions.row(a);
+    const conformal::Vector3 v = positions.row(c) - positions.row(a);
+    along += u.cross(v).dot(normals.row(a) + normals.row(b) + normals.row(c));
+  }
+  return along < 0.0;
+}
+
 void FillGaps(VectorMap normals, const VectorMap& directions)
 {
   conformal::forBlocks(vtkConformalConversions::SMPFor(), normals.rows(), BlockSize,
@@ -164,10 +179,15 @@ int vtkCurvedSeamlessSurface::RequestUpdateExtent(
 int vtkCurvedSeamlessSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* sphere = vtkPolyData::GetData(inputVector[1]);
+  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto sphere = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto cloud = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[2]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const bool fits = this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
+  const int frequency = this->Frequency;
+  // Observers may change this->Map meanwhile.
+  const vtkNew<vtkCurvedSeamlessMap> map;
+  map->TakeProperties(*this->Map);
+  const bool fits = map->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
   return vtkConformalConversions::RunCore(this, fits ? this->Controller : nullptr,
     [&](vtkConformalConversions::Processes& processes)
     {
@@ -180,15 +200,14 @@ int vtkCurvedSeamlessSurface::RequestData(
                                             : "the dense sphere is empty, and so is the result");
         return;
       }
-      vtkPointSet* cloud = vtkPointSet::GetData(inputVector[2]);
-      const bool domes = this->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE;
-      const bool matched = this->GetSeamMode() == vtkCurvedSeamlessMap::EDGE_MATCHED;
+      const bool domes = map->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE;
+      const bool matched = map->GetSeamMode() == vtkCurvedSeamlessMap::EDGE_MATCHED;
       const auto meshSize = static_cast<double>(surface->GetNumberOfPoints());
       const double cloudSize =
         fits && cloud ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
-      const double rounds = 1.0 + this->GetNumberOfFitRounds();
+      const double rounds = 1.0 + map->GetNumberOfFitRounds();
       const double denseSize = sphere ? static_cast<double>(sphere->GetNumberOfPoints())
-                                      : 10.0 * this->Frequency * this->Frequency + 2.0;
+                                      : 10.0 * frequency * frequency + 2.0;
       // The map, as BuildCore() has it; then, for each direction, the sphere, its triangles, its
       // directions, the surface, and what is left.
       conformal::Steps steps(processes.progress(),
@@ -196,15 +215,15 @@ int vtkCurvedSeamlessSurface::RequestData(
             (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0),
           40.0 * denseSize, 20.0 * denseSize, 30.0 * denseSize, 900.0 * denseSize,
           (domes ? 150.0 : 10.0) * denseSize, 30.0 * denseSize });
-      this->Map->BuildCore(this, surface, cloud, steps.next(), processes);
+      this->Map->Surface.reset();
+      map->BuildCore(this, surface, cloud, steps.next(), processes);
       // What is large is let go as soon as the output has it.
       const conformal::Progress making = steps.next();
-      conformal::Mesh dense = processes.rank() == owner
-        ? DenseSphere(sphere, this->Frequency, making)
-        : conformal::Mesh();
+      conformal::Mesh dense =
+        processes.rank() == owner ? DenseSphere(sphere, frequency, making) : conformal::Mesh();
       steps.next();
-      output->Initialize();
-      vtkConformalConversions::SetTriangles(output, dense.Triangles);
+      const vtkNew<vtkPolyData> result;
+      vtkConformalConversions::SetTriangles(result, dense.Triangles);
       steps.next();
       const vtkNew<vtkDoubleArray> directions =
         Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
@@ -220,9 +239,14 @@ int vtkCurvedSeamlessSurface::RequestData(
       samples.Positions = positions->GetPointer(0);
       samples.Normals = normals->GetPointer(0);
       samples.Degenerate = degenerate.data();
-      conformal::evaluate(this->Map->Built(), { directions->GetPointer(0), size }, samples,
+      conformal::evaluate(map->Built(), { directions->GetPointer(0), size }, samples,
         vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
+      if (IsWoundInward(ViewOf(positions), dense.Triangles, ViewOf(normals)))
+      {
+        dense.Triangles.col(1).swap(dense.Triangles.col(2));
+        vtkConformalConversions::SetTriangles(result, dense.Triangles);
+      }
       if (domes)
       {
         SmoothNormals(ViewOf(positions), dense.Triangles, ViewOf(normals));
@@ -230,16 +254,18 @@ int vtkCurvedSeamlessSurface::RequestData(
       steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
       vtkConformalConversions::LengthsFromFrame(
-        positions->GetPointer(0), 3 * size, *this->Map->Frame, "coordinates of the result");
+        positions->GetPointer(0), 3 * size, *map->Frame, "coordinates of the result");
 
       vtkNew<vtkPoints> points;
       points->SetData(positions);
-      output->SetPoints(points);
-      output->GetPointData()->AddArray(directions);
-      output->GetPointData()->SetNormals(normals);
-      output->GetCellData()->AddArray(DegenerateCells(dense.Triangles, degenerate));
-      vtkConformalConversions::AddNumber(output->GetFieldData(), "NumberOfDegeneratePatches",
-        static_cast<long long>(this->Map->GetNumberOfDegeneratePatches()));
+      result->SetPoints(points);
+      result->GetPointData()->AddArray(directions);
+      result->GetPointData()->SetNormals(normals);
+      result->GetCellData()->AddArray(DegenerateCells(dense.Triangles, degenerate));
+      vtkConformalConversions::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
+        static_cast<long long>(map->GetNumberOfDegeneratePatches()));
+      output->ShallowCopy(result);
+      this->Map->TakeMap(*map);
     });
 }
 

@@ -70,7 +70,7 @@ void AddLines(vtkFieldData* data, const char* name, const std::vector<std::strin
 int vtkGenusZeroCheck::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return vtkConformalConversions::RunCore(this,
     [&]()

@@ -127,7 +127,7 @@ int vtkGenusZeroHull::RequestUpdateExtent(
 int vtkGenusZeroHull::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  const auto input = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
   conformal::GenusZeroHullOptions options;
@@ -135,6 +135,7 @@ int vtkGenusZeroHull::RequestData(
   options.Offset = this->Offset;
   options.Persistence = this->Persistence;
   options.SmoothingPasses = this->SmoothingPasses;
+  const bool inPieces = this->DistributeOutput;
 
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
@@ -142,8 +143,8 @@ int vtkGenusZeroHull::RequestData(
       // Reading; the hull, on a lattice that a usual object has so many nodes on, of samples that
       // are no more than are worth the spacing; the output.
       const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double perSquare = 1.0 / (this->Spacing * this->Spacing);
-      const double nodes = 4.7 * perSquare / this->Spacing;
+      const double perSquare = 1.0 / (options.Spacing * options.Spacing);
+      const double nodes = 4.7 * perSquare / options.Spacing;
       conformal::Steps steps(processes.progress(),
         { 40.0 * size, 220.0 * nodes + 40.0 * size + 1900.0 * std::min(size, 32.0 * perSquare),
           3.0 * nodes });
@@ -169,7 +170,7 @@ int vtkGenusZeroHull::RequestData(
         vtkConformalConversions::SetSurface(
           output, Restore(samples, hull.Positions), hull.Triangles, frame);
         AddFigures(output->GetFieldData(), samples, hull, frame);
-        vtkConformalConversions::KeepOwnShare(output, this->DistributeOutput, processes);
+        vtkConformalConversions::KeepOwnShare(output, inPieces, processes);
       }
     });
 }

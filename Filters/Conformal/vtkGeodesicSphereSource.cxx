@@ -7,6 +7,7 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -24,25 +25,28 @@ int vtkGeodesicSphereSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const int frequency = this->Frequency;
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
       // For each vertex: the mesh, then points, triangles and two arrays of the output.
       conformal::Steps steps(
         vtkConformalConversions::ProgressOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
-      const conformal::Mesh sphere = conformal::makeGeodesicSphere(
-        this->Frequency, vtkConformalConversions::SMPFor(), steps.next());
+      const conformal::Mesh sphere =
+        conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
-      vtkConformalConversions::SetPoints(output, sphere.Positions, {});
+      const vtkNew<vtkPolyData> result;
+      vtkConformalConversions::SetPoints(result, sphere.Positions, {});
       steps.next();
-      vtkConformalConversions::SetTriangles(output, sphere.Triangles);
+      vtkConformalConversions::SetTriangles(result, sphere.Triangles);
       steps.next();
-      vtkPointData* pointData = output->GetPointData();
+      vtkPointData* pointData = result->GetPointData();
       vtkConformalConversions::AddVectors(
         pointData, vtkConformalConversions::SpherePositionName(), sphere.Positions);
       steps.next();
       vtkConformalConversions::AddVectors(pointData, "Normals", sphere.Positions);
       pointData->SetActiveNormals("Normals");
+      output->ShallowCopy(result);
     });
 }
 

@@ -81,7 +81,7 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
 int vtkGlobalConformalMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
+  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::GlobalConformalMapOptions options;
   options.Method = static_cast<conformal::GlobalConformalMethod>(this->Method);

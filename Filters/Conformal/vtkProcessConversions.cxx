@@ -266,6 +266,7 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   {
     vtkInputChecks::RequireConsistentInputs(self);
     core(processes);
+    conformal::report(processes.progress(), 1.0); // the last time that a wish to stop is heard
   };
   return RunRequest(self,
     [&]()

@@ -129,9 +129,11 @@ void vtkSphericalAlignment::RemoveAllLandmarks()
 int vtkSphericalAlignment::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const auto landmarks = this->Landmarks;
+  const auto kind = static_cast<conformal::AlignmentKind>(this->Transform);
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
@@ -145,20 +147,19 @@ int vtkSphericalAlignment::RequestData(
       vtkInputChecks::RequireCellIds(surface); // which landmarks need not, but the output has
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
-      const bool landmarks = !this->Landmarks.empty();
+      const bool hasLandmarks = !landmarks.empty();
       conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
-        { 20.0 * size, landmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
-          landmarks ? 0.0 : (this->Transform == MOEBIUS ? 1700.0 : 20.0) * size, 10.0 * size,
-          40.0 * size });
+        { 20.0 * size, hasLandmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
+          hasLandmarks ? 0.0 : (kind == conformal::AlignmentKind::Moebius ? 1700.0 : 20.0) * size,
+          10.0 * size, 40.0 * size });
       steps.next();
       conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
       const conformal::Progress pairing = steps.next();
-      const Pairs pairs = landmarks ? PairsOfLandmarks(this->Landmarks, map,
-                                        vtkConformalConversions::ToSpherePositions(reference))
-                                    : PairsOfSurfaces(surface, map, reference, pairing);
+      const Pairs pairs = hasLandmarks
+        ? PairsOfLandmarks(landmarks, map, vtkConformalConversions::ToSpherePositions(reference))
+        : PairsOfSurfaces(surface, map, reference, pairing);
       const conformal::SphericalAlignmentResult result =
-        conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights,
-          static_cast<conformal::AlignmentKind>(this->Transform), steps.next());
+        conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights, kind, steps.next());
       steps.next();
       result.Transform.applyTo(map);
 

@@ -10,6 +10,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -135,9 +136,9 @@ int vtkSphericalTextureBlend::RequestUpdateExtent(
 int vtkSphericalTextureBlend::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkImageData* front = vtkImageData::GetData(inputVector[1]);
-  vtkImageData* back = vtkImageData::GetData(inputVector[2]);
+  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto front = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[1]));
+  const auto back = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[2]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
   return vtkConformalConversions::RunCore(this,
     [&]()
@@ -160,8 +161,13 @@ int vtkSphericalTextureBlend::RequestData(
       backView.FieldOfView = this->FieldOfView;
       conformal::TwoPictures pictures;
       pictures.Front.View = image.View;
+      pictures.Front.FieldOfView = pictures.Back.FieldOfView = this->FieldOfView;
+      pictures.BlendAngle = this->BlendAngle;
+      const vtkNew<vtkImageData> result;
+      vtkDataArray* pixels =
+        AllocatePixels(result, outputVector->GetInformationObject(0), PixelsOf(front));
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const double numberOfPixels = 1.0 * this->ImageSize[0] * this->ImageSize[1];
+      const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
       conformal::Steps steps(
         ProgressOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
       steps.next();
@@ -171,15 +177,11 @@ int vtkSphericalTextureBlend::RequestData(
       const conformal::Triangles triangles = ToTriangles(surface);
       pictures.Back.View = conformal::chooseSphereView(
         points, triangles, ToSpherePositions(surface), backView, steps.next());
-      pictures.Front.FieldOfView = pictures.Back.FieldOfView = this->FieldOfView;
       pictures.FrontGrid = GridOf(front);
       pictures.BackGrid = GridOf(back);
-      pictures.BlendAngle = this->BlendAngle;
-
-      vtkDataArray* pixels =
-        AllocatePixels(output, outputVector->GetInformationObject(0), PixelsOf(front));
-      conformal::blendPictures(pictures, image, { this->ImageSize[0], this->ImageSize[1] },
+      conformal::blendPictures(pictures, image, GridOf(result),
         Painter(PixelsOf(front), PixelsOf(back), pixels), SMPFor(), steps.next());
+      output->ShallowCopy(result);
     });
 }
 

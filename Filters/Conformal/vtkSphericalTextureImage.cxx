@@ -213,9 +213,10 @@ int vtkSphericalTextureImage::RequestUpdateExtent(
 int vtkSphericalTextureImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkPointSet* source = vtkPointSet::GetData(inputVector[1]);
+  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto source = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[1]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
+  const std::string arrayName = this->ArrayName;
   return vtkConformalConversions::RunCore(this, source ? this->Controller : nullptr,
     [&](vtkConformalConversions::Processes& processes)
     {
@@ -228,23 +229,25 @@ int vtkSphericalTextureImage::RequestData(
       }
       const bool isShared = processes.size() > 1;
       const vtkSmartPointer<vtkDataArray> values = isShared
-        ? OwnPart(source, this->ArrayName, processes)
-        : vtkSmartPointer<vtkDataArray>(ArrayOf(source ? source : surface, this->ArrayName));
-      vtkDataArray* pixels = AllocatePixels(output, outputVector->GetInformationObject(0), values);
+        ? OwnPart(source, arrayName, processes)
+        : vtkSmartPointer<vtkDataArray>(
+            source ? ArrayOf(source, arrayName) : ArrayOf(surface, arrayName));
+      const vtkNew<vtkImageData> result;
+      vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
       vtkNew<vtkUnsignedCharArray> holes;
       holes->SetName("OutsideSurface");
-      holes->SetNumberOfValues(output->GetNumberOfPoints());
+      holes->SetNumberOfValues(result->GetNumberOfPoints());
 
       const conformal::CoordinateFrame frame = FrameOf({ surface, source }, processes.reduce());
       conformal::Points copy, sourceCopy;
-      auto* sourceSurface = vtkPolyData::SafeDownCast(source);
+      auto* sourceSurface = vtkPolyData::SafeDownCast(source.Get());
       const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
       conformal::Steps steps(processes.progress(),
         { 100.0 * static_cast<double>(surface->GetNumberOfPoints()) +
             (sourceSurface ? 100.0 : 10.0) * sourceSize,
           900.0 * static_cast<double>(surface->GetNumberOfPoints()) +
             (sourceSurface ? 600.0 : 250.0) * sourceSize +
-            (source ? 1000.0 : 350.0) * static_cast<double>(output->GetNumberOfPoints()) });
+            (source ? 1000.0 : 350.0) * static_cast<double>(result->GetNumberOfPoints()) });
       steps.next();
       conformal::MappedMesh mapped;
       conformal::SphereImage image;
@@ -254,7 +257,7 @@ int vtkSphericalTextureImage::RequestData(
           ToSpherePositions(surface) };
         image = ToSphereImage(surface->GetFieldData());
       }
-      const conformal::PixelGrid grid = { this->ImageSize[0], this->ImageSize[1] };
+      const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
       const conformal::PixelSink sink = Painter(values, pixels, holes);
       if (source)
       {
@@ -272,7 +275,8 @@ int vtkSphericalTextureImage::RequestData(
       {
         SumPixels(pixels, holes, processes.reduce());
       }
-      output->GetPointData()->AddArray(holes);
+      result->GetPointData()->AddArray(holes);
+      output->ShallowCopy(result);
     });
 }
 

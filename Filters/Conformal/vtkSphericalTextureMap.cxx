@@ -132,14 +132,13 @@ void AddSplitTriangles(vtkPolyData* output, vtkPolyData* input,
 int vtkSphericalTextureMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::SphericalTextureOptions options;
   options.ViewDirection = conformal::Vector3(this->ViewDirection);
   options.ViewUp = conformal::Vector3(this->ViewUp);
   options.UseViewPoint = this->UseViewPoint;
-  const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });
-  options.ViewPoint = frame.toFrameFromAfar(conformal::Vector3(this->ViewPoint));
+  const conformal::Vector3 viewPoint(this->ViewPoint);
   options.Projection = static_cast<conformal::SphereProjection>(this->Projection);
   options.FieldOfView = this->FieldOfView;
   options.Rotation = this->Rotation;
@@ -156,10 +155,12 @@ int vtkSphericalTextureMap::RequestData(
           this, "the surface is empty, there is nothing to lay an image on");
         return;
       }
+      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });
+      options.ViewPoint = frame.toFrameFromAfar(viewPoint);
       // For each vertex.
       conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
-        { 35.0, 17.0, (this->UseViewPoint ? 1360.0 : 210.0) + (this->SplitSeam ? 350.0 : 0.0),
-          this->SplitSeam ? 110.0 : 3.0 });
+        { 35.0, 17.0, (options.UseViewPoint ? 1360.0 : 210.0) + (options.SplitSeam ? 350.0 : 0.0),
+          options.SplitSeam ? 110.0 : 3.0 });
       steps.next();
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;
@@ -170,7 +171,7 @@ int vtkSphericalTextureMap::RequestData(
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map,
         options, vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
-      if (this->SplitSeam)
+      if (options.SplitSeam)
       {
         AddSplitPoints(output, input, texture.AddedPlaces);
         AddSplitTriangles(output, input, texture, cellIds);

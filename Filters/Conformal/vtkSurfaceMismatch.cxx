@@ -70,8 +70,8 @@ int vtkSurfaceMismatch::RequestUpdateExtent(
 int vtkSurfaceMismatch::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* model = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  const auto model = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
 
@@ -99,7 +99,7 @@ int vtkSurfaceMismatch::RequestData(
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const double sizes = modelSize + referenceSize;
       conformal::Steps steps(processes.progress(),
-        { 80.0 * sizes, 1500.0 * sizes + 500.0 * this->NumberOfSamples, 10.0 * sizes });
+        { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
       steps.next();
       conformal::Points modelCopy, referenceCopy;
       conformal::PointView modelPoints =

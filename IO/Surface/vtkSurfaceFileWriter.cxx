@@ -85,9 +85,10 @@ void vtkSurfaceFileWriter::WriteData()
 void vtkSurfaceFileWriter::WriteSurface(
   const std::function<std::string(const conformal::SurfaceData&)>& make)
 {
+  const std::string path = this->FileName; // observers of the progress may set another
   const std::string bytes =
     make(vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
-  vtkSurfaceConversions::WriteTogether({ { this->FileName, bytes } });
+  vtkSurfaceConversions::WriteTogether({ { path, bytes } });
 }
 
 //------------------------------------------------------------------------------

@@ -188,12 +188,13 @@ int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation*
 //------------------------------------------------------------------------------
 void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
-  const std::filesystem::path path = std::filesystem::u8path(this->FileName);
+  const std::string name = this->FileName; // observers of the progress may set another
+  const std::filesystem::path path = std::filesystem::u8path(name);
   const std::string extension = LowerCaseExtension(path);
   if (extension != ".glb" && extension != ".obj" && extension != ".ply")
   {
-    throw WriteError(vtkErrorCode::UnrecognizedFileTypeError,
-      std::string(this->FileName) + " does not end in .glb, .obj or .ply");
+    throw WriteError(
+      vtkErrorCode::UnrecognizedFileTypeError, name + " does not end in .glb, .obj or .ply");
   }
   conformal::TexturedSurface surface =
     ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));
@@ -202,7 +203,7 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   if (extension == ".glb")
   {
     const std::string glb = conformal::makeGLB(surface, png, progress);
-    WriteTogether({ { this->FileName, glb } });
+    WriteTogether({ { name, glb } });
     return;
   }
   const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
@@ -212,23 +213,22 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   if (extension == ".ply")
   {
     const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), progress);
-    WriteTogether({ { texture.u8string(), png }, { this->FileName, ply } });
-    this->WarnOfReplaced(foreign);
+    WriteTogether({ { texture.u8string(), png }, { name, ply } });
+    this->WarnOfReplaced(foreign, name);
     return;
   }
   const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
-  WriteTogether(
-    { { texture.u8string(), png }, { material.u8string(), mtl }, { this->FileName, obj } });
-  this->WarnOfReplaced(foreign);
+  WriteTogether({ { texture.u8string(), png }, { material.u8string(), mtl }, { name, obj } });
+  this->WarnOfReplaced(foreign, name);
 }
 
 //------------------------------------------------------------------------------
-void vtkTexturedSurfaceWriter::WarnOfReplaced(const std::string& files)
+void vtkTexturedSurfaceWriter::WarnOfReplaced(const std::string& files, const std::string& surface)
 {
   if (!files.empty())
   {
-    vtkWarningMacro(<< "replaced " << files << ", though " << this->FileName
+    vtkWarningMacro(<< "replaced " << files << ", though " << surface
                     << " was not there before: files beside a surface have its name");
   }
 }

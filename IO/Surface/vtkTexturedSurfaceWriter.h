@@ -73,7 +73,7 @@ private:
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
 
-  void WarnOfReplaced(const std::string& files);
+  void WarnOfReplaced(const std::string& files, const std::string& surface);
 
   bool RepeatTexture = false;
 };

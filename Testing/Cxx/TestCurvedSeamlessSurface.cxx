@@ -17,6 +17,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
+#include "vtkTriangle.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -420,6 +421,48 @@ TEST_F(CurvedSeamlessSurface, NormalsLookOutwardsWhateverTheDomes)
       double gradient[3] = { (p[0] - 10.0) / 9.0, p[1] / 4.0, p[2] };
       vtkMath::Normalize(gradient);
       ASSERT_GT(vtkMath::Dot(gradient, output->GetPointData()->GetNormals()->GetTuple3(i)), 0.9);
+    }
+  }
+}
+
+// Also where the map to the sphere mirrors, and so the sphere's triangles would come out inside
+// out.
+TEST_F(CurvedSeamlessSurface, TrianglesRunAsTheNormalsLook)
+{
+  for (const bool mirrors : { false, true })
+  {
+    const vtkNew<vtkPolyData> ellipsoid = Ellipsoid(6);
+    vtkDataArray* map = ellipsoid->GetPointData()->GetArray("SpherePosition");
+    for (vtkIdType i = 0; mirrors && i < map->GetNumberOfTuples(); ++i)
+    {
+      const double* n = map->GetTuple3(i);
+      map->SetTuple3(i, -n[0], -n[1], -n[2]);
+    }
+    for (const int mode :
+      { vtkCurvedSeamlessMap::PER_TRIANGLE, vtkCurvedSeamlessMap::EDGE_MATCHED })
+    {
+      for (int dome = vtkCurvedSeamlessMap::NONE; dome < vtkCurvedSeamlessMap::FITTED; ++dome)
+      {
+        SCOPED_TRACE(std::to_string(mirrors) + std::to_string(mode) + std::to_string(dome));
+        this->Filter->SetSeamMode(mode);
+        this->Filter->SetDomeHeight(dome);
+        vtkPolyData* output = this->ExpectDone(ellipsoid, "");
+        vtkNew<vtkIdList> ids;
+        for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+        {
+          output->GetCellPoints(cell, ids);
+          double corners[3][3], normal[3];
+          for (int k = 0; k < 3; ++k)
+          {
+            output->GetPoint(ids->GetId(k), corners[k]);
+          }
+          vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
+          double* smooth = output->GetPointData()->GetNormals()->GetTuple3(ids->GetId(0));
+          ASSERT_GT(vtkMath::Dot(normal, smooth), 0.0);
+          corners[0][0] -= 10.0; // seen from the middle
+          ASSERT_GT(vtkMath::Dot(normal, corners[0]), 0.0);
+        }
+      }
     }
   }
 }

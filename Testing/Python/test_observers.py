@@ -1,0 +1,279 @@
+"""A run is that of the inputs and properties it began with, whatever observers of its progress do.
+
+They may set every property to another value, empty the inputs and empty the outputs: the result is the
+same to the bit, and so are the files of writers.
+"""
+import os
+import tempfile
+import unittest
+
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPolyData
+import numpy as np
+
+import conformalsom
+from conformalsom import (
+    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
+    vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+
+FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
+           "gii": "GIFTI", "white": "FreeSurfer"}
+
+
+def surface(frequency=24, turn=0.0):
+    """An ellipsoid with its map, and with what makes it a texture's."""
+    sphere = vtkGeodesicSphereSource()
+    sphere.SetFrequency(frequency)
+    sphere.Update()
+    made = vtkPolyData()
+    made.DeepCopy(sphere.GetOutput())
+    points = vtk_to_numpy(made.GetPoints().GetData())
+    points *= [1.0, 0.8, 0.6]
+    if turn:
+        c, s = np.cos(turn), np.sin(turn)
+        points[:] = points @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    weights = numpy_to_vtk(2.0 + points[:, 2], deep=1)
+    weights.SetName("Weights")
+    made.GetPointData().SetScalars(weights)
+    texture = vtkSphericalTextureMap()
+    texture.SetInputData(made)
+    texture.SplitSeamOn()
+    texture.SetProjectionToLongitudeLatitude()
+    texture.Update()
+    made.GetFieldData().ShallowCopy(texture.GetOutput().GetFieldData())
+    return made
+
+
+def cloud():
+    """Without field data, which the executive passes to outputs before a run."""
+    made = surface(12)
+    made.GetFieldData().Initialize()
+    return made
+
+
+def picture():
+    made = vtkImageData()
+    made.SetDimensions(30, 20, 1)
+    made.AllocateScalars(3, 3)  # unsigned char
+    vtk_to_numpy(made.GetPointData().GetScalars())[:] = np.arange(1800).reshape(600, 3) % 251
+    return made
+
+
+def with_inputs(cls, *inputs, **properties):
+    algorithm = cls()
+    for port, data in enumerate(inputs):
+        algorithm.SetInputData(port, data)
+    for name, value in properties.items():
+        getattr(algorithm, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+    return algorithm
+
+
+def aligned_by_landmarks():
+    algorithm = with_inputs(vtkSphericalAlignment, surface(), surface(turn=0.3))
+    for point in (0, 40, 80, 120):
+        algorithm.AddLandmark(point, point)
+    return algorithm
+
+
+FILTERS = {
+    "distortion": lambda: with_inputs(vtkConformalDistortion, surface()),
+    "learning": lambda: with_inputs(
+        vtkConformalSOM, cloud(), Frequency=3, PriorityArrayName="Weights",
+        GenerateErrorScalars=True, StartingShape=1),
+    "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), Frequency=3),
+    "learning online": lambda: with_inputs(
+        vtkConformalSOM, cloud(), Frequency=3, TrainingMode=0, NumberOfEpochs=1),
+    "curved surface": lambda: with_inputs(
+        vtkCurvedSeamlessSurface, surface(6), Frequency=30, Polished=0),
+    "curved surface, fitted": lambda: with_inputs(
+        vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, Polished=0),
+    "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),
+    "hull": lambda: with_inputs(vtkGenusZeroHull, surface(), Spacing=0.08),
+    "sphere": lambda: with_inputs(vtkGeodesicSphereSource, Frequency=100),
+    "map": lambda: with_inputs(vtkGlobalConformalMap, surface()),
+    "alignment": lambda: with_inputs(vtkSphericalAlignment, surface(), surface(turn=0.3)),
+    "alignment by landmarks": aligned_by_landmarks,
+    "blend": lambda: with_inputs(
+        vtkSphericalTextureBlend, surface(), picture(), picture(), ImageSize=(200, 200)),
+    "image": lambda: with_inputs(
+        vtkSphericalTextureImage, surface(), ArrayName="Normals", ImageSize=(200, 200)),
+    "image of a source": lambda: with_inputs(
+        vtkSphericalTextureImage, surface(), surface(20), ImageSize=(100, 100)),
+    "texture": lambda: with_inputs(vtkSphericalTextureMap, surface(60)),
+    "texture, split": lambda: with_inputs(vtkSphericalTextureMap, surface(), SplitSeam=True),
+    "mismatch": lambda: with_inputs(vtkSurfaceMismatch, surface(), surface(20, 0.3)),
+}
+
+
+def arrays_of(algorithm):
+    """All that the outputs hold, by name."""
+    found = {}
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        data = algorithm.GetOutputDataObject(port)
+        groups = {"field": data.GetFieldData()}
+        if isinstance(data, vtkDataSet):
+            groups.update(points=data.GetPointData(), cells=data.GetCellData())
+        if isinstance(data, vtkImageData):
+            found[port, "size"] = data.GetDimensions()
+        elif isinstance(data, vtkPolyData):
+            found[port, "points"] = vtk_to_numpy(data.GetPoints().GetData()).tobytes()
+            found[port, "polygons"] = vtk_to_numpy(
+                data.GetPolys().GetConnectivityArray()).tobytes()
+        for group, attributes in groups.items():
+            for i in range(attributes.GetNumberOfArrays()):
+                array = attributes.GetArray(i)
+                found[port, group, attributes.GetAbstractArray(i).GetName()] = (
+                    vtk_to_numpy(array).tobytes() if array else attributes.GetAbstractArray(i).GetSize())
+        if hasattr(data, "GetRowData"):
+            rows = data.GetRowData()
+            for i in range(rows.GetNumberOfArrays()):
+                found[port, "rows", rows.GetArrayName(i)] = vtk_to_numpy(rows.GetArray(i)).tobytes()
+    return found
+
+
+def other_values(value):
+    """Some that differ, in the order in which to try them."""
+    if isinstance(value, bool):
+        return [not value]
+    if isinstance(value, int):
+        return [value + 1, value - 1]
+    if isinstance(value, float):
+        return [0.7 * value + 0.1, 0.5 * value]
+    if isinstance(value, str):
+        return ["other"]
+    if isinstance(value, tuple):
+        return [tuple(other_values(v)[0] for v in reversed(value))]
+    return []
+
+
+def change_properties(algorithm):
+    """Set all to other values. Returns their names."""
+    changed = []
+    for base in type(algorithm).__mro__:
+        if not base.__module__.startswith("conformalsom"):
+            continue
+        for method in vars(base):
+            getter = getattr(algorithm, "Get" + method[len("Set"):], None)
+            if not method.startswith("Set") or not getter or method.endswith(("Connection", "Data")):
+                continue
+            before = getter()
+            for value in other_values(before):
+                if getter() == before:
+                    getattr(algorithm, method)(*(value if isinstance(value, tuple) else (value,)))
+            if getter() != before:
+                changed.append(method)
+    if hasattr(algorithm, "RemoveAllLandmarks"):
+        algorithm.RemoveAllLandmarks()
+    return changed
+
+
+def empty_inputs(algorithm):
+    for port in range(algorithm.GetNumberOfInputPorts()):
+        if algorithm.GetNumberOfInputConnections(port):
+            algorithm.GetInputDataObject(port, 0).Initialize()
+
+
+def empty_outputs(algorithm):
+    for port in range(algorithm.GetNumberOfOutputPorts()):
+        algorithm.GetOutputDataObject(port).Initialize()
+
+
+def run(algorithm, disturb=None, at=0.0):
+    """Disturb it at its first report of such a progress. The first report of all and those of 1 may be
+    the executive's, before and after the run. Returns whether there was a report to disturb."""
+    count = 0
+    done = False
+
+    def hear(caller, _):
+        nonlocal count, done
+        count += 1
+        if disturb and not done and count > 1 and at <= caller.GetProgress() < 1.0:
+            done = True
+            disturb(algorithm)
+
+    algorithm.AddObserver("ProgressEvent", hear)
+    if hasattr(algorithm, "Write"):
+        algorithm.Write()
+    else:
+        algorithm.Update()
+    return done
+
+
+class TestObservers(unittest.TestCase):
+
+    def expect_undisturbed(self, make, result, disturbances):
+        reference = make()
+        run(reference)
+        expected = result(reference)
+        self.assertTrue(expected)
+        for disturb in disturbances:
+            for at in (0.0, 0.4, 0.8):
+                with self.subTest(disturb.__name__, at=at):
+                    algorithm = make()
+                    self.assertTrue(run(algorithm, disturb, at) or at > 0.0)
+                    got = result(algorithm)
+                    self.assertEqual({key for key in expected if got.get(key) != expected[key]}, set())
+                    self.assertEqual(set(got), set(expected))
+
+    def test_every_filter_is_tried(self):
+        tried = {make().GetClassName() for make in FILTERS.values()}
+        folder = os.path.join(
+            os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Conformal")
+        for file in os.listdir(folder):
+            name, ending = os.path.splitext(file)
+            if ending == ".h" and hasattr(getattr(conformalsom, name, None), "Update"):
+                self.assertIn(name, tried)
+
+    def test_properties_are_found(self):
+        changed = change_properties(vtkSphericalTextureImage())
+        self.assertEqual(set(changed), {"SetArrayName", "SetImageSize"})
+        self.assertGreater(len(change_properties(vtkConformalSOM())), 15)
+
+    def test_filters_keep_what_they_began_with(self):
+        for name, make in FILTERS.items():
+            with self.subTest(name):
+                self.expect_undisturbed(
+                    make, arrays_of, (change_properties, empty_inputs, empty_outputs))
+
+    def test_a_wish_to_stop_is_heard_with_the_report_of_1(self):
+        for name, make in FILTERS.items():
+            with self.subTest(name):
+                algorithm = make()
+
+                def stop(caller, _):
+                    if caller.GetProgress() == 1.0:
+                        caller.SetAbortExecute(1)
+
+                algorithm.AddObserver("ProgressEvent", stop)
+                algorithm.Update()
+                self.assertEqual(algorithm.GetOutputDataObject(0).GetNumberOfElements(0), 0)
+
+    def test_readers_and_writers_keep_what_they_began_with(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for ending, name in FORMATS.items():
+                path = os.path.join(folder, "a." + ending)
+
+                def writer():
+                    return with_inputs(
+                        getattr(conformalsom, "vtk%sWriter" % name), surface(20), FileName=path)
+
+                def reader():
+                    return with_inputs(getattr(conformalsom, "vtk%sReader" % name), FileName=path)
+
+                def content(_):
+                    with open(path, "rb") as file:
+                        written = file.read()
+                    os.remove(path)
+                    return {"file": written}
+
+                with self.subTest(name):
+                    self.expect_undisturbed(writer, content, (change_properties, empty_inputs))
+                    run(writer())
+                    self.expect_undisturbed(reader, arrays_of, (change_properties, empty_outputs))
+
+
+if __name__ == "__main__":
+    vtkObject.GlobalWarningDisplayOff()
+    unittest.main()
