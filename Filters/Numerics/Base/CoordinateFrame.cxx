@@ -43,11 +43,11 @@ double largestCoordinate(const PointView& points, const ParallelFor& parallelFor
 }
 
 //------------------------------------------------------------------------------
-Vector3 CoordinateFrame::toFrameFromAfar(const Vector3& x) const
+Vector3 inUnits(const Vector3& x, double unit)
 {
   constexpr double farAway = 0x1p26;
-  const Vector3 inFrame = x / this->Unit;
-  return inFrame.cwiseAbs().maxCoeff() <= farAway ? inFrame : Vector3(farAway * unitVector(x));
+  const Vector3 quotient = x / unit;
+  return quotient.cwiseAbs().maxCoeff() <= farAway ? quotient : Vector3(farAway * unitVector(x));
 }
 
 //------------------------------------------------------------------------------

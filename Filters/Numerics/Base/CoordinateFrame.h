@@ -10,6 +10,10 @@
 
 namespace conformal
 {
+/// x / unit, but no coordinate is larger than 2^26: a point that is farther away is taken for one
+/// in the same direction, since in double precision the same is closest to it.
+Vector3 inUnits(const Vector3& x, double unit);
+
 /// The unit is a power of two, so that nothing is rounded on the way into the frame and back: what
 /// the core makes of coordinates has the same bits in any unit, as long as it is a normal number.
 struct CoordinateFrame
@@ -19,9 +23,8 @@ struct CoordinateFrame
   /// Coordinates of a point that the frame was made for.
   Vector3 toFrame(const Vector3& x) const { return x / this->Unit; }
 
-  /// Coordinates of any other point. One that is very far away is taken for one in the same
-  /// direction, 2^26 units away: what is closest to it is the same in double precision.
-  Vector3 toFrameFromAfar(const Vector3& x) const;
+  /// Coordinates of any other point, by inUnits().
+  Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 
 /// The frame in which the largest coordinate lies in [1, 2). Points that are not finite do not

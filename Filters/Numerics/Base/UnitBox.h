@@ -3,6 +3,7 @@
 #ifndef ConformalUnitBox_h
 #define ConformalUnitBox_h
 
+#include "Base/CoordinateFrame.h"
 #include "Base/Types.h"
 
 namespace conformal
@@ -14,6 +15,12 @@ struct UnitBox
   double Half = 1.0; ///< of the longest side; halves, since a difference may overflow
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
+
+  /// Of a point that may lie outside, by inUnits().
+  Vector3 fromAfar(const Vector3& p) const
+  {
+    return inUnits(0.5 * p - 0.5 * this->Lower, this->Half);
+  }
 };
 
 /// @throws std::invalid_argument with their number, if points are not finite

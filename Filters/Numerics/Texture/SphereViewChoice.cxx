@@ -296,7 +296,7 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   if (options.UseViewPoint)
   {
     const FootPoint foot = TriangleTree(model, triangles, {}, treeProgress)
-                             .closestPoint(box(options.ViewPoint) - centroid);
+                             .closestPoint(box.fromAfar(options.ViewPoint) - centroid);
     place = { foot.Triangle, foot.Barycentric };
     view.Pole = poleAt(spherePositions, triangles, place);
     steps.next();

@@ -105,6 +105,31 @@ TEST(SphereViewChoice, RefusesViewsThatAreNone)
     chooseSphereView(sphere.Positions, Triangles(0, 3), sphere.Positions), std::invalid_argument);
 }
 
+// A scan far from the origin, so that it is flat, and a point that is almost infinitely far away.
+TEST(SphereViewChoice, FindsThePointClosestToOneFarAway)
+{
+  const auto sphere = conformal::makeGeodesicSphere(3);
+  Points flat = sphere.Positions;
+  flat.col(0).setConstant(-1.0);
+  SphereViewOptions options;
+  options.UseViewPoint = true;
+  for (const double far : { 1e30, 1e154, 1e200, 1.7e308 })
+  {
+    options.ViewPoint = { far, 0.0, 0.0 };
+    const SphereView view = chooseSphereView(flat, sphere.Triangles, sphere.Positions, options);
+    EXPECT_NEAR(view.Pole.norm(), 1.0, 1e-14) << far;
+  }
+  for (const double far : { 1e30, 1.7e308 })
+  {
+    options.ViewPoint = { 0.0, -far, 0.0 };
+    const SphereView view =
+      chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
+    Index lowest = 0;
+    egg(sphere.Positions).col(1).minCoeff(&lowest);
+    EXPECT_LT((view.Pole - Vector3(sphere.Positions.row(lowest))).norm(), 0.5) << far;
+  }
+}
+
 // The picked point is the pole whatever ViewDirection says, and who looks at it from outside sees
 // the image upright; a surface turned inside out makes no difference.
 TEST(SphereViewChoice, TakesAPickedPointAsThePole)
