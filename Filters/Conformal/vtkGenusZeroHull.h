@@ -26,10 +26,10 @@
  * - "NumberOfPointsInside" (idtype): points inside the hull that lie apart from its surface: inner
  *   parts, and outliers.
  *
- * One warning each if the points enclose nothing or Leaks is 1; if the cuts through handles go
- * through the inside of the object, so that it is not of genus zero or parts of it touch (limbs
- * that only the offset joined are no reason); if more than 1 of 200 points lie outside; if more
- * than 1 of 200 lie inside.
+ * One warning each if the points enclose nothing or Leaks is 1; if handles cannot be opened without
+ * a cut through the inside of the object or through its points, so that it is not of genus zero or
+ * parts of it touch (limbs that only the offset joined are no reason); if more than 1 of 200 points
+ * lie outside; if more than 1 of 200 lie inside.
  *
  * No part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on
  * curved seamless surface", Neurocomputing 71 (2008)), but of use to it: its method starts from a

@@ -43,7 +43,7 @@ void AddSphere(vtkPoints* points, vtkIdType size, double radius, double x, doubl
   }
 }
 
-void AddTorus(vtkPoints* points, double radius, double tube)
+void AddTorus(vtkPoints* points, double radius, double tube, double x = 0.0)
 {
   for (int i = 0; i < 300; ++i)
   {
@@ -51,7 +51,7 @@ void AddTorus(vtkPoints* points, double radius, double tube)
     {
       const double u = 2.0 * Pi * i / 300, v = 2.0 * Pi * k / 100;
       const double r = radius + tube * std::cos(v);
-      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), tube * std::sin(v));
+      points->InsertNextPoint(x + r * std::cos(u), r * std::sin(u), tube * std::sin(v));
     }
   }
 }
@@ -224,7 +224,7 @@ TEST_F(GenusZeroHull, WarnsOfWhatIsLeftOutOrCut)
       EXPECT_TRUE(this->IsGenusZero());
     }
   };
-  vtkNew<vtkPoints> sphere, two, within, half, torus, thin, few;
+  vtkNew<vtkPoints> sphere, two, within, half, torus, thin, chain, few;
   AddSphere(sphere, 20000, 1.0, 0.0);
   expect(sphere, "");
   AddSphere(two, 10000, 1.0, 0.0);
@@ -240,6 +240,11 @@ TEST_F(GenusZeroHull, WarnsOfWhatIsLeftOutOrCut)
   expect(torus, "has handles, cut open at ");
   AddTorus(thin, 1.0, 0.15);
   expect(thin, "has handles, cut open at ");
+  for (const double x : { 0.0, 2.3 }) // a tube of it has next to nothing inside
+  {
+    AddTorus(chain, 1.0, 0.35, x);
+  }
+  expect(chain, "has handles, cut open at ");
   // A few outliers are not worth a word; their number is among the figures.
   AddSphere(few, 20000, 1.0, 0.0);
   AddSphere(few, 50, 0.2, 1.3);

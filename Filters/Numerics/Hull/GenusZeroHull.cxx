@@ -83,6 +83,17 @@ Index countInside(
   return count;
 }
 
+// Of the largest cut that handles need, however well it avoids the data, the nodes near these.
+Index countCutData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& solid,
+  const std::vector<float>& distances, double offset, const Progress& progress)
+{
+  // Data as dense as the lattice have nodes this near in a row, without a gap.
+  constexpr double nearness = 0.6; // offsets
+  std::vector<std::uint8_t> opened = solid;
+  cutHandles(lattice, opened, distances, offset, HandleCut::FarFromData, progress);
+  return largestCutNearData(lattice, solid, opened, distances, nearness * offset);
+}
+
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -96,7 +107,7 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
   // samples outside, data hidden inside, the surface and its smoothing.
   steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
-    15.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes, 12.0 * nodes + 1800.0 * surfaceNodes,
+    22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes, 12.0 * nodes + 1800.0 * surfaceNodes,
     options.SmoothingPasses * 450.0 * surfaceNodes });
   std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, steps.next());
 
@@ -122,9 +133,13 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const Progress cutting = steps.next();
   if (result.EulerNumber != 1)
   {
-    result.NumberOfCutNodes = cutHandles(lattice, inside, distances, options.Offset, cutting);
+    const std::vector<std::uint8_t> uncut = inside;
+    result.NumberOfCutNodes = cutHandles(
+      lattice, inside, distances, options.Offset, HandleCut::HalfWay, partOf(cutting, 0.0, 0.5));
     result.NumberOfCutInsideNodes =
       result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
+    result.NumberOfCutDataNodes =
+      countCutData(lattice, uncut, distances, options.Offset, partOf(cutting, 0.5, 1.0));
   }
   steps.next();
   {
@@ -193,8 +208,9 @@ bool HullData::contains(const Vector3& sample) const
 //------------------------------------------------------------------------------
 bool hasHandles(const GenusZeroHullResult& hull)
 {
-  constexpr Index most = 4; // that sparse data have by chance
-  return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most);
+  constexpr Index most = 4, mostOfData = 3; // that sparse data have by chance
+  return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most) ||
+    (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > mostOfData);
 }
 
 //------------------------------------------------------------------------------

@@ -59,15 +59,17 @@ struct GenusZeroHullResult : Mesh
   Index EulerNumber = 1;            ///< of the solid before its handles were cut: 1 - handles
   Index NumberOfCutNodes = 0;       ///< where handles were cut
   Index NumberOfCutInsideNodes = 0; ///< of these, those that count as NumberOfInsideNodes
+  Index NumberOfCutDataNodes = 0;   ///< where data must be cut to open a handle: nodes near them
   DataHole LargestHole;             ///< closed in the data, in the normalised frame
   bool Leaks = false;               ///< see OutsideNodes
   Index NumberOfSamplesOutside = 0; ///< samples that are not of Data
   Index NumberOfSamplesInside = 0;  ///< samples of Data apart from the surface: inner parts
 };
 
-/// Whether the object itself seems to have handles, or parts that touch. Handles of the offset,
-/// between limbs closer than it, are cut where nothing is inside; one node inside for each handle
-/// may be a gap in sparse data.
+/// Whether the object itself seems to have handles, or parts that touch: then a cut goes through
+/// its inside, or through its data however well it avoids them. Handles of the offset, between
+/// limbs closer than it, need neither; one node inside for each handle may be a gap in sparse data.
+/// A shell around points that enclose nothing has none.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Wrap a cloud into one closed surface of genus zero, at about the offset from the data.

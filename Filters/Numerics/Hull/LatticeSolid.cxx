@@ -52,7 +52,7 @@ Index keepLargestPiece(
 
 //------------------------------------------------------------------------------
 Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const std::vector<float>& distances, double offset, const Progress& progress)
+  const std::vector<float>& distances, double offset, HandleCut place, const Progress& progress)
 {
   const std::array<int, 14> steps = lattice.neighborSteps();
   std::array<float, 14> lengths;
@@ -78,10 +78,11 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
   std::vector<std::uint8_t> grown(inside.size(), 0);
   std::vector<std::uint8_t> waits(inside.size(), 0);
   std::priority_queue<Waiting> queue;
-  // Below 0 beyond the offset, by depth; above, the way from there.
+  // Below 0 beyond the offset, by depth; above, the way from there or the distance to the data.
   const auto push = [&](int node, float way)
   {
-    const float key = distances[node] > offset ? -distances[node] : std::max(0.0F, way);
+    const float later = place == HandleCut::HalfWay ? std::max(0.0F, way) : distances[node];
+    const float key = distances[node] > offset ? -distances[node] : later;
     waits[node] = 1;
     queue.push({ key, node });
   };
@@ -118,5 +119,30 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
   }
   inside.swap(grown);
   return total - count;
+}
+
+//------------------------------------------------------------------------------
+Index largestCutNearData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& uncut,
+  const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness)
+{
+  constexpr std::uint8_t unseen = 1, seen = 2;
+  std::vector<std::uint8_t> nodes(uncut.size());
+  for (std::size_t node = 0; node < nodes.size(); ++node)
+  {
+    nodes[node] = uncut[node] && !cut[node];
+  }
+  Index most = 0;
+  std::vector<int> piece;
+  for (int node = 0; node < static_cast<int>(nodes.size()); ++node)
+  {
+    if (nodes[node] == unseen)
+    {
+      markPiece(lattice, nodes, node, seen, piece);
+      most = std::max<Index>(most,
+        std::count_if(
+          piece.begin(), piece.end(), [&](int of) { return distances[of] <= nearness; }));
+    }
+  }
+  return most;
 }
 }

@@ -17,19 +17,34 @@ namespace conformal
 Index keepLargestPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
   const Progress& progress = {});
 
+/// Where handles are cut that have nothing inside.
+enum class HandleCut
+{
+  HalfWay, ///< as far as can be from what is inside: limbs are parted in the middle between them
+  FarFromData, ///< as far as can be from the data
+};
+
 /// Cut a solid open until it has no handles: grow a ball within it, from the node deepest inside,
 /// by nodes that change nothing in the topology; what cannot be added is the cut.
 ///
-/// Nodes beyond the offset are added from the deepest up, then the others by the way from these. So
-/// a handle is cut where it is thinnest, and limbs that only the offset had joined are parted in
-/// the middle between them.
+/// Nodes beyond the offset are added from the deepest up, then the others by the way from these, or
+/// by their distance to the data. So a handle is cut where it is thinnest, and limbs that only the
+/// offset had joined are parted between them.
 ///
 /// @param[in,out] inside  a connected set without cavities, as keepLargestPiece leaves it
 /// @param[in] distances   of each node to the data, in units of the spacing
 /// @param[in] offset      in the unit of the distances
 /// @return the number of nodes cut
 Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const std::vector<float>& distances, double offset, const Progress& progress = {});
+  const std::vector<float>& distances, double offset, HandleCut place = HandleCut::HalfWay,
+  const Progress& progress = {});
+
+/// Of the nodes that were cut from a solid, those of one connected piece that are near the data:
+/// the most of any piece.
+/// @param[in] uncut, cut  the solid before and after
+/// @param[in] nearness    distance up to which a node is near
+Index largestCutNearData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& uncut,
+  const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness);
 }
 
 #endif

@@ -168,6 +168,68 @@ TEST(GenusZeroHull, CutsATorusOpen)
   EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
 }
 
+// Rings in a row, each grown into the next: of any number, and also where the lattice is too coarse
+// for an inside of their tubes, their handles are told from those of the offset.
+TEST(GenusZeroHull, KnowsHandlesThatHaveNothingInside)
+{
+  const Points ring = pointsOf(30000,
+    [](double u, double v)
+    {
+      const double r = 1.0 + 0.35 * std::cos(2 * Pi * v);
+      return Vector3(
+        r * std::cos(2 * Pi * u), r * std::sin(2 * Pi * u), 0.35 * std::sin(2 * Pi * v));
+    });
+  Points rings = ring;
+  for (int count = 1; count <= 4; ++count)
+  {
+    for (const double spacing : { 0.1, 0.08, 0.05, 0.03 })
+    {
+      SCOPED_TRACE(std::to_string(count) + " rings, spacing " + std::to_string(spacing));
+      const GenusZeroHullResult hull = hullOf(rings, spaced(spacing));
+      EXPECT_LT(hull.EulerNumber, 1);
+      EXPECT_TRUE(hasHandles(hull) || hull.NumberOfInsideNodes == 0) << hull.NumberOfCutDataNodes;
+    }
+    Points next = ring;
+    next.col(0).array() += 2.3 * count;
+    rings = stack(rings, next);
+  }
+}
+
+// A ring with a gap that only the offset closes: a limb that bends back to its body.
+TEST(GenusZeroHull, KnowsHandlesOfTheOffset)
+{
+  for (const double tube : { 0.03, 0.1, 0.2 })
+  {
+    const double spacing = 0.05, gap = 1.4 * spacing;
+    const Points open = pointsOf(40000,
+      [&](double u, double v)
+      {
+        const double bend = tube + gap / 2.0 + u * (2.0 * (Pi - tube) - gap);
+        const double r = 1.0 + tube * std::cos(2 * Pi * v);
+        return Vector3(r * std::cos(bend), r * std::sin(bend), tube * std::sin(2 * Pi * v));
+      });
+    Points ends[2];
+    for (const int side : { 0, 1 })
+    {
+      const double bend = tube + gap / 2.0;
+      ends[side] = pointsOf(4000,
+        [&](double u, double v) // half a ball
+        {
+          const Vector3 n = tube * onSphere(u, 0.5 * v + 0.5);
+          const double turn = side ? bend : -bend, out = side ? -n[2] : n[2];
+          const Vector3 along(-std::sin(turn), std::cos(turn), 0.0);
+          const Vector3 across(std::cos(turn), std::sin(turn), 0.0);
+          return Vector3(across + n[0] * across + n[1] * Vector3(0, 0, 1) + out * along);
+        });
+    }
+    const Points all = stack(stack(open, ends[0]), ends[1]);
+    const TrainingSamples samples{ PointView(all) };
+    const GenusZeroHullResult hull = hullOf(all, spaced(spacing / samples.scale()));
+    EXPECT_EQ(hull.EulerNumber, 0) << tube;
+    EXPECT_FALSE(hasHandles(hull)) << tube << " " << hull.NumberOfCutDataNodes;
+  }
+}
+
 TEST(GenusZeroHull, JoinsTangentSpheres)
 {
   Points left = pointsOf(15000, onSphere), right = left;
