@@ -6,6 +6,7 @@
 #include "Cloud/SampleRotation.h"
 #include "Learn/HullStart.h"
 #include "Learn/LeastSquaresPolish.h"
+#include "Learn/NoiseEstimate.h"
 #include "Learn/SurfaceSupport.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
@@ -26,13 +27,11 @@ namespace
 constexpr int CoarsestFrequency = 4;
 constexpr Index BlockSize = 1024;
 // Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
-constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5, MostNoise = 10.0;
+constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5;
 
 /// Learning leaves the lattice well spread, and evening it further costs little fit. Over the
 /// hollows of a hull it would leave lids.
 constexpr double EvennessFromSphere = 3.0;
-
-constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
 
 constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
 
@@ -100,16 +99,6 @@ Points means(const Shares& shares, const Adjacency& neighbors, const Points& wei
       }
     });
   return moved;
-}
-
-/// How much noise there is, from the errors on two lattices one of which is twice as fine. What a
-/// lattice is too coarse for falls sixfold (measured on scans; sixteenfold would be the limit of a
-/// smooth object), noise stays.
-double noiseToDetail(double coarseError, double fineError)
-{
-  constexpr double Fall = 6.0;
-  const double ratio = coarseError / fineError;
-  return ratio > 1.0 ? std::clamp((Fall - 1.0) / (ratio - 1.0) - 1.0, 0.0, MostNoise) : MostNoise;
 }
 
 /// What is to be smoothed more the more noise there is; far patterns are noise then, not tips.
@@ -257,38 +246,15 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
   return result;
 }
 
-/// So many of the patterns, evenly spaced, the same on all processes.
-Points selection(const TrainingSamples& samples, Index wanted)
-{
-  SampleRotation rotation(samples, 1);
-  rotation.turn(wanted);
-  std::vector<double> own;
-  for (Index i = 0; i < rotation.count(); ++i)
-  {
-    const Vector3 x = samples[rotation.id(i)];
-    own.insert(own.end(), x.data(), x.data() + 3);
-  }
-  const std::vector<double> all = gather(samples.reduce(), own);
-  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
-}
-
 /// The polish, and how much of the surface then has no patterns.
 void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
   const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
 {
-  Steps steps(progress, { 0.97, 0.01, 0.02 });
+  Steps steps(progress, { 0.97, 0.03 });
   const std::vector<double> masses = polish(samples, options, parallelFor, steps.next(), result);
   steps.next();
-  const Triangles& triangles = result.Triangles;
-  const Adjacency neighbors = vertexNeighbors(triangles, result.Positions.rows());
-  const std::vector<bool> bare = bareVertices(result.Positions, triangles, neighbors, masses);
-  steps.next();
-  if (std::find(bare.begin(), bare.end(), true) != bare.end())
-  {
-    result.UnsupportedFraction = areaFraction(result.Positions, triangles,
-      farFromPatterns(
-        result.Positions, bare, selection(samples, PatternsPerNeuron * result.Positions.rows())));
-  }
+  result.UnsupportedFraction =
+    unsupportedFraction(samples, result.Positions, result.Triangles, masses);
 }
 
 /// From a start that is rough, from smooth to fine.

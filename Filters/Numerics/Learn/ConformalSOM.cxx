@@ -3,11 +3,13 @@
 #include "Base/FixedPointSums.h"
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
+#include "Learn/AdaptiveTraining.h"
 #include "Learn/BatchTraining.h"
 #include "Learn/OnlineTraining.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
+#include "SphereMap/GlobalConformalMap.h"
 
 #include <cmath>
 #include <sstream>
@@ -19,6 +21,8 @@ namespace conformal
 {
 namespace
 {
+constexpr Index LeastNeurons = 12; // of an icosahedron
+
 void require(bool good, const std::string& what)
 {
   if (!good)
@@ -45,6 +49,13 @@ void requireNear(const Points& start)
 
 void check(const ConformalSOMOptions& options)
 {
+  const bool adaptive = options.Lattice == Lattice::Adaptive;
+  require(!adaptive || options.TrainingMode == TrainingMode::Batch,
+    "the adaptive lattice can be learned in Batch mode only; in Online mode take the geodesic one");
+  require(!adaptive || options.NumberOfNeurons >= LeastNeurons,
+    "NumberOfNeurons must be at least " + std::to_string(LeastNeurons));
+  require(
+    options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0, "AreaBalance must lie in [0, 1]");
   require(options.NumberOfEpochs >= 0, "NumberOfEpochs must not be negative");
   require(options.SamplesPerEpoch >= 1, "SamplesPerEpoch must be at least 1");
   require(positive(options.InitialNeighborhoodRadius),
@@ -61,6 +72,83 @@ void check(const ConformalSOMOptions& options)
   require(std::isfinite(options.Smoothness) && options.Smoothness >= 0.0,
     "Smoothness must be a number that is not negative");
 }
+
+/// From the points' own unit to that of training.
+Points normalized(Points points, const TrainingSamples& samples)
+{
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = samples.normalize(points.row(i));
+  }
+  return points;
+}
+
+/// In the samples' unit.
+ConformalSOMResult trainGeodesic(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const MappedMesh* start, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const bool online = options.TrainingMode == TrainingMode::Online;
+  if (!online && !start)
+  {
+    return trainBatch(samples, options, parallelFor, progress);
+  }
+  Steps steps(progress, { 1.0, 40.0 }); // parts of the polish
+  const Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
+  const Progress starting = steps.next();
+  Points weights = network.Positions; // step 1
+  if (start)
+  {
+    weights = normalized(resample(start->SpherePositions, start->Positions, start->Triangles,
+                           weights, parallelFor, starting),
+      samples);
+    requireNear(weights);
+  }
+  return online ? trainOnline(samples, network, weights, options, steps.next())
+                : trainBatchFrom(std::move(weights), samples, options, parallelFor, steps.next());
+}
+
+/// In the samples' unit, and not mapped yet.
+ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const MappedMesh* start, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  if (!start)
+  {
+    return trainAdaptive(samples, options, nullptr, parallelFor, progress);
+  }
+  MappedMesh own = *start;
+  own.Positions = normalized(std::move(own.Positions), samples);
+  requireNear(own.Positions);
+  return trainAdaptive(samples, options, &own, parallelFor, progress);
+}
+
+/// Whether the learned surface is to be mapped to the sphere anew.
+bool mapsAnew(const ConformalSOMOptions& options)
+{
+  return options.Lattice == Lattice::Adaptive || options.SphereMap != SphereMap::Lattice;
+}
+
+GlobalConformalMapOptions mapOptions(const ConformalSOMOptions& options)
+{
+  GlobalConformalMapOptions map;
+  map.AreaBalance = options.SphereMap == SphereMap::Balanced ? options.AreaBalance : 0.0;
+  return map;
+}
+
+// In nanoseconds as in Steps: the middle of what learning takes for each neuron, or pattern.
+double workOfLearning(const ConformalSOMOptions& options, Index neurons)
+{
+  return options.TrainingMode == TrainingMode::Online
+    ? 5000.0 * options.NumberOfEpochs * options.SamplesPerEpoch
+    : 150000.0 * static_cast<double>(neurons);
+}
+}
+
+Index numberOfNeurons(const ConformalSOMOptions& options)
+{
+  return options.Lattice == Lattice::Adaptive
+    ? options.NumberOfNeurons
+    : 10 * Index(options.Frequency) * options.Frequency + 2;
 }
 
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
@@ -70,31 +158,16 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   require(!samples.empty(), "there is no point to learn from");
   check(options);
   report(progress, 0.0);
-  const bool online = options.TrainingMode == TrainingMode::Online;
-  ConformalSOMResult result;
-  if (!online && !start)
+  const Index neurons = numberOfNeurons(options);
+  const bool maps = mapsAnew(options);
+  const GlobalConformalMapOptions map = mapOptions(options);
+  Steps steps(progress,
+    { workOfLearning(options, neurons), maps ? workOfGlobalConformalMap(map, neurons) : 0.0 });
+  const auto learn = options.Lattice == Lattice::Adaptive ? trainAdaptiveFrom : trainGeodesic;
+  ConformalSOMResult result = learn(samples, options, start, parallelFor, steps.next());
+  if (maps)
   {
-    result = trainBatch(samples, options, parallelFor, progress);
-  }
-  else
-  {
-    Steps steps(progress, { 1.0, 40.0 }); // parts of the polish
-    const Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
-    const Progress starting = steps.next();
-    Points weights = network.Positions; // step 1
-    if (start)
-    {
-      weights = resample(
-        start->SpherePositions, start->Positions, start->Triangles, weights, parallelFor, starting);
-      for (Index i = 0; i < weights.rows(); ++i)
-      {
-        weights.row(i) = samples.normalize(weights.row(i));
-      }
-      requireNear(weights);
-    }
-    result = online
-      ? trainOnline(samples, network, weights, options, steps.next())
-      : trainBatchFrom(std::move(weights), samples, options, parallelFor, steps.next());
+    result.SpherePositions = globalConformalMap(result, map, parallelFor, steps.next()).Positions;
   }
   for (Index i = 0; i < result.Positions.rows(); ++i)
   {
@@ -110,11 +183,7 @@ std::vector<double> quantizationErrors(const TrainingSamples& samples,
   Steps steps(progress,
     { 1000.0 * static_cast<double>(result.Positions.rows()),
       1000.0 * static_cast<double>(samples.size()) });
-  Points weights(result.Positions.rows(), 3);
-  for (Index i = 0; i < weights.rows(); ++i)
-  {
-    weights.row(i) = samples.normalize(result.Positions.row(i));
-  }
+  const Points weights = normalized(result.Positions, samples);
   FixedPointSums squares(weights.rows()), counts(weights.rows());
   const TriangleTree tree(weights, result.Triangles, parallelFor, steps.next());
   forEachFoot(

@@ -33,6 +33,9 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const ConformalSOMOptions& options = {}, const MappedMesh* start = nullptr,
   const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
+/// As many as the network of these options has.
+Index numberOfNeurons(const ConformalSOMOptions& options);
+
 /// Root mean square distance between each neuron and the patterns it stands for: those in whose
 /// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
 /// @return #N values

@@ -26,40 +26,49 @@ constexpr double TypicalArea = 5.0;
 // More of the sphere for limbs, or better angles: measured, a middle.
 constexpr double Balance = 0.18;
 
-double spacingFor(const TrainingSamples& samples)
+// In nanoseconds as in Steps: of thinning for each vertex, of the map, of the hull.
+constexpr double WorkOfThinning = 10000.0, WorkOfMap = 800e6;
+}
+
+double hullSpacing(const TrainingSamples& samples)
 {
   return std::clamp(
     0.6 * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
 }
 
-// In nanoseconds as in Steps: of thinning for each vertex, of the map, of the hull.
-constexpr double WorkOfThinning = 10000.0, WorkOfMap = 800e6;
-
-double workOfHull(const TrainingSamples& samples)
+double workOfHull(const TrainingSamples& samples, double spacing)
 {
-  const double spacing = spacingFor(samples);
-  const double nodes = 4.7 / (spacing * spacing * spacing); // of a usual object
+  const double nodes = 4.7 / (spacing * spacing * spacing);
   return 220.0 * nodes +
     1900.0 * std::min(static_cast<double>(samples.totalSize()), 32.0 / (spacing * spacing));
 }
+
+double verticesOfHull(double spacing)
+{
+  return 29.0 / (spacing * spacing);
+}
+
+GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  GenusZeroHullOptions options;
+  options.Spacing = spacing;
+  return makeGenusZeroHull(samples, options, parallelFor, progress);
 }
 
 double workOfHullStart(const TrainingSamples& samples)
 {
-  const double spacing = spacingFor(samples);
-  const double vertices = 29.0 / (spacing * spacing); // of a usual object
-  return workOfHull(samples) + WorkOfThinning * vertices + WorkOfMap;
+  const double spacing = hullSpacing(samples);
+  return workOfHull(samples, spacing) + WorkOfThinning * verticesOfHull(spacing) + WorkOfMap;
 }
 
 std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  GenusZeroHullOptions hullOptions;
-  hullOptions.Spacing = spacingFor(samples);
-  const double ofHull = workOfHull(samples);
+  const double spacing = hullSpacing(samples);
+  const double ofHull = workOfHull(samples, spacing);
   Steps steps(progress, { ofHull, workOfHullStart(samples) - ofHull });
-  const GenusZeroHullResult hull =
-    makeGenusZeroHull(samples, hullOptions, parallelFor, steps.next());
+  const GenusZeroHullResult hull = makeHull(samples, spacing, parallelFor, steps.next());
   const auto size = static_cast<double>(hull.Positions.rows());
   steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
   const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());

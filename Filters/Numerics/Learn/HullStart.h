@@ -12,6 +12,19 @@
 
 namespace conformal
 {
+/// Of a hull as fine as the samples are dense, in units of the largest radius.
+double hullSpacing(const TrainingSamples& samples);
+
+/// A genus-zero hull of the samples.
+/// @throws Aborted
+GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
+  const ParallelFor& parallelFor, const Progress& progress);
+
+/// What makeHull() takes, in nanoseconds as in Steps, and how many vertices it makes of a usual
+/// object.
+double workOfHull(const TrainingSamples& samples, double spacing);
+double verticesOfHull(double spacing);
+
 struct HullStart
 {
   Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
@@ -21,7 +34,7 @@ struct HullStart
   Index NumberOfSamplesOutside = 0;
 };
 
-/// A genus-zero hull of the samples, thinned, mapped to the sphere without folds and resampled at
+/// The hull thinned, mapped to the sphere without folds and resampled at
 /// the directions of a lattice.
 /// @param[in] directions  #N by 3 unit vectors
 /// @return nothing if the hull cannot be mapped: it winds so much that the sphere has no room for

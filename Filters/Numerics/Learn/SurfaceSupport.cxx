@@ -1,9 +1,32 @@
 #include "Learn/SurfaceSupport.h"
 
+#include "Cloud/SampleRotation.h"
 #include "Search/PointTree.h"
+
+#include <algorithm>
 
 namespace conformal
 {
+namespace
+{
+constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
+
+/// So many of the patterns, evenly spaced, the same on all processes.
+Points selection(const TrainingSamples& samples, Index wanted)
+{
+  SampleRotation rotation(samples, 1);
+  rotation.turn(wanted);
+  std::vector<double> own;
+  for (Index i = 0; i < rotation.count(); ++i)
+  {
+    const Vector3 x = samples[rotation.id(i)];
+    own.insert(own.end(), x.data(), x.data() + 3);
+  }
+  const std::vector<double> all = gather(samples.reduce(), own);
+  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
+}
+}
+
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses)
 {
@@ -140,6 +163,17 @@ double areaFraction(
     }
   }
   return whole > 0.0 ? part / whole : 0.0;
+}
+
+double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, const std::vector<double>& masses)
+{
+  const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
+  const std::vector<bool> bare = bareVertices(positions, triangles, neighbors, masses);
+  return std::find(bare.begin(), bare.end(), true) == bare.end()
+    ? 0.0
+    : areaFraction(positions, triangles,
+        farFromPatterns(positions, bare, selection(samples, PatternsPerNeuron * positions.rows())));
 }
 
 double obtuseFraction(const Points& positions, const Triangles& triangles)

@@ -4,6 +4,7 @@
 #define ConformalSurfaceSupport_h
 
 #include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
 #include "Mesh/MeshTopology.h"
 
 #include <vector>
@@ -44,6 +45,12 @@ std::vector<bool> farFromPatterns(
 /// in [0, 1].
 double areaFraction(
   const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
+
+/// Share of the area that has no patterns where some are due: bareVertices() that are
+/// farFromPatterns(). The same on all processes.
+/// @param[in] masses  as of unsupportedVertices()
+double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, const std::vector<double>& masses);
 
 /// Share of the triangles that have an angle of more than a right one: a lattice of nearly
 /// equilateral triangles that has been stretched over limbs and edges shows in it.

@@ -31,9 +31,28 @@ enum class StartingShape
   Hull       ///< always a closed hull of the points, mapped to the sphere
 };
 
+/// What the network is.
+enum class Lattice
+{
+  Geodesic, ///< the paper's: a geodesic sphere, whose triangles stay joined as they are
+  Adaptive  ///< triangles of one size on the surface, whatever its limbs; Batch only
+};
+
+/// Which map to the sphere a result gets.
+enum class SphereMap
+{
+  Lattice,   ///< the places of the neurons in the lattice; Conformal where it is Adaptive
+  Conformal, ///< of the learned surface, see GlobalConformalMap.h
+  Balanced   ///< the same with an AreaBalance
+};
+
 struct ConformalSOMOptions
 {
-  int Frequency = 36; ///< f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles
+  conformal::Lattice Lattice = conformal::Lattice::Geodesic;
+  Index NumberOfNeurons = 12962; ///< Adaptive, at least 12
+  conformal::SphereMap SphereMap = conformal::SphereMap::Lattice;
+  double AreaBalance = 0.5; ///< Balanced: from conformal, 0, to nearly equal in area, 1
+  int Frequency = 36; ///< Geodesic: f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles
   conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
   unsigned int RandomSeed = 1; ///< the only source of randomness
 

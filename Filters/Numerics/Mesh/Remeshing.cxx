@@ -1,11 +1,13 @@
 #include "Mesh/Remeshing.h"
 
+#include "Base/Steps.h"
 #include "Mesh/VertexRings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -23,6 +25,10 @@ constexpr double SmoothingStep = 0.7; // of the way to the middle
 constexpr int SmoothingTries = 3;     // each half as far
 constexpr int MostRounds = 100;       // of one kind of operation; many more than it takes
 constexpr int FinalSmoothings = 3;
+
+/// Times the vertices wanted, beyond which a surface that has lost its area is split no more.
+constexpr Index MostSplit = 4;
+
 constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5; // of normals across a flipped edge
 
 /// An operation on the edge of A and B; greater priorities go first.
@@ -71,6 +77,9 @@ public:
 
   Index count() const { return this->Count; }
 
+  /// Whom to tell after each round how far an operation is.
+  void reportTo(const Progress& progress) { this->Report = progress; }
+
   /// The edge length at which the surface has so many vertices, if all triangles are equilateral.
   double lengthFor(Index numberOfVertices) const
   {
@@ -117,7 +126,8 @@ public:
 
   /// Collapse edges shorter than a limit, unless that makes edges longer than another one, until
   /// there are no more vertices than the least number.
-  void collapse(double limit, double longest, Index least = 4)
+  /// @param[in] anyway  whatever becomes of the triangles, as long as the topology stays
+  void collapse(double limit, double longest, Index least = 4, bool anyway = false)
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
@@ -131,7 +141,7 @@ public:
       [&](const Operation& operation, std::vector<int>& touched)
       {
         Vector3 place;
-        if (!this->canCollapse(operation.A, operation.B, longest, place))
+        if (!this->canCollapse(operation.A, operation.B, longest, anyway, place))
         {
           return false;
         }
@@ -252,6 +262,7 @@ private:
         }
       }
       active.swap(taken);
+      report(this->Report, 1.0 - 1.0 / (round + 2.0));
       if (!any || !wanted())
       {
         break;
@@ -300,7 +311,7 @@ private:
   }
 
   /// Whether b may move into a, both at the place that is chosen.
-  bool canCollapse(int a, int b, double longest, Vector3& place) const
+  bool canCollapse(int a, int b, double longest, bool anyway, Vector3& place) const
   {
     const auto across = this->Rings.across(a, b);
     if (this->Rings[across.Left].size() <= 3 || this->Rings[across.Right].size() <= 3 ||
@@ -311,7 +322,8 @@ private:
     for (const Vector3& candidate :
       { Vector3(0.5 * (this->place(a) + this->place(b))), this->place(a), this->place(b) })
     {
-      if (this->staysGood(a, b, candidate, longest) && this->staysGood(b, a, candidate, longest))
+      if (anyway ||
+        (this->staysGood(a, b, candidate, longest) && this->staysGood(b, a, candidate, longest)))
       {
         place = candidate;
         return true;
@@ -469,7 +481,30 @@ private:
   const ParallelFor& Threads;
   VertexRings Rings;
   Index Count;
+  Progress Report;
 };
+
+/// In nanoseconds as in Steps: of each part of each iteration, then of meeting the number.
+std::vector<double> workOfParts(const RemeshingOptions& options, Index numberOfPositions)
+{
+  const auto wanted = static_cast<double>(options.NumberOfVertices);
+  double size = static_cast<double>(numberOfPositions);
+  std::vector<double> work;
+  for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
+  {
+    const double lost = std::max(0.0, size - wanted);
+    work.insert(
+      work.end(), { 500.0 * size, 500.0 * size + 3000.0 * lost, 1000.0 * size, 600.0 * wanted });
+    size = wanted;
+  }
+  if (options.MeetNumber)
+  {
+    work.insert(work.end(), { 500.0 * size, 500.0 * size });
+    work.insert(work.end(), FinalSmoothings, 1600.0 * wanted);
+    work.push_back(1000.0 * wanted);
+  }
+  return work;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -481,40 +516,47 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& para
     throw std::invalid_argument(
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
-  report(progress, 0.0);
-  Remesher remesher(mesh.Positions, mesh.Triangles, parallelFor);
   const Index wanted = options.NumberOfVertices;
+  Steps steps(progress, workOfParts(options, mesh.Positions.rows()));
+  Remesher remesher(mesh.Positions, mesh.Triangles, parallelFor);
   double length = remesher.lengthFor(wanted);
-  const double last = options.MeetNumber ? 0.7 : 1.0;
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
-    const auto at = [&](double way)
-    { report(progress, last * (iteration + way) / options.NumberOfIterations); };
-    remesher.split(LongestEdge * length);
-    at(0.3);
+    remesher.reportTo(steps.next());
+    remesher.split(LongestEdge * length, std::max(remesher.count(), MostSplit * wanted));
+    remesher.reportTo(steps.next());
     remesher.collapse(ShortestEdge * length, LongestEdge * length);
-    at(0.6);
+    remesher.reportTo(steps.next());
     remesher.flipForValence();
-    at(0.8);
+    steps.next();
     remesher.smooth();
-    at(1.0);
     const double ratio = static_cast<double>(remesher.count()) / static_cast<double>(wanted);
     length = remesher.lengthFor(wanted) * std::clamp(std::sqrt(ratio), 0.8, 1.25);
   }
   if (options.MeetNumber)
   {
     constexpr double any = std::numeric_limits<double>::max();
+    remesher.reportTo(steps.next());
     remesher.collapse(any, any, wanted);
+    remesher.collapse(any, any, wanted, true); // where there is little but folds
+    remesher.reportTo(steps.next());
     remesher.split(0.0, wanted);
     for (int i = 0; i < FinalSmoothings; ++i)
     {
+      remesher.reportTo(steps.next());
       remesher.flipForValence();
       remesher.smooth();
-      report(progress, last + 0.08 * (i + 1));
     }
+    remesher.reportTo(steps.next());
     remesher.flipForAngles();
   }
   remesher.finish();
   report(progress, 1.0);
+}
+
+double workOfRemeshing(const RemeshingOptions& options, Index numberOfPositions)
+{
+  const std::vector<double> parts = workOfParts(options, numberOfPositions);
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 }

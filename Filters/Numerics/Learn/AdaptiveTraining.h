@@ -1,0 +1,38 @@
+/// Learning on a network whose triangles follow the surface; a part of trainConformalSOM.
+
+#ifndef ConformalAdaptiveTraining_h
+#define ConformalAdaptiveTraining_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Learn/Training.h"
+#include "Mesh/Mesh.h"
+
+namespace conformal
+{
+/// A closed mesh of options.NumberOfNeurons vertices through the samples, all of its triangles
+/// nearly equilateral and of one size, on limbs too; in the samples' unit (max radius 1), and not
+/// yet mapped to the sphere.
+///
+/// It starts from a genus-zero hull of the samples. The surface is remeshed (Remeshing.h) and
+/// polished (LeastSquaresPolish.h) in turns, from smooth to fine; the last polish leaves the
+/// connectivity alone.
+///
+/// Noise is estimated from how much closer the surface comes to the samples than one of a quarter
+/// of the vertices does, and sets the smoothness of the last polish.
+///
+/// Implementation note: the paper names meshes that grow and swap edges as alternatives to its
+/// lattice. Eq. 3 is not part of this; a neighborhood function would average across the creases
+/// between limbs.
+///
+/// @param[in] start  may be null: a closed genus-zero mesh near the samples, in their unit, that
+///                   replaces the hull. Only its surface counts, not its triangles.
+/// @throws std::invalid_argument if the start is not of genus zero
+/// @throws Aborted
+/// @post the result depends only on the arguments, not on threads or ranks
+ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const Mesh* start, const ParallelFor& parallelFor, const Progress& progress);
+}
+
+#endif

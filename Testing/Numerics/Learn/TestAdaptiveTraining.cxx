@@ -1,0 +1,414 @@
+#include "Learn/AdaptiveTraining.h"
+
+#include "Base/Random.h"
+#include "Learn/ConformalSOM.h"
+#include "Measure/Distortion.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Ranks.h"
+#include "Search/TriangleTree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using conformal::ConformalSOMOptions;
+using conformal::ConformalSOMResult;
+using conformal::Index;
+using conformal::Lattice;
+using conformal::MappedMesh;
+using conformal::Points;
+using conformal::trainAdaptive;
+using conformal::trainConformalSOM;
+using conformal::TrainingSamples;
+using conformal::Vector3;
+
+namespace
+{
+const double Pi = std::acos(-1.0);
+
+Vector3 direction(conformal::Random& random)
+{
+  const double z = 2.0 * random.uniform() - 1.0, angle = 2.0 * Pi * random.uniform();
+  const double r = std::sqrt(1.0 - z * z);
+  return { r * std::cos(angle), r * std::sin(angle), z };
+}
+
+Points ellipsoid(Index size, unsigned int seed)
+{
+  conformal::Random random(seed);
+  Points points(size, 3);
+  for (Index i = 0; i < size; ++i)
+  {
+    points.row(i) = direction(random).cwiseProduct(Vector3(1.0, 0.7, 0.8));
+  }
+  return points;
+}
+
+// A ball with five round arms, the half lines of three axes but one.
+class Jack
+{
+public:
+  static constexpr double Ball = 0.35, Arm = 0.12, Length = 0.88;
+
+  static double distance(const Vector3& x)
+  {
+    double least = x.norm() - Ball;
+    for (int arm = 0; arm < Arms; ++arm)
+    {
+      const double along = std::clamp(axis(arm).dot(x), 0.0, Length);
+      least = std::min(least, (x - along * axis(arm)).norm() - Arm);
+    }
+    return least;
+  }
+
+  // Even in area: points of each part that lie in no other.
+  static Points cloud(Index size, unsigned int seed)
+  {
+    conformal::Random random(seed);
+    const double ball = 4.0 * Pi * Ball * Ball, arm = 2.0 * Pi * Arm * (Length + Arm);
+    Points points(size, 3);
+    for (Index i = 0; i < size;)
+    {
+      const double part = random.uniform() * (ball + Arms * arm);
+      Vector3 x = Ball * direction(random);
+      if (part >= ball)
+      {
+        // A cylinder and half a ball, whose area is that of as long a cylinder.
+        const Vector3 along = axis(static_cast<int>((part - ball) / arm));
+        const double place = random.uniform() * (Length + Arm);
+        const double beyond = std::max(0.0, place - Length);
+        const double radius = std::sqrt(Arm * Arm - beyond * beyond);
+        const double angle = 2.0 * Pi * random.uniform();
+        const Vector3 u(along[1], along[2], along[0]), v = along.cross(u);
+        x = place * along + radius * (std::cos(angle) * u + std::sin(angle) * v);
+      }
+      if (distance(x) > -1e-9)
+      {
+        points.row(i++) = x;
+      }
+    }
+    return points;
+  }
+
+private:
+  static constexpr int Arms = 5;
+
+  static Vector3 axis(int arm)
+  {
+    Vector3 result = Vector3::Zero();
+    result[arm / 2] = arm % 2 == 0 ? 1.0 : -1.0;
+    return result;
+  }
+};
+
+ConformalSOMOptions adaptive(Index neurons)
+{
+  ConformalSOMOptions options;
+  options.Lattice = Lattice::Adaptive;
+  options.NumberOfNeurons = neurons;
+  return options;
+}
+
+ConformalSOMOptions geodesic(int frequency)
+{
+  ConformalSOMOptions options;
+  options.Frequency = frequency;
+  return options;
+}
+
+// Of points that were not learned.
+double meanSquareDistance(const Points& points, const ConformalSOMResult& result)
+{
+  const conformal::TriangleTree tree(result.Positions, result.Triangles);
+  double sum = 0.0;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    sum += tree.closestPoint(points.row(i)).SquareDistance;
+  }
+  return sum / static_cast<double>(points.rows());
+}
+
+Vector3 center(const ConformalSOMResult& result, Index triangle)
+{
+  const auto ids = result.Triangles.row(triangle);
+  return (result.Positions.row(ids[0]) + result.Positions.row(ids[1]) +
+           result.Positions.row(ids[2])) /
+    3.0;
+}
+
+double meanSmallestAngle(const ConformalSOMResult& result)
+{
+  double sum = 0.0;
+  for (Index r = 0; r < result.Triangles.rows(); ++r)
+  {
+    double smallest = Pi;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto corner = [&](int i)
+      { return Vector3(result.Positions.row(result.Triangles(r, (k + i) % 3))); };
+      const Vector3 u = corner(1) - corner(0), v = corner(2) - corner(0);
+      smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)));
+    }
+    sum += smallest * 180.0 / Pi;
+  }
+  return sum / static_cast<double>(result.Triangles.rows());
+}
+
+void expectWhole(const ConformalSOMResult& result, Index neurons)
+{
+  EXPECT_EQ(result.Positions.rows(), neurons);
+  EXPECT_EQ(result.Triangles.rows(), 2 * neurons - 4);
+  EXPECT_TRUE(result.Positions.allFinite());
+  EXPECT_TRUE(conformal::checkGenusZero(result.Triangles, result.Positions.rows()).isGenusZero());
+}
+
+const conformal::ParallelFor Backwards = [](Index count, const std::function<void(Index)>& body)
+{
+  for (Index i = count; i-- > 0;)
+  {
+    body(i);
+  }
+};
+}
+
+TEST(AdaptiveTraining, HasAsManyNeuronsAsWanted)
+{
+  const Points points = ellipsoid(8000, 3);
+  for (const Index neurons : { 12, 100, 777, 1501 })
+  {
+    const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), adaptive(neurons));
+    expectWhole(result, neurons);
+    EXPECT_GT(conformal::signedVolume(result.Positions, result.Triangles), 0.0);
+    EXPECT_EQ(result.SpherePositions.rows(), neurons);
+  }
+}
+
+TEST(AdaptiveTraining, FitsAnEllipsoidNearlyAsTheGeodesicLattice)
+{
+  const Points points = ellipsoid(20000, 3), others = ellipsoid(10000, 4);
+  const double even =
+    meanSquareDistance(others, trainConformalSOM(TrainingSamples(points), geodesic(12)));
+  const double own =
+    meanSquareDistance(others, trainConformalSOM(TrainingSamples(points), adaptive(1442)));
+  RecordProperty("Ratio", std::to_string(own / even));
+  EXPECT_LT(own, 1.4 * even); // a smooth egg is what the regular lattice is best at
+}
+
+TEST(AdaptiveTraining, FitsLimbsCloser)
+{
+  const Points points = Jack::cloud(20000, 3), others = Jack::cloud(10000, 4);
+  const ConformalSOMResult lattice = trainConformalSOM(TrainingSamples(points), geodesic(14));
+  const ConformalSOMResult own = trainConformalSOM(TrainingSamples(points), adaptive(1962));
+  expectWhole(own, lattice.Positions.rows());
+  const double ratio = meanSquareDistance(others, own) / meanSquareDistance(others, lattice);
+  RecordProperty("Ratio", std::to_string(ratio));
+  EXPECT_LT(ratio, 0.5);
+  EXPECT_GT(meanSmallestAngle(own), 49.0);
+  EXPECT_GT(meanSmallestAngle(own), meanSmallestAngle(lattice) + 5.0);
+  // And no part of it leaves the object, as webs would.
+  double farthest = 0.0;
+  for (Index r = 0; r < own.Triangles.rows(); ++r)
+  {
+    farthest = std::max(farthest, std::abs(Jack::distance(center(own, r))));
+  }
+  EXPECT_LT(farthest, 0.02);
+  EXPECT_EQ(own.UnsupportedFraction, 0.0);
+}
+
+TEST(AdaptiveTraining, MapsConformallyOrInBalance)
+{
+  const Points points = Jack::cloud(12000, 3);
+  ConformalSOMOptions options = adaptive(3000);
+  const auto measured = [&]
+  {
+    const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
+    return conformal::measureDistortion(result.Positions, result.Triangles, result.SpherePositions);
+  };
+  const conformal::Distortion lattice = measured(); // there is none
+  options.SphereMap = conformal::SphereMap::Conformal;
+  const conformal::Distortion angles = measured();
+  options.SphereMap = conformal::SphereMap::Balanced;
+  const conformal::Distortion balanced = measured();
+  EXPECT_EQ(lattice.AreaDistortion, angles.AreaDistortion);
+  EXPECT_LT(angles.MeanQuasiConformalError, 1.15);
+  EXPECT_EQ(angles.NumberOfFlippedTriangles, 0);
+  EXPECT_EQ(balanced.NumberOfFlippedTriangles, 0);
+  EXPECT_LT(balanced.AreaDistortionDeviation, 0.7 * angles.AreaDistortionDeviation);
+}
+
+TEST(AdaptiveTraining, MapsTheGeodesicLatticeToo)
+{
+  const Points points = Jack::cloud(12000, 3);
+  ConformalSOMOptions options = geodesic(12);
+  const ConformalSOMResult lattice = trainConformalSOM(TrainingSamples(points), options);
+  options.SphereMap = conformal::SphereMap::Conformal;
+  const ConformalSOMResult mapped = trainConformalSOM(TrainingSamples(points), options);
+  EXPECT_EQ(mapped.Positions, lattice.Positions);
+  const auto error = [](const ConformalSOMResult& result)
+  {
+    return conformal::measureDistortion(result.Positions, result.Triangles, result.SpherePositions)
+      .MeanQuasiConformalError;
+  };
+  EXPECT_LT(error(mapped), 1.4);
+  EXPECT_LT(error(mapped), error(lattice) - 0.3);
+}
+
+TEST(AdaptiveTraining, SameBitsInAnyOrderOfBlocks)
+{
+  const Points points = Jack::cloud(8000, 3);
+  const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), adaptive(1000));
+  const ConformalSOMResult b = trainConformalSOM(
+    TrainingSamples(points, {}, {}, Backwards), adaptive(1000), nullptr, Backwards);
+  EXPECT_EQ(a.Positions, b.Positions);
+  EXPECT_EQ(a.Triangles, b.Triangles);
+  EXPECT_EQ(a.SpherePositions, b.SpherePositions);
+}
+
+TEST(AdaptiveTraining, RanksShareTheSums)
+{
+  const Points points = Jack::cloud(8000, 3);
+  std::vector<double> priority(points.rows());
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    priority[i] = points(i, 2) > 0.5 ? 3.0 : 1.0;
+  }
+  const ConformalSOMResult whole =
+    trainConformalSOM(TrainingSamples(points, priority), adaptive(1000));
+  const std::vector<Index> cuts = { 0, 3000, 3000, 8000 };
+  ranks::run(3,
+    [&](const conformal::Reduce& reduce)
+    {
+      const Index first = cuts[reduce.Rank], size = cuts[reduce.Rank + 1] - first;
+      const Points own = points.middleRows(first, size);
+      const std::vector<double> weights(priority.begin() + first, priority.begin() + first + size);
+      const ConformalSOMResult result =
+        trainConformalSOM(TrainingSamples(own, weights, {}, {}, reduce), adaptive(1000));
+      EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
+      EXPECT_EQ(result.Triangles, whole.Triangles) << reduce.Rank;
+      EXPECT_EQ(result.UnsupportedFraction, whole.UnsupportedFraction);
+    });
+}
+
+// A start takes the place of the hull, whichever way its triangles run and however few they are.
+TEST(AdaptiveTraining, StartsFromAMesh)
+{
+  const Points points = ellipsoid(8000, 3), others = ellipsoid(5000, 4);
+  const conformal::Mesh sphere = conformal::makeGeodesicSphere(4);
+  MappedMesh start{ sphere, sphere.Positions };
+  for (const bool insideOut : { false, true })
+  {
+    if (insideOut)
+    {
+      start.Triangles.col(0).swap(start.Triangles.col(1));
+    }
+    const ConformalSOMResult result =
+      trainConformalSOM(TrainingSamples(points), adaptive(642), &start);
+    expectWhole(result, 642);
+    EXPECT_FALSE(result.Hulled);
+    EXPECT_LT(meanSquareDistance(others, result), 2e-5);
+    EXPECT_GT(conformal::signedVolume(result.Positions, result.Triangles), 0.0);
+  }
+  MappedMesh open = start;
+  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
+  EXPECT_THROW(
+    trainConformalSOM(TrainingSamples(points), adaptive(642), &open), std::invalid_argument);
+  MappedMesh far = start;
+  far.Positions *= 100.0;
+  EXPECT_THROW(
+    trainConformalSOM(TrainingSamples(points), adaptive(642), &far), std::invalid_argument);
+}
+
+TEST(AdaptiveTraining, LeavesOutliersAndNoiseBehind)
+{
+  const Points clean = ellipsoid(20000, 3), others = ellipsoid(10000, 4);
+  conformal::Random random(5);
+  Points noisy = clean;
+  constexpr double Noise = 0.02;
+  for (Index i = 0; i < noisy.rows(); ++i)
+  {
+    noisy.row(i) *= 1.0 + std::sqrt(3.0) * Noise * (2.0 * random.uniform() - 1.0);
+  }
+  Points strays = clean;
+  for (Index i = 0; i < strays.rows(); i += 50)
+  {
+    strays.row(i) = 1.2 * random.uniform() * direction(random);
+  }
+  const ConformalSOMResult plain = trainConformalSOM(TrainingSamples(clean), adaptive(1442));
+  EXPECT_LT(plain.NoiseToDetail, 0.5);
+  EXPECT_LT(
+    meanSquareDistance(others, trainConformalSOM(TrainingSamples(strays), adaptive(1442))), 2e-6);
+  const ConformalSOMResult smoothed = trainConformalSOM(TrainingSamples(noisy), adaptive(1442));
+  EXPECT_GT(smoothed.NoiseToDetail, 2.0);
+  EXPECT_LT(meanSquareDistance(others, smoothed), 0.16 * Noise * Noise);
+}
+
+TEST(AdaptiveTraining, DegenerateCloudsGiveFiniteMeshes)
+{
+  std::vector<Points> clouds = { ellipsoid(4, 3), ellipsoid(5, 3), ellipsoid(40, 3) };
+  for (const Index size : { 1, 2, 3, 50 })
+  {
+    clouds.emplace_back(Points::Constant(size, 3, 7.0));
+    Points line = Points::Zero(size, 3);
+    line.col(0).setLinSpaced(0.0, 1.0);
+    clouds.push_back(line);
+    line.col(1) = line.col(0).array().square();
+    clouds.push_back(line);
+  }
+  Points plane = ellipsoid(5000, 3);
+  plane.col(1).setZero();
+  clouds.push_back(plane);
+  for (const Points& points : clouds)
+  {
+    const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), adaptive(300));
+    expectWhole(result, 300);
+    EXPECT_TRUE(result.SpherePositions.allFinite());
+    EXPECT_LT((result.SpherePositions.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(AdaptiveTraining, StopsWhenToldTo)
+{
+  const Points points = Jack::cloud(8000, 3);
+  double last = -1.0;
+  int calls = 0;
+  trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, {},
+    [&](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      ++calls;
+      return true;
+    });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_GE(calls, 50);
+  for (const double when : { 0.0, 0.1, 0.3, 0.5, 0.9, 0.98 })
+  {
+    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, {},
+                   [&](double fraction) { return fraction < when; }),
+      conformal::Aborted)
+      << when;
+  }
+}
+
+TEST(AdaptiveTraining, RefusesWhatItCannotUse)
+{
+  const Points points = ellipsoid(100, 3);
+  const auto refused = [&](auto change)
+  {
+    ConformalSOMOptions options = adaptive(100);
+    change(options);
+    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), options), std::invalid_argument);
+  };
+  refused([](auto& o) { o.NumberOfNeurons = 11; });
+  refused([](auto& o) { o.TrainingMode = conformal::TrainingMode::Online; });
+  refused([](auto& o) { o.AreaBalance = 1.1; });
+  refused([](auto& o) { o.AreaBalance = std::numeric_limits<double>::quiet_NaN(); });
+}
