@@ -1,22 +1,15 @@
 #include "vtkCurvedSeamlessMap.h"
 
-#include "Base/AcrossProcesses.h"
 #include "Base/CoordinateFrame.h"
-#include "Base/Steps.h"
-#include "Cloud/TrainingSamples.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
+#include "vtkCurvedSeamlessConversions.h"
 #include "vtkInputChecks.h"
-#include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -30,120 +23,6 @@ vtkStandardNewMacro(vtkCurvedSeamlessMap);
 
 namespace
 {
-int PolishedOf(vtkFieldData* data)
-{
-  vtkAbstractArray* array = data->GetAbstractArray("Polished");
-  if (!array)
-  {
-    return vtkCurvedSeamlessMap::AUTOMATIC;
-  }
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers || numbers->GetNumberOfTuples() == 0)
-  {
-    throw std::invalid_argument("the field array Polished of the surface holds no number. Give it "
-                                "one, or remove it, or set Polished to Off or On.");
-  }
-  return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
-}
-
-// With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
-bool IsPolished(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
-  const vtkConformalConversions::ClosedMesh& mesh)
-{
-  int polished = map->GetPolished();
-  if (polished == vtkCurvedSeamlessMap::AUTOMATIC)
-  {
-    polished = PolishedOf(surface->GetFieldData());
-  }
-  const bool isUsed =
-    map->GetDomeHeight() >= vtkCurvedSeamlessMap::CURVATURE && map->GetVertexShift() > 0.0;
-  if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
-    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()))
-  {
-    vtkWarningWithObjectMacro(self,
-      << "the surface has the connectivity of a mesh of vtkConformalSOM, but no field array "
-         "\"Polished\"; it is taken as not polished. Set Polished to On if it was learned in batch "
-         "training, or to Off if it was not.");
-  }
-  return polished == vtkCurvedSeamlessMap::ON;
-}
-
-conformal::CurvedSeamlessSurfaceOptions OptionsOf(vtkCurvedSeamlessMap* self)
-{
-  conformal::CurvedSeamlessSurfaceOptions options;
-  options.SeamMode = static_cast<conformal::SeamMode>(self->GetSeamMode());
-  options.DomeHeight = static_cast<conformal::DomeHeight>(self->GetDomeHeight());
-  options.VertexShift = self->GetVertexShift();
-  options.Fit.NumberOfFitRounds = self->GetNumberOfFitRounds();
-  options.Fit.FitSmoothness = self->GetFitSmoothness();
-  return options;
-}
-
-conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
-{
-  conformal::Points all;
-  if (!vtkConformalConversions::FindSpherePositions(surface, all))
-  {
-    throw std::invalid_argument(
-      "the surface needs a point array SpherePosition: its map to the sphere");
-  }
-  conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
-  for (conformal::Index v = 0; v < positions.rows(); ++v)
-  {
-    positions.row(v) = all.row(pointIds[v]);
-  }
-  return positions;
-}
-
-// What a map is built of.
-struct Model : conformal::MappedMesh
-{
-  conformal::CurvedSeamlessSurfaceOptions Options;
-};
-
-// That of the first process that has a surface, on all of them.
-Model ModelOf(vtkCurvedSeamlessMap* map, vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, vtkConformalConversions::Processes& processes,
-  const conformal::Progress& progress)
-{
-  const bool isAlone = processes.size() == 1;
-  Model model;
-  model.Options = OptionsOf(map);
-  if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
-  {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
-    model.Options.Polished = IsPolished(map, self, surface, mesh);
-    model.SpherePositions = MapOf(surface, mesh.PointIds);
-    model.Positions = std::move(mesh.Positions);
-    model.Triangles = std::move(mesh.Triangles);
-  }
-  if (!isAlone)
-  {
-    const conformal::Reduce reduce = processes.reduce();
-    model.Positions = conformal::gatherRows(reduce, model.Positions);
-    model.Triangles = conformal::gatherRows(reduce, model.Triangles);
-    model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
-    model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
-  }
-  return model;
-}
-
-conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
-  const conformal::CoordinateFrame& frame, conformal::Points& copy,
-  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
-{
-  conformal::TrainingSamples samples(
-    vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
-    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
-    processes.reduce(), progress);
-  if (samples.numberOfNonFinite() > 0 && processes.isFirst())
-  {
-    vtkWarningWithObjectMacro(
-      self, << samples.numberOfNonFinite() << " points of the cloud are not finite and left out");
-  }
-  return samples;
-}
-
 // An array's memory for so many tuples; none for no array.
 double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
 {
@@ -237,63 +116,18 @@ vtkCurvedSeamlessMap::~vtkCurvedSeamlessMap() = default;
 //------------------------------------------------------------------------------
 const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
 {
-  if (!this->Surface)
+  if (!this->Map)
   {
     throw std::logic_error("there is no map: Build() it first");
   }
-  return *this->Surface;
+  return this->Map->Surface;
 }
 
 //------------------------------------------------------------------------------
-void vtkCurvedSeamlessMap::BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
-  const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes)
+void vtkCurvedSeamlessMap::SetBuilt(
+  std::shared_ptr<const vtkConformalConversions::BuiltSurface> map)
 {
-  this->Surface.reset();
-  const conformal::CurvedSeamlessSurfaceOptions options = OptionsOf(this);
-  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
-  this->Frame = std::make_unique<conformal::CoordinateFrame>(
-    vtkConformalConversions::FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce()));
-  const auto size = static_cast<double>(surface->GetNumberOfPoints());
-  const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
-  const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
-  conformal::Steps steps(progress,
-    { 750.0 * size, 80.0 * cloudSize,
-      (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
-        (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
-  const Model model = ModelOf(this, self, surface, *this->Frame, processes, steps.next());
-  conformal::Points copy;
-  const conformal::Progress reading = steps.next();
-  const conformal::TrainingSamples samples = fits
-    ? SamplesOf(self, cloud, *this->Frame, copy, processes, reading)
-    : conformal::TrainingSamples(conformal::PointView());
-  this->Surface = std::make_unique<conformal::CurvedSeamlessSurface>(model, model.Options,
-    fits ? &samples : nullptr, vtkConformalConversions::SMPFor(), steps.next());
-  const conformal::Index degenerate = this->Surface->numberOfDegeneratePatches();
-  if (degenerate > 0 && processes.isFirst())
-  {
-    vtkWarningWithObjectMacro(
-      self, << degenerate
-            << " triangles of the surface are degenerate: they have no shape and are mapped "
-               "affinely, or would turn over and are flattened");
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessMap::TakeProperties(const vtkCurvedSeamlessMap& other)
-{
-  this->SeamMode = other.SeamMode;
-  this->DomeHeight = other.DomeHeight;
-  this->Polished = other.Polished;
-  this->VertexShift = other.VertexShift;
-  this->NumberOfFitRounds = other.NumberOfFitRounds;
-  this->FitSmoothness = other.FitSmoothness;
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessMap::TakeMap(vtkCurvedSeamlessMap& other)
-{
-  this->Surface = std::move(other.Surface);
-  this->Frame = std::move(other.Frame);
+  this->Map = std::move(map);
 }
 
 //------------------------------------------------------------------------------
@@ -302,7 +136,7 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
   return vtkConformalConversions::ReportErrors(this,
     [&]()
     {
-      this->Surface.reset();
+      this->Map.reset();
       if (!surface || surface->GetNumberOfPoints() == 0)
       {
         throw std::invalid_argument("there is no surface to build a map of");
@@ -310,7 +144,8 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       vtkInputChecks::RequireConsistentData(surface, "surface");
       vtkInputChecks::RequireConsistentData(cloud, "cloud");
       vtkConformalConversions::Processes alone;
-      this->BuildCore(this, surface, cloud, {}, alone);
+      this->Map = vtkConformalConversions::BuildSurface(
+        vtkConformalConversions::PropertiesOf(this), this, surface, cloud, {}, alone);
     });
 }
 
@@ -327,7 +162,7 @@ bool vtkCurvedSeamlessMap::ToSurface(
       samples.Positions = Sized(positions, 3, units.rows());
       samples.Normals = Sized(normals, 3, units.rows());
       conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
-      LengthsFromFrame(positions, *this->Frame, "positions");
+      LengthsFromFrame(positions, this->Map->Frame, "positions");
     });
 }
 
@@ -345,9 +180,9 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
       samples.Metrics = Sized(metrics, 9, units.rows());
       samples.AreaElements = Sized(areaElements, 1, units.rows());
       conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
-      LengthsFromFrame(derivatives, *this->Frame, "derivatives");
-      AreasFromFrame(metrics, *this->Frame, "metrics");
-      AreasFromFrame(areaElements, *this->Frame, "area elements");
+      LengthsFromFrame(derivatives, this->Map->Frame, "derivatives");
+      AreasFromFrame(metrics, this->Map->Frame, "metrics");
+      AreasFromFrame(areaElements, this->Map->Frame, "area elements");
     });
 }
 
@@ -370,29 +205,29 @@ bool vtkCurvedSeamlessMap::ToSphere(
       }
       for (conformal::Index i = 0; i < inFrame.rows(); ++i)
       {
-        inFrame.row(i) = this->Frame->toFrameFromAfar(inFrame.row(i));
+        inFrame.row(i) = this->Map->Frame.toFrameFromAfar(inFrame.row(i));
       }
       conformal::invert(surface, inFrame, Sized(directions, 3, inFrame.rows()),
         Sized(closestPoints, 3, inFrame.rows()), vtkConformalConversions::SMPFor());
-      LengthsFromFrame(closestPoints, *this->Frame, "closest points");
+      LengthsFromFrame(closestPoints, this->Map->Frame, "closest points");
     });
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkCurvedSeamlessMap::GetNumberOfDegeneratePatches()
 {
-  return this->Surface ? this->Surface->numberOfDegeneratePatches() : 0;
+  return this->Map ? this->Map->Surface.numberOfDegeneratePatches() : 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
 {
   jumps[0] = jumps[1] = 0.0;
-  if (this->Surface && this->Surface->differentiable())
+  if (this->Map && this->Map->Surface.differentiable())
   {
     const conformal::NormalJumps measured =
-      conformal::measureNormalJumps(this->Surface->curvedTriangles(), this->Surface->neighbors(),
-        vtkConformalConversions::SMPFor());
+      conformal::measureNormalJumps(this->Map->Surface.curvedTriangles(),
+        this->Map->Surface.neighbors(), vtkConformalConversions::SMPFor());
     jumps[0] = measured.Mean;
     jumps[1] = measured.Largest;
   }

@@ -36,8 +36,7 @@
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <functional> // for the progress of BuildCore
-#include <memory>     // for std::unique_ptr
+#include <memory> // for std::shared_ptr
 
 class vtkDataArray;
 class vtkDoubleArray;
@@ -47,12 +46,11 @@ class vtkPolyData;
 namespace conformal
 {
 class CurvedSeamlessSurface;
-struct CoordinateFrame;
 }
 
 namespace vtkConformalConversions
 {
-class Processes;
+struct BuiltSurface;
 }
 
 class VTKFILTERSCONFORMAL_EXPORT vtkCurvedSeamlessMap : public vtkObject
@@ -167,7 +165,7 @@ public:
   /**
    * Whether there is a map.
    */
-  bool IsBuilt() const { return this->Surface != nullptr; }
+  bool IsBuilt() const { return this->Map != nullptr; }
 
   /**
    * From directions (3 components, of any length but 0) to positions on the surface and outward
@@ -207,6 +205,13 @@ public:
    */
   void GetNormalJumps(double jumps[2]);
 
+#ifndef __VTK_WRAP__
+  /**
+   * The map as a filter of this module has built it; none for null.
+   */
+  void SetBuilt(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map);
+#endif
+
 protected:
   vtkCurvedSeamlessMap();
   ~vtkCurvedSeamlessMap() override;
@@ -215,12 +220,7 @@ private:
   vtkCurvedSeamlessMap(const vtkCurvedSeamlessMap&) = delete;
   void operator=(const vtkCurvedSeamlessMap&) = delete;
 
-  friend class vtkCurvedSeamlessSurface;
-  void BuildCore(vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud,
-    const std::function<bool(double)>& progress, vtkConformalConversions::Processes& processes);
   const conformal::CurvedSeamlessSurface& Built() const;
-  void TakeProperties(const vtkCurvedSeamlessMap& other);
-  void TakeMap(vtkCurvedSeamlessMap& other);
 
   int SeamMode = EDGE_MATCHED;
   int DomeHeight = CURVATURE;
@@ -228,8 +228,7 @@ private:
   double VertexShift = 0.75;
   int NumberOfFitRounds = 6;
   double FitSmoothness = 0.01;
-  std::unique_ptr<conformal::CurvedSeamlessSurface> Surface;
-  std::unique_ptr<conformal::CoordinateFrame> Frame; // of its points
+  std::shared_ptr<const vtkConformalConversions::BuiltSurface> Map;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include "Mesh/VertexNormals.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
+#include "vtkCurvedSeamlessConversions.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"
@@ -185,9 +186,9 @@ int vtkCurvedSeamlessSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency;
   // Observers may change this->Map meanwhile.
-  const vtkNew<vtkCurvedSeamlessMap> map;
-  map->TakeProperties(*this->Map);
-  const bool fits = map->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED;
+  const vtkConformalConversions::CurvedSeamlessProperties properties =
+    vtkConformalConversions::PropertiesOf(this->Map);
+  const bool fits = properties.Options.DomeHeight == conformal::DomeHeight::Fitted;
   return vtkConformalConversions::RunCore(this, fits ? this->Controller : nullptr,
     [&](vtkConformalConversions::Processes& processes)
     {
@@ -200,23 +201,24 @@ int vtkCurvedSeamlessSurface::RequestData(
                                             : "the dense sphere is empty, and so is the result");
         return;
       }
-      const bool domes = map->GetDomeHeight() < vtkCurvedSeamlessMap::CURVATURE;
-      const bool matched = map->GetSeamMode() == vtkCurvedSeamlessMap::EDGE_MATCHED;
+      const bool domes = properties.Options.DomeHeight < conformal::DomeHeight::Curvature;
+      const bool matched = properties.Options.SeamMode == conformal::SeamMode::EdgeMatched;
       const auto meshSize = static_cast<double>(surface->GetNumberOfPoints());
       const double cloudSize =
         fits && cloud ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
-      const double rounds = 1.0 + map->GetNumberOfFitRounds();
+      const double rounds = 1.0 + properties.Options.Fit.NumberOfFitRounds;
       const double denseSize = sphere ? static_cast<double>(sphere->GetNumberOfPoints())
                                       : 10.0 * frequency * frequency + 2.0;
-      // The map, as BuildCore() has it; then, for each direction, the sphere, its triangles, its
+      // The map, as BuildSurface() has it; then, for each direction, the sphere, its triangles, its
       // directions, the surface, and what is left.
       conformal::Steps steps(processes.progress(),
         { (matched ? 5300.0 : 3300.0) * meshSize +
             (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0),
           40.0 * denseSize, 20.0 * denseSize, 30.0 * denseSize, 900.0 * denseSize,
           (domes ? 150.0 : 10.0) * denseSize, 30.0 * denseSize });
-      this->Map->Surface.reset();
-      map->BuildCore(this, surface, cloud, steps.next(), processes);
+      this->Map->SetBuilt(nullptr);
+      const auto map = vtkConformalConversions::BuildSurface(
+        properties, this, surface, cloud, steps.next(), processes);
       // What is large is let go as soon as the output has it.
       const conformal::Progress making = steps.next();
       conformal::Mesh dense =
@@ -239,7 +241,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       samples.Positions = positions->GetPointer(0);
       samples.Normals = normals->GetPointer(0);
       samples.Degenerate = degenerate.data();
-      conformal::evaluate(map->Built(), { directions->GetPointer(0), size }, samples,
+      conformal::evaluate(map->Surface, { directions->GetPointer(0), size }, samples,
         vtkConformalConversions::SMPFor(), steps.next());
       steps.next();
       if (IsWoundInward(ViewOf(positions), dense.Triangles, ViewOf(normals)))
@@ -254,7 +256,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
       vtkConformalConversions::LengthsFromFrame(
-        positions->GetPointer(0), 3 * size, *map->Frame, "coordinates of the result");
+        positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
 
       vtkNew<vtkPoints> points;
       points->SetData(positions);
@@ -263,9 +265,9 @@ int vtkCurvedSeamlessSurface::RequestData(
       result->GetPointData()->SetNormals(normals);
       result->GetCellData()->AddArray(DegenerateCells(dense.Triangles, degenerate));
       vtkConformalConversions::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
-        static_cast<long long>(map->GetNumberOfDegeneratePatches()));
+        static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
       output->ShallowCopy(result);
-      this->Map->TakeMap(*map);
+      this->Map->SetBuilt(map);
     });
 }
 

@@ -1,0 +1,180 @@
+#include "vtkCurvedSeamlessConversions.h"
+
+#include "Base/AcrossProcesses.h"
+#include "Base/Steps.h"
+#include "Cloud/TrainingSamples.h"
+#include "Mesh/GeodesicSphere.h"
+#include "vtkConformalConversions.h"
+#include "vtkCurvedSeamlessMap.h"
+#include "vtkMeshConversions.h"
+#include "vtkProcessConversions.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace
+{
+int PolishedOf(vtkFieldData* data)
+{
+  vtkAbstractArray* array = data->GetAbstractArray("Polished");
+  if (!array)
+  {
+    return vtkCurvedSeamlessMap::AUTOMATIC;
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers || numbers->GetNumberOfTuples() == 0)
+  {
+    throw std::invalid_argument("the field array Polished of the surface holds no number. Give it "
+                                "one, or remove it, or set Polished to Off or On.");
+  }
+  return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
+}
+
+// With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
+bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& properties,
+  vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
+{
+  int polished = properties.Polished;
+  if (polished == vtkCurvedSeamlessMap::AUTOMATIC)
+  {
+    polished = PolishedOf(surface->GetFieldData());
+  }
+  const bool isUsed = properties.Options.DomeHeight >= conformal::DomeHeight::Curvature &&
+    properties.Options.VertexShift > 0.0;
+  if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
+    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()))
+  {
+    vtkWarningWithObjectMacro(self,
+      << "the surface has the connectivity of a mesh of vtkConformalSOM, but no field array "
+         "\"Polished\"; it is taken as not polished. Set Polished to On if it was learned in batch "
+         "training, or to Off if it was not.");
+  }
+  return polished == vtkCurvedSeamlessMap::ON;
+}
+
+conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
+{
+  conformal::Points all;
+  if (!vtkConformalConversions::FindSpherePositions(surface, all))
+  {
+    throw std::invalid_argument(
+      "the surface needs a point array SpherePosition: its map to the sphere");
+  }
+  conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
+  for (conformal::Index v = 0; v < positions.rows(); ++v)
+  {
+    positions.row(v) = all.row(pointIds[v]);
+  }
+  return positions;
+}
+
+// What a map is built of.
+struct Model : conformal::MappedMesh
+{
+  conformal::CurvedSeamlessSurfaceOptions Options;
+};
+
+// That of the first process that has a surface, on all of them.
+Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkObject* self,
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame,
+  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
+{
+  const bool isAlone = processes.size() == 1;
+  Model model;
+  model.Options = properties.Options;
+  if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
+  {
+    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
+    model.Options.Polished = IsPolished(properties, self, surface, mesh);
+    model.SpherePositions = MapOf(surface, mesh.PointIds);
+    model.Positions = std::move(mesh.Positions);
+    model.Triangles = std::move(mesh.Triangles);
+  }
+  if (!isAlone)
+  {
+    const conformal::Reduce reduce = processes.reduce();
+    model.Positions = conformal::gatherRows(reduce, model.Positions);
+    model.Triangles = conformal::gatherRows(reduce, model.Triangles);
+    model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
+    model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
+  }
+  return model;
+}
+
+conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
+  const conformal::CoordinateFrame& frame, conformal::Points& copy,
+  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
+{
+  conformal::TrainingSamples samples(
+    vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
+    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
+    processes.reduce(), progress);
+  if (samples.numberOfNonFinite() > 0 && processes.isFirst())
+  {
+    vtkWarningWithObjectMacro(
+      self, << samples.numberOfNonFinite() << " points of the cloud are not finite and left out");
+  }
+  return samples;
+}
+}
+
+namespace vtkConformalConversions
+{
+//------------------------------------------------------------------------------
+CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map)
+{
+  CurvedSeamlessProperties properties;
+  conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
+  options.SeamMode = static_cast<conformal::SeamMode>(map->GetSeamMode());
+  options.DomeHeight = static_cast<conformal::DomeHeight>(map->GetDomeHeight());
+  options.VertexShift = map->GetVertexShift();
+  options.Fit.NumberOfFitRounds = map->GetNumberOfFitRounds();
+  options.Fit.FitSmoothness = map->GetFitSmoothness();
+  properties.Polished = map->GetPolished();
+  return properties;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
+  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Progress& progress,
+  Processes& processes)
+{
+  const conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
+  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  const conformal::CoordinateFrame frame =
+    FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce());
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
+  const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
+  conformal::Steps steps(progress,
+    { 750.0 * size, 80.0 * cloudSize,
+      (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
+        (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
+  const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
+  conformal::Points copy;
+  const conformal::Progress reading = steps.next();
+  const conformal::TrainingSamples samples = fits
+    ? SamplesOf(self, cloud, frame, copy, processes, reading)
+    : conformal::TrainingSamples(conformal::PointView());
+  std::shared_ptr<const BuiltSurface> built(
+    new BuiltSurface{ conformal::CurvedSeamlessSurface(
+                        model, model.Options, fits ? &samples : nullptr, SMPFor(), steps.next()),
+      frame });
+  const conformal::Index degenerate = built->Surface.numberOfDegeneratePatches();
+  if (degenerate > 0 && processes.isFirst())
+  {
+    vtkWarningWithObjectMacro(
+      self, << degenerate
+            << " triangles of the surface are degenerate: they have no shape and are mapped "
+               "affinely, or would turn over and are flattened");
+  }
+  return built;
+}
+}

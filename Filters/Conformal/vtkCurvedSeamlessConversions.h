@@ -1,0 +1,44 @@
+/// The curved seamless surface of a mesh, for what shows it as a map and what samples it.
+#ifndef vtkCurvedSeamlessConversions_h
+#define vtkCurvedSeamlessConversions_h
+
+#include "Base/CoordinateFrame.h"          // for CoordinateFrame
+#include "Surface/CurvedSeamlessSurface.h" // for the surface and its options
+
+#include <memory> // for std::shared_ptr
+
+class vtkCurvedSeamlessMap;
+class vtkObject;
+class vtkPointSet;
+class vtkPolyData;
+
+namespace vtkConformalConversions
+{
+class Processes;
+
+/// What a user has set of a map.
+struct CurvedSeamlessProperties
+{
+  conformal::CurvedSeamlessSurfaceOptions Options; ///< but Polished
+  int Polished = 0;                                ///< vtkCurvedSeamlessMap::GetPolished()
+};
+
+CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map);
+
+/// A surface, and the frame of its points.
+struct BuiltSurface
+{
+  conformal::CurvedSeamlessSurface Surface;
+  conformal::CoordinateFrame Frame;
+};
+
+/// The surface of the first process that has a mesh, on all of them. Warnings are of self.
+/// @param[in] cloud  of this process, for Fitted domes only
+/// @throws std::invalid_argument if there is no such surface
+/// @throws conformal::Aborted
+std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
+  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Progress& progress,
+  Processes& processes);
+}
+
+#endif
