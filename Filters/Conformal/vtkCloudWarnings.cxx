@@ -14,7 +14,7 @@ void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count)
 void WarnOfCutHandles(vtkObject* self, conformal::Index numberOfCutNodes)
 {
   vtkWarningWithObjectMacro(
-    self, << "the hull of the points has handles, cut open at " << numberOfCutNodes
+    self, << "the hull of the points had handles, which were cut at " << numberOfCutNodes
           << " lattice nodes: the object is not of genus zero, or parts of it touch");
 }
 

@@ -1,4 +1,4 @@
-// What filters of points warn of alike.
+// Warnings shared by the filters of points.
 #ifndef vtkCloudWarnings_h
 #define vtkCloudWarnings_h
 

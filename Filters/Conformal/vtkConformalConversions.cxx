@@ -90,7 +90,7 @@ conformal::ParallelFor SMPFor()
 //------------------------------------------------------------------------------
 conformal::Progress ProgressOf(vtkAlgorithm* self)
 {
-  // Observers may draw, and may abort: they hear of every step anybody can see, and of a slow
+  // Observers may draw, and may abort: they are told of every visible step, and of a slow
   // run every 50 ms, or every thousandth of its time so far, which bounds their number.
   constexpr double leastStep = 0.002;
   using Clock = std::chrono::steady_clock;
@@ -146,7 +146,7 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
     {
       vtkInputChecks::RequireConsistentInputs(self);
       core();
-      conformal::report(ProgressOf(self), 1.0); // the last time that a wish to stop is heard
+      conformal::report(ProgressOf(self), 1.0); // the last time that a request to stop is noticed
     });
 }
 

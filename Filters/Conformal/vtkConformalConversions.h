@@ -1,4 +1,4 @@
-// Between VTK and the numerical core: the only file that knows both worlds.
+// Conversions between VTK and the numerical core.
 #ifndef vtkConformalConversions_h
 #define vtkConformalConversions_h
 
@@ -103,7 +103,7 @@ conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conforma
 /// A named point array of 3 components as doubles; false if there is none of that shape.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
-/// A surface's map to the sphere, normalised to unit length.
+/// A surface's map to the sphere, normalized to unit length.
 /// @throws std::invalid_argument if the point array is missing, is not of 3 components, or holds
 ///   a vector that is zero or not finite
 conformal::Points ToSpherePositions(vtkPolyData* surface);

@@ -50,7 +50,7 @@ int vtkConformalDistortion::RequestData(
       if (input->GetNumberOfPoints() == 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty, nothing was measured");
+          this, "the surface is empty; nothing was measured");
         return;
       }
       // For each triangle.

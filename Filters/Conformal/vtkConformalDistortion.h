@@ -1,9 +1,9 @@
 /**
  * @class   vtkConformalDistortion
- * @brief   how much a surface's map to the sphere bends angles and stretches areas
+ * @brief   measure the angle and area distortion of a surface's map to the sphere
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
- * Polygons and strips are looked at as triangles; their value is the mean over these.
+ * Polygons and strips are treated as triangles; their value is the mean over these.
  *
  * Output port 0: the input, with cell arrays (double, 1 component; lines, vertices and triangles
  * without area on the surface or the sphere get the value of no distortion)

@@ -104,11 +104,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
   else if (samples.rank() < 3)
   {
-    vtkWarningWithObjectMacro(self, << "rank " << samples.rank() << " cloud: its points are "
+    vtkWarningWithObjectMacro(self, << "the points are "
                                     << (samples.rank() == 2      ? "coplanar"
                                            : samples.rank() == 1 ? "collinear"
                                                                  : "all equal")
-                                    << ", and so is the mesh flat");
+                                    << "; the mesh is flat");
   }
 }
 
@@ -119,8 +119,8 @@ void WarnAbout(
   if (result.HullLeaks)
   {
     vtkWarningWithObjectMacro(
-      self, << "the points leave holes too large to tell inside from outside; the mesh may "
-               "follow their inner side too");
+      self, << "the points have holes too large to distinguish inside from outside; the mesh may "
+               "also follow the inner side of the points");
   }
   if (result.NumberOfCutNodes > 0)
   {
@@ -132,9 +132,9 @@ void WarnAbout(
   }
   if (result.UnsupportedFraction > 0.002)
   {
-    vtkWarningWithObjectMacro(
-      self, << 100.0 * result.UnsupportedFraction
-            << " % of the mesh has no points near: lids over holes, or webs");
+    vtkWarningWithObjectMacro(self, << 100.0 * result.UnsupportedFraction
+                                    << " % of the mesh area has no points nearby: it spans holes "
+                                       "in the data or gaps between limbs");
   }
 }
 

@@ -38,7 +38,7 @@
  * the default, takes all points at a time on ever finer lattices and ends with a least-squares
  * polish: it fits more than a hundred times closer in a fraction of the time.
  *
- * Implementation note: taken literally the paper's constants stop learning before the neighbourhood
+ * Implementation note: taken literally the paper's constants stop learning before the neighborhood
  * is as small as a triangle; Documentation/Filters.md has the measurement.
  *
  * Implementation note: E_mis looks from the points to the mesh only, and a map learned from the
@@ -163,7 +163,7 @@ public:
 
   ///@{
   /**
-   * Online: sigma_0 of the neighbourhood h(d) = exp(-d^2 / (2 sigma^2)), with
+   * Online: sigma_0 of the neighborhood h(d) = exp(-d^2 / (2 sigma^2)), with
    * sigma(t) = sigma_0 exp(-t / tau_1), a length on the unit sphere. Positive. Default is 0.4.
    */
   vtkSetMacro(InitialNeighborhoodRadius, double);
@@ -197,7 +197,7 @@ public:
 
   ///@{
   /**
-   * Batch: learning passes on each lattice, from coarse to fine, the neighbourhood narrower from
+   * Batch: learning passes on each lattice, from coarse to fine, the neighborhood narrower from
    * pass to pass. At least 0. Default is 5.
    */
   vtkSetClampMacro(PassesPerLevel, int, 0, VTK_INT_MAX);

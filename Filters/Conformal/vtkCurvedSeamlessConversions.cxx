@@ -64,8 +64,8 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
   conformal::Points all;
   if (!vtkConformalConversions::FindSpherePositions(surface, all))
   {
-    throw std::invalid_argument(
-      "the surface needs a point array SpherePosition: its map to the sphere");
+    throw std::invalid_argument("the surface has no point array SpherePosition; vtkConformalSOM "
+                                "and vtkGlobalConformalMap write it");
   }
   conformal::Points positions(static_cast<conformal::Index>(pointIds.size()), 3);
   for (conformal::Index v = 0; v < positions.rows(); ++v)

@@ -42,7 +42,8 @@ void RequireDifferent(vtkDataArray* from, std::initializer_list<vtkDoubleArray*>
   {
     if (*array && (*array == from || std::find(arrays.begin(), array, *array) != array))
     {
-      throw std::invalid_argument("an array is given twice. Pass a new one for each result.");
+      throw std::invalid_argument(
+        "the same array is passed twice; pass a separate array for each result");
     }
   }
 }
@@ -118,7 +119,7 @@ const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
 {
   if (!this->Map)
   {
-    throw std::logic_error("there is no map: Build() it first");
+    throw std::logic_error("there is no map; call Build() first");
   }
   return this->Map->Surface;
 }
@@ -139,7 +140,7 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       this->Map.reset();
       if (!surface || surface->GetNumberOfPoints() == 0)
       {
-        throw std::invalid_argument("there is no surface to build a map of");
+        throw std::invalid_argument("the surface is empty; there is nothing to build");
       }
       vtkInputChecks::RequireConsistentData(surface, "surface");
       vtkInputChecks::RequireConsistentData(cloud, "cloud");
@@ -195,7 +196,7 @@ bool vtkCurvedSeamlessMap::ToSphere(
     {
       if (!directions)
       {
-        throw std::invalid_argument("there is no array to put the directions in");
+        throw std::invalid_argument("the array for the directions is null");
       }
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       conformal::Points inFrame;

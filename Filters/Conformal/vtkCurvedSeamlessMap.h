@@ -10,7 +10,7 @@
  * origin. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. The map must cover the sphere just once.
+ *   lies. The map must cover the sphere exactly once.
  * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
  *   fitted to points by least squares, see the property Polished.
  *

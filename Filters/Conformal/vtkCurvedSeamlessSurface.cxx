@@ -197,8 +197,9 @@ int vtkCurvedSeamlessSurface::RequestData(
       if (owner < 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
-          surface->GetNumberOfPoints() == 0 ? "the surface is empty, and so is the result"
-                                            : "the dense sphere is empty, and so is the result");
+          surface->GetNumberOfPoints() == 0
+            ? "the surface is empty; the output is empty"
+            : "the sphere on input port 1 is empty; the output is empty");
         return;
       }
       const bool domes = properties.Options.DomeHeight < conformal::DomeHeight::Curvature;

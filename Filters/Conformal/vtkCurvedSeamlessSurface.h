@@ -6,7 +6,7 @@
  * origin. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. The map must cover the sphere just once.
+ *   lies. The map must cover the sphere exactly once.
  * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
  *   fitted to points by least squares, see the property Polished.
  *
@@ -30,7 +30,7 @@
  * - field array "NumberOfDegeneratePatches" (vtkIdType): of the triangles of port 0, how many
  *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
  *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
- *   faces the opposite way and use their own normal. A warning tells.
+ *   faces the opposite way and use their own normal. There is a warning.
  *
  * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11 with

@@ -1,9 +1,9 @@
 /**
  * @class   vtkGenusZeroCheck
- * @brief   is this surface closed, manifold, in one piece, of genus zero and oriented?
+ * @brief   check whether a surface is closed, manifold, connected, of genus zero and oriented
  *
- * Input port 0: vtkPolyData. Polygons and strips are looked at as triangles; vertices and lines
- * are not looked at.
+ * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines
+ * are ignored.
  *
  * Output port 0: the input, with field data that says what is wrong and where. Figures (vtkIdType,
  * one value):

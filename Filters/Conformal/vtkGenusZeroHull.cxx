@@ -21,7 +21,7 @@ vtkCxxSetObjectMacro(vtkGenusZeroHull, Controller, vtkMultiProcessController);
 
 namespace
 {
-// Points of the normalised frame in that of the samples.
+// Points of the normalized frame in that of the samples.
 conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::Points points)
 {
   for (conformal::Index i = 0; i < points.rows(); ++i)
@@ -45,14 +45,17 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
   }
   else if (samples.rank() < 3)
   {
-    vtkWarningWithObjectMacro(self, << "rank " << samples.rank()
-                                    << " cloud: its points enclose nothing, the hull is a shell "
-                                       "around them");
+    vtkWarningWithObjectMacro(
+      self, << "the points are "
+            << (samples.rank() == 2      ? "coplanar"
+                   : samples.rank() == 1 ? "collinear"
+                                         : "all equal")
+            << ": they enclose nothing, and the hull is a shell around them");
   }
   else if (hull.Leaks)
   {
     vtkWarningWithObjectMacro(self,
-      << "the data have a hole nearly as wide as what is behind it; what is inside is a guess");
+      << "the points have a hole nearly as wide as the space behind it; the inside may be wrong");
   }
   else if (hull.NumberOfInsideNodes == 0)
   {

@@ -59,9 +59,9 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
   if (map.NumberOfInfiniteStringConstants > 0)
   {
     vtkWarningWithObjectMacro(
-      self, << map.NumberOfInfiniteStringConstants << " edges belong to triangles without area: "
-            << (published ? "their string constants are infinite and left out"
-                          : "these are mapped as if they had a little"));
+      self, << map.NumberOfInfiniteStringConstants << " edges belong to triangles without area; "
+            << (published ? "their string constants are infinite and are left out"
+                          : "they are mapped as if they had a small area"));
   }
   if (map.NumberOfFlippedTriangles > 0)
   {
@@ -93,7 +93,8 @@ int vtkGlobalConformalMap::RequestData(
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty, and so is its map");
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty; the output is empty");
         return;
       }
       const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface });

@@ -2,7 +2,7 @@
  * @class   vtkGlobalConformalMap
  * @brief   conformal map of a closed surface to the sphere
  *
- * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are looked at as
+ * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges are merged, triangles turned and points of no triangle
  * dropped, each with a warning.
  *
@@ -29,7 +29,7 @@
  * ones. ROBUST maps every surface one to one.
  *
  * A conformal map is given up to a Moebius transform. ROBUST moves the mean of the surface,
- * weighted by area, to the sphere's centre, and turns the sphere to where it agrees best with the
+ * weighted by area, to the sphere's center, and turns the sphere to where it agrees best with the
  * directions from the surface's middle.
  *
  * @note

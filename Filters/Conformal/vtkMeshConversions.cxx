@@ -221,13 +221,13 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   }
   if (repeated > 0)
   {
-    vtkWarningWithObjectMacro(self, << repeated << " triangles of a repeated point were dropped");
+    vtkWarningWithObjectMacro(self, << repeated << " triangles with a repeated point were dropped");
   }
   if (!report.InconsistentEdges.empty())
   {
     const conformal::Index turned = conformal::orientConsistently(triangles);
     vtkWarningWithObjectMacro(
-      self, << turned << " triangles were turned, since they disagreed with their neighbors");
+      self, << turned << " triangles were reversed to agree in orientation with their neighbors");
   }
   steps.next();
   mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
@@ -239,11 +239,12 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   {
     mesh.Positions.row(v) = points.row(kept[v]);
   }
-  // Points that were merged away are of no triangle either, but were told of already.
+  // Points that were merged away are of no triangle either, but were reported already.
   const conformal::Index isolated = points.rows() - mesh.Positions.rows() - merged;
   if (isolated > 0)
   {
-    vtkWarningWithObjectMacro(self, << isolated << " points of no triangle were dropped");
+    vtkWarningWithObjectMacro(
+      self, << isolated << " points that belong to no triangle were dropped");
   }
   return mesh;
 }

@@ -37,7 +37,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// A wish to stop that all processes know of.
+/// A request to stop that all processes know of.
 class SharedStop : public conformal::Aborted
 {
 };
@@ -46,7 +46,7 @@ void Require(int success)
 {
   if (!success)
   {
-    throw SharedError("the processes cannot reach each other");
+    throw SharedError("the processes cannot communicate");
   }
 }
 
@@ -179,7 +179,7 @@ void Processes::call()
 //------------------------------------------------------------------------------
 std::string Processes::meet()
 {
-  // Observers hear of the filter as often as they do while it works.
+  // Observers are called as often as while the filter works.
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds interval(50);
   Clock::time_point last = Clock::now();
@@ -266,7 +266,7 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   {
     vtkInputChecks::RequireConsistentInputs(self);
     core(processes);
-    conformal::report(processes.progress(), 1.0); // the last time that a wish to stop is heard
+    conformal::report(processes.progress(), 1.0); // the last time that a request to stop is noticed
   };
   return RunRequest(self,
     [&]()

@@ -21,9 +21,9 @@ namespace vtkConformalConversions
 /// The processes that run a filter together, each on its part of the points. One process, or no
 /// controller, is the ordinary case.
 ///
-/// What stops one of them, an error or the wish of its user, stops all of them: before they add up
-/// they meet and tell each other how they are, so none waits for one that has left. Who stops
-/// before signals it to the others, who are busy elsewhere and come to the meeting at once when
+/// What stops one of them, an error or a request to abort, stops all of them: before they add up
+/// they exchange their states, so none waits for one that has left. Who stops
+/// before signals it to the others, which are busy and join the exchange at once when
 /// they look, whenever they report progress. While they wait for each other their observers are
 /// called, too. Without MPI there are no signals, and all go on to the next sum.
 class Processes
@@ -49,7 +49,7 @@ public:
   /// As ProgressOf; also stops when another process does.
   conformal::Progress progress();
 
-  /// Hear of all. An error is that of the first process that has one.
+  /// Exchange the state of all processes. An error of several is reported from the first of them.
   /// @param[in] error  what went wrong on this process, null for nothing
   /// @throws SharedError if something went wrong
   /// @throws conformal::Aborted if one was asked to abort

@@ -1,4 +1,4 @@
-// Messages among the processes of a filter that nobody has to wait for.
+// Non-blocking messages between the processes of a filter.
 #ifndef vtkProcessSignals_h
 #define vtkProcessSignals_h
 
@@ -9,7 +9,7 @@ class vtkMultiProcessController;
 
 namespace vtkConformalConversions
 {
-/// How a process that has to stop tells the others, which are busy or wait for it. Only MPI can
+/// Tells the other processes, which are busy or waiting, that this one has to stop. Only MPI can
 /// look for a message without waiting for one: with other controllers, and where VTK is built
 /// without MPI, signals are not available and must not be used.
 class ProcessSignals
@@ -22,7 +22,7 @@ public:
 
   bool available() const { return this->Link != nullptr; }
 
-  /// Ask all others to stop, unless somebody did already. Returns at once.
+  /// Ask all others to stop, unless one did already. Returns at once.
   void askToStop();
 
   /// Whether another one asked to stop. Returns at once, and costs little: looks every few

@@ -49,8 +49,9 @@ void CheckAxes(const conformal::SphereView& view)
   const Eigen::Matrix3d off = axes.transpose() * axes - Eigen::Matrix3d::Identity();
   if (!(off.cwiseAbs().maxCoeff() <= tolerance))
   {
-    throw std::invalid_argument("the field data SpherePole, SphereUp and SphereRight are no unit "
-                                "vectors at right angles; run vtkSphericalTextureMap again");
+    throw std::invalid_argument(
+      "the field data SpherePole, SphereUp and SphereRight are not orthogonal unit "
+      "vectors; run vtkSphericalTextureMap again");
   }
 }
 
@@ -95,7 +96,7 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
     data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap));
   if (projection != std::floor(projection))
   {
-    throw std::invalid_argument("the field data TextureProjection are no whole number");
+    throw std::invalid_argument("the field data TextureProjection must be a whole number");
   }
   image.Projection = static_cast<conformal::SphereProjection>(static_cast<int>(projection));
   image.FieldOfView = NumberIn(
@@ -115,7 +116,8 @@ void SetImageInformation(vtkInformation* info, const int size[2])
 {
   if (size[0] < 1 || size[1] < 1 || size[1] > std::numeric_limits<int>::max() / size[0])
   {
-    throw std::invalid_argument("ImageSize must be at least (1, 1), and its pixels countable");
+    throw std::invalid_argument(
+      "ImageSize must be at least (1, 1), with at most 2147483647 pixels");
   }
   const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
   const double spacing[3] = { 1.0 / size[0], 1.0 / size[1], 1.0 };

@@ -70,7 +70,8 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
   if (triangles.rows() == 0 || other.Triangles.rows() == 0)
   {
-    throw std::invalid_argument("without landmarks both surfaces need triangles");
+    throw std::invalid_argument(
+      "without landmarks both surfaces must have triangles; add landmarks or triangles");
   }
   if (!points.allFinite() || !other.Positions.allFinite())
   {
@@ -140,8 +141,8 @@ int vtkSphericalAlignment::RequestData(
       if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
-          surface->GetNumberOfPoints() == 0 ? "the surface is empty, nothing was aligned"
-                                            : "the reference is empty, nothing was aligned");
+          surface->GetNumberOfPoints() == 0 ? "the surface is empty; nothing was aligned"
+                                            : "the reference is empty; nothing was aligned");
         return;
       }
       vtkInputChecks::RequireCellIds(surface); // which landmarks need not, but the output has

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSphericalAlignment
- * @brief   bring one surface's map to the sphere to agree with another one's
+ * @brief   align one surface's map to the sphere with another one's
  *
  * Input port 0: vtkPolyData, the surface whose map is moved. Input port 1: vtkPolyData, the surface
  * whose map it is to agree with. Both with the point array "SpherePosition" (3 components).
@@ -11,11 +11,11 @@
  * Field data (double):
  * - "AlignmentError" (one value): root mean square distance on the unit sphere that is left between
  *   what corresponds.
- * - "AlignmentCenter" (3 components): the point of the unit ball that was moved to its centre, the
+ * - "AlignmentCenter" (3 components): the point of the unit ball that was moved to its center, the
  *   zero vector for a rotation.
  * - "AlignmentRotation" (9 components): the rotation after that, row by row.
  *
- * What corresponds is said by landmarks, pairs of points. Without any, the surfaces must lie over
+ * Landmarks, pairs of points, define what corresponds. Without any, the surfaces must lie over
  * each other in space, as a scan and a mesh learned from it do: each point then corresponds to the
  * nearest point of the other surface, and points weigh as much as the area around them.
  *
@@ -64,7 +64,7 @@ public:
   ///@{
   /**
    * Pairs of points that are to come to the same place: a point of port 0 and one of port 1. Two or
-   * more for a rotation, three or more for a Moebius transform; none to go by the surfaces
+   * more for a rotation, three or more for a Moebius transform; none to use the surfaces
    * themselves. Default is none.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType referencePointId);

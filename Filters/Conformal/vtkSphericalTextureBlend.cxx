@@ -28,7 +28,7 @@ vtkDataArray* PixelsOf(vtkImageData* picture)
   vtkDataArray* pixels = picture->GetPointData()->GetScalars();
   if (!pixels || picture->GetNumberOfPoints() == 0 || picture->GetDimensions()[2] != 1)
   {
-    throw std::invalid_argument("a picture is no single slice with scalars");
+    throw std::invalid_argument("a picture must be an image of one slice with point scalars");
   }
   return pixels;
 }
@@ -145,14 +145,13 @@ int vtkSphericalTextureBlend::RequestData(
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty, there is nothing to lay pictures on");
+        vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
       using namespace vtkConformalConversions;
       if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
       {
-        throw std::invalid_argument("the pictures have not the same number of components");
+        throw std::invalid_argument("the pictures must have the same number of components");
       }
       const conformal::SphereImage image = ToSphereImage(surface->GetFieldData());
       conformal::SphereViewOptions backView;

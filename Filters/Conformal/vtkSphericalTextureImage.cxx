@@ -37,8 +37,9 @@ vtkDataArray* ArrayOf(vtkPointSet* data, const std::string& name)
                                      : data->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    throw std::invalid_argument(
-      name.empty() ? "no active scalars to bake" : "no point array " + name + " to bake");
+    throw std::invalid_argument(name.empty()
+        ? "the source has no active scalars to bake; set ArrayName"
+        : "no point array " + name + " to bake");
   }
   return array;
 }
@@ -51,7 +52,7 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   const int first = processes.firstWith(hasPoints);
   if (first < 0)
   {
-    throw std::invalid_argument("there are no points to take values from");
+    throw std::invalid_argument("the source has no points");
   }
   vtkSmartPointer<vtkDataArray> own;
   const auto shapeOf = [](vtkDataArray* array)
@@ -81,7 +82,7 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   }
   else if (shape != expected)
   {
-    throw std::invalid_argument("the array to bake is not of the same name, type and components "
+    throw std::invalid_argument("the array to bake must have the same name, type and components "
                                 "on all processes");
   }
   return own;
@@ -224,7 +225,7 @@ int vtkSphericalTextureImage::RequestData(
       const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0);
       if (owner < 0)
       {
-        WarnOfEmptyInput(this, "the surface is empty, there is nothing to bake");
+        WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
       const bool isShared = processes.size() > 1;

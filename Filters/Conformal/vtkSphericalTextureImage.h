@@ -4,7 +4,7 @@
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
  * image lies on the sphere, with the point array "SpherePosition" (3 components). Seams may be
- * split or not. Polygons and strips are looked at as triangles.
+ * split or not. Polygons and strips are treated as triangles.
  *
  * Input port 1, optional: vtkPointSet, what the values are taken from instead: where it is a
  * vtkPolyData with triangles, from the point of these closest to the point of the surface, else

@@ -152,7 +152,7 @@ int vtkSphericalTextureMap::RequestData(
       if (input->GetNumberOfPoints() == 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty, there is nothing to lay an image on");
+          this, "the surface is empty; there are no texture coordinates");
         return;
       }
       const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });

@@ -1,9 +1,9 @@
 /**
  * @class   vtkSphericalTextureMap
- * @brief   lay an image on a surface by way of the sphere, from a chosen view
+ * @brief   compute texture coordinates from a map to the sphere, for a chosen view
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
- * Polygons and strips are looked at as triangles.
+ * Polygons and strips are treated as triangles.
  *
  * Output port 0: the input, with point arrays
  * - "Texture Coordinates" (float, 2 components): s to the right and t upwards in the image, finite
@@ -179,7 +179,7 @@ public:
   ///@{
   /**
    * Share of the image's side (CUBE_MAP: of a face's) left free along the seams of OCTAHEDRAL and
-   * CUBE_MAP, so that a renderer that mixes neighbouring pixels finds what belongs there, if the
+   * CUBE_MAP, so that a renderer that mixes neighboring pixels finds what belongs there, if the
    * image was made for it, as vtkSphericalTextureImage does. In [0, 0.25]. Default is 0.
    */
   vtkSetClampMacro(Margin, double, 0.0, 0.25);

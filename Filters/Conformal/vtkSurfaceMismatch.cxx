@@ -87,8 +87,8 @@ int vtkSurfaceMismatch::RequestData(
       if (!hasModel || !hasReference)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
-          hasModel ? "the reference is empty, nothing was measured"
-                   : "the model is empty, nothing was measured");
+          hasModel ? "the reference is empty; nothing was measured"
+                   : "the model is empty; nothing was measured");
         return;
       }
       const conformal::Reduce reduce = processes.reduce();

@@ -1,9 +1,9 @@
 /**
  * @class   vtkSurfaceMismatch
- * @brief   distance between a model surface and the object it models, from both sides
+ * @brief   measure the distances between a model surface and its reference, in both directions
  *
  * Input port 0: vtkPolyData, the model, a surface. Input port 1: vtkPolyData, the reference, a
- * surface or a cloud of points. Polygons and strips are looked at as triangles. Distances to a
+ * surface or a cloud of points. Polygons and strips are treated as triangles. Distances to a
  * reference without any are those to its nearest point. All points of the reference count as data,
  * also those of no polygon.
  *

@@ -19,7 +19,7 @@ void RequireConsistentInputs(vtkAlgorithm* self);
 /// tuple too:
 /// - each array of point data and of cell data, of whatever type, has a tuple for each of them;
 /// - ghost arrays are of unsigned char and have 1 component, active normals and points have 3;
-/// - cells of a vtkPolyData have valid offsets. The ids they name are not looked at, since filters
+/// - cells of a vtkPolyData have valid offsets. The ids in them are not checked, since filters
 ///   of points read no cells; see RequireCellIds.
 /// Data objects that are no vtkDataSet, and null, pass. Costs a look at each array and offset.
 /// @param[in] what  what the data are to the user, for the message

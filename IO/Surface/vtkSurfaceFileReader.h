@@ -8,13 +8,13 @@
  *   where the file has them. What other arrays there are, and their types, the readers say.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
  *   "NumberOfSkippedLines", "NumberOfUnreadBytes" (vtkIdType, 1 component): each there only if not
- *   0, and then said in a warning. A point of a cloud is dropped if a coordinate is not finite, a
- * polygon if it has fewer than 3 ids or one of them twice; other values that are not finite are
+ *   0, and then reported in a warning. A point of a cloud is dropped if a coordinate is not finite,
+ * a polygon if it has fewer than 3 ids or one of them twice; other values that are not finite are
  * replaced by 0.
  *
  * A file that breaks the rules, ends early, or has a mesh with a point that is not finite or an id
  * that no point has, gives an error with its line or byte, an empty output, and an error code of
- * vtkErrorCode. Numbers are read alike in every locale. A reader that is asked to abort gives an
+ * vtkErrorCode. Numbers are read the same in every locale. A reader that is asked to abort gives an
  * empty output without an error.
  *
  * This class is abstract, and only readers of this module derive from it: what they implement is

@@ -14,7 +14,7 @@
  * Files are written whole or not at all, and those of one surface all or none: after an error,
  * which sets an error code of vtkErrorCode and makes Write() return 0, older files of the names are
  * as they were. A writer that is asked to abort writes nothing and reports no error; Write()
- * returns 0 then too, and the error code is AbortedError. Text is alike in every locale.
+ * returns 0 then too, and the error code is AbortedError. Text is the same in every locale.
  *
  * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
  * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or

@@ -2,10 +2,10 @@
  * @class   vtkTextCloudReader
  * @brief   read clouds of points as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
- * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are parted
- * by blanks, tabs, commas or semicolons. Lines that are blank or begin with #, // or ; are passed
- * over. A number alone on the first line is the number of points that follow, as in PTS files,
- * which may have several such blocks.
+ * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
+ * separated by blanks, tabs, commas or semicolons. Lines that are blank or begin with #, // or ;
+ * are passed over. A number alone on the first line is the number of points that follow, as in PTS
+ * files, which may have several such blocks.
  *
  * A line of names before the numbers, a remark or not, tells the columns; without it their number
  * and their values in the first hundred lines do.

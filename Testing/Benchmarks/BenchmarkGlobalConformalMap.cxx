@@ -1,5 +1,5 @@
 // The global conformal map: against vertices, threads and the balance of areas; and its linear
-// equations by Eigen's factorisation and by ours.
+// equations by Eigen's factorization and by ours.
 
 #include "BenchmarkFixtures.h"
 #include "Linear/EdgeWeights.h"

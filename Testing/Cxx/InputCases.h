@@ -43,7 +43,7 @@
 
 namespace inputs
 {
-/// A sphere with its map, what a texture needs, normals, colours, and a number for each cell.
+/// A sphere with its map, what a texture needs, normals, colors, and a number for each cell.
 inline vtkSmartPointer<vtkDataSet> Surface()
 {
   vtkNew<vtkGeodesicSphereSource> source;
@@ -53,12 +53,12 @@ inline vtkSmartPointer<vtkDataSet> Surface()
   map->Update();
   const auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->DeepCopy(map->GetOutput());
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Colours");
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(surface->GetNumberOfPoints());
-  colours->Fill(9.0);
-  surface->GetPointData()->SetScalars(colours);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(surface->GetNumberOfPoints());
+  colors->Fill(9.0);
+  surface->GetPointData()->SetScalars(colors);
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetName("Numbers");
   numbers->SetNumberOfTuples(surface->GetNumberOfCells());

@@ -135,7 +135,7 @@ TEST(ConformalPLYReader, MakesACloudVisibleAndKeepsItsDoubles)
   EXPECT_EQ(ids->GetId(0), 2);
 }
 
-TEST(ConformalPLYReader, JoinsNeighboursOfARangeGrid)
+TEST(ConformalPLYReader, JoinsNeighborsOfARangeGrid)
 {
   const TemporaryFolder folder;
   const Reading reading(folder.write("grid.ply", samples::AsciiGrid()));

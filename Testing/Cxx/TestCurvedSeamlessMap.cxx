@@ -262,9 +262,9 @@ TEST_F(CurvedSeamlessMap, SaysWhatCannotBeDone)
 {
   const vtkNew<vtkDoubleArray> directions = RandomDirections(5);
   vtkNew<vtkDoubleArray> result;
-  this->ExpectError(this->Map->ToSurface(directions, result), "Build() it first");
-  this->ExpectError(this->Map->Build(nullptr), "no surface");
-  this->ExpectError(this->Map->Build(vtkNew<vtkPolyData>()), "no surface");
+  this->ExpectError(this->Map->ToSurface(directions, result), "call Build() first");
+  this->ExpectError(this->Map->Build(nullptr), "the surface is empty");
+  this->ExpectError(this->Map->Build(vtkNew<vtkPolyData>()), "the surface is empty");
   EXPECT_FALSE(this->Map->IsBuilt());
 
   ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
@@ -288,7 +288,7 @@ TEST_F(CurvedSeamlessMap, SaysWhatCannotBeDone)
   this->ExpectError(this->Map->Differentiate(directions, result), "no derivative");
   this->ExpectError(this->Map->ToSphere(directions, result), "no inverse");
   this->Map->SetDomeHeightToFitted();
-  this->ExpectError(this->Map->Build(Ellipsoid(6)), "there is none");
+  this->ExpectError(this->Map->Build(Ellipsoid(6)), "needs a cloud of points");
   EXPECT_FALSE(this->Map->IsBuilt()); // the old one must not be taken for the new one
 }
 
@@ -358,12 +358,13 @@ TEST_F(CurvedSeamlessMap, EachArrayIsOfItsOwn)
   ASSERT_TRUE(this->Map->Build(Ellipsoid(6)));
   const vtkNew<vtkDoubleArray> directions = RandomDirections(10);
   vtkNew<vtkDoubleArray> a, b;
-  this->ExpectError(this->Map->ToSurface(directions, directions), "given twice");
+  this->ExpectError(this->Map->ToSurface(directions, directions), "passed twice");
   EXPECT_EQ(directions->GetNumberOfTuples(), 10);
-  this->ExpectError(this->Map->ToSurface(directions, a, a), "given twice");
-  this->ExpectError(this->Map->Differentiate(directions, a, b, a), "given twice");
-  this->ExpectError(this->Map->ToSphere(directions, a, directions), "given twice");
-  this->ExpectError(this->Map->ToSphere(directions, nullptr, a), "no array to put");
+  this->ExpectError(this->Map->ToSurface(directions, a, a), "passed twice");
+  this->ExpectError(this->Map->Differentiate(directions, a, b, a), "passed twice");
+  this->ExpectError(this->Map->ToSphere(directions, a, directions), "passed twice");
+  this->ExpectError(
+    this->Map->ToSphere(directions, nullptr, a), "the array for the directions is null");
   EXPECT_TRUE(this->Map->ToSurface(directions, nullptr, nullptr));
   EXPECT_TRUE(this->Map->ToSurface(directions, a, b));
 }

@@ -329,9 +329,9 @@ TEST_F(CurvedSeamlessSurface, FitsACloud)
 TEST_F(CurvedSeamlessSurface, FitsNothingWithoutACloud)
 {
   this->Filter->SetDomeHeightToFitted();
-  this->ExpectRefused(Ellipsoid(), "there is none");
+  this->ExpectRefused(Ellipsoid(), "needs a cloud of points");
   this->Filter->SetCloudData(vtkNew<vtkPolyData>());
-  this->ExpectRefused(Ellipsoid(), "there is none");
+  this->ExpectRefused(Ellipsoid(), "needs a cloud of points");
 }
 
 TEST_F(CurvedSeamlessSurface, PointsOfACloudThatAreNotFiniteAreLeftOut)
@@ -484,7 +484,8 @@ TEST_F(CurvedSeamlessSurface, EmptyInputsGiveAWarningAndNothing)
   this->Filter->SetSphereData(vtkNew<vtkPolyData>());
   this->Run(Ellipsoid());
   EXPECT_FALSE(this->Seen.Error());
-  EXPECT_NE(this->Seen.WarningMessage().find("the dense sphere is empty"), std::string::npos);
+  EXPECT_NE(
+    this->Seen.WarningMessage().find("the sphere on input port 1 is empty"), std::string::npos);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
@@ -582,7 +583,7 @@ TEST_F(CurvedSeamlessSurface, SurfacesWithoutAMapAreRefused)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   surface->GetPointData()->RemoveArray("SpherePosition");
-  this->ExpectRefused(surface, "needs a point array SpherePosition");
+  this->ExpectRefused(surface, "has no point array SpherePosition");
   vtkNew<vtkDoubleArray> odd;
   odd->SetName("SpherePosition");
   odd->SetNumberOfComponents(2);
@@ -620,7 +621,7 @@ TEST_F(CurvedSeamlessSurface, MapsThatDoNotCoverTheSphereOnceAreRefused)
     const double* n = bowl->GetPointData()->GetArray("SpherePosition")->GetTuple3(i);
     SetSpherePosition(bowl, i, n[0], n[1], std::abs(n[2]));
   }
-  this->ExpectRefused(bowl, "cover the sphere just once");
+  this->ExpectRefused(bowl, "cover the sphere exactly once");
 
   const vtkNew<vtkPolyData> folded = Ellipsoid();
   const double* n = folded->GetPointData()->GetArray("SpherePosition")->GetTuple3(0);
@@ -648,7 +649,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesThatDisagreeAreTurned)
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(50, surface);
-  vtkPolyData* output = this->ExpectDone(surface, "7 triangles were turned");
+  vtkPolyData* output = this->ExpectDone(surface, "7 triangles were reversed");
   EXPECT_LT(LargestDifference(output, expected), 1e-12);
 }
 
@@ -740,6 +741,6 @@ TEST_F(CurvedSeamlessSurface, IsolatedPointsAreDropped)
   surface->GetPointData()->GetArray("SpherePosition")->InsertNextTuple3(0.0, 0.0, 0.0);
   surface->GetPointData()->RemoveArray("Normals");
   surface->Modified();
-  vtkPolyData* output = this->ExpectDone(surface, "1 points of no triangle");
+  vtkPolyData* output = this->ExpectDone(surface, "1 points that belong to no triangle");
   EXPECT_LT(LargestDifference(output, expected), 1e-12);
 }

@@ -332,7 +332,7 @@ TEST(ExtremeNumbers, AMeshOfAnotherUnitIsNamed)
     fitted->SetInputData(Scaled(scale));
     const contract::Observed fit(fitted);
     fitted->Update();
-    fit.ExpectError("the cloud must be of the surface's size and place");
+    fit.ExpectError("the cloud must have about the size and position of the surface");
     if (scale > 1.0)
     {
       learned->SetStartData(Scaled(scale));

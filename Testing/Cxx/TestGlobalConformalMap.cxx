@@ -299,7 +299,7 @@ TEST_F(GlobalConformalMap, ParametersThatAreNotNumbersAreRefused)
   this->ExpectRefused(Pebble(), "AreaBalance must lie in [0, 1]");
   this->Filter->SetAreaBalance(0.0);
   this->Filter->SetTolerance(nan);
-  this->ExpectRefused(Pebble(), "Tolerance must be a number");
+  this->ExpectRefused(Pebble(), "Tolerance must not be negative or NaN");
 }
 
 TEST_F(GlobalConformalMap, ReportsProgressAndStopsWithoutAWord)
@@ -430,7 +430,7 @@ TEST_F(GlobalConformalMap, TrianglesThatDisagreeAreTurned)
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(100, surface);
-  vtkPolyData* output = this->ExpectDone(surface, "8 triangles were turned");
+  vtkPolyData* output = this->ExpectDone(surface, "8 triangles were reversed");
   EXPECT_LT(LargestDifference(output, expected), 1e-9);
 }
 
@@ -493,7 +493,7 @@ TEST_F(GlobalConformalMap, IsolatedPointsAreDropped)
   }
   surface->GetPointData()->AddArray(ids);
   surface->Modified();
-  vtkPolyData* output = this->ExpectDone(surface, "1 points of no triangle");
+  vtkPolyData* output = this->ExpectDone(surface, "1 points that belong to no triangle");
   ASSERT_EQ(output->GetNumberOfPoints(), 362);
   EXPECT_EQ(LargestDifference(output, expected), 0.0);
   EXPECT_EQ(output->GetPointData()->GetArray("Ids")->GetTuple1(361), 361.0);
@@ -512,7 +512,7 @@ TEST_F(GlobalConformalMap, TrianglesWithoutAreaAreMappedWithAWarning)
   this->Seen.Clear();
   vtkPolyData* output = this->Run(surface);
   EXPECT_FALSE(this->Seen.Error());
-  EXPECT_NE(this->Seen.WarningMessage().find("infinite and left out"), std::string::npos);
+  EXPECT_NE(this->Seen.WarningMessage().find("infinite and are left out"), std::string::npos);
   EXPECT_EQ(this->Figure("Converged"), 0);
   EXPECT_EQ(this->Figure("NumberOfInfiniteStringConstants"), 5);
   contract::ExpectSpherePosition(output);
@@ -627,6 +627,6 @@ TEST_F(GlobalConformalMap, LeavesTrianglesOfARepeatedPointOut)
   filter->SetInputData(surface);
   const contract::Observed observed(filter);
   filter->Update();
-  observed.ExpectWarning("2 triangles of a repeated point were dropped");
+  observed.ExpectWarning("2 triangles with a repeated point were dropped");
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), triangles);
 }

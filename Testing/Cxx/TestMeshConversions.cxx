@@ -151,7 +151,7 @@ TEST_F(MeshConversions, TurnsTrianglesAndWarns)
   const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
   this->ExpectGenusZero(mesh);
   EXPECT_FALSE(mesh.InsideOut);
-  EXPECT_NE(this->Observed.WarningMessage().find("4 triangles were turned"), std::string::npos);
+  EXPECT_NE(this->Observed.WarningMessage().find("4 triangles were reversed"), std::string::npos);
 }
 
 TEST_F(MeshConversions, WeldsASoupAndWarns)
@@ -215,8 +215,8 @@ TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
   this->ExpectGenusZero(mesh);
   EXPECT_EQ(mesh.Positions.rows(), 92);
   const std::string warnings = this->Observed.WarningMessage();
-  EXPECT_NE(warnings.find("1 triangles of a repeated point"), std::string::npos);
-  EXPECT_NE(warnings.find("1 points of no triangle"), std::string::npos);
+  EXPECT_NE(warnings.find("1 triangles with a repeated point"), std::string::npos);
+  EXPECT_NE(warnings.find("1 points that belong to no triangle"), std::string::npos);
 }
 
 TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)

@@ -272,10 +272,11 @@ TEST_F(SphericalAlignment, LandmarksThatAreNotThereAreRefused)
 TEST_F(SphericalAlignment, TooFewLandmarksAreRefused)
 {
   this->Filter->AddLandmark(0, 0);
-  this->ExpectRefused("2 places or more are needed to fix a rotation, not 1");
+  this->ExpectRefused("2 or more pairs of points are needed to determine a rotation, not 1");
   this->Filter->AddLandmark(1, 1);
   this->Filter->SetTransformToMoebius();
-  this->ExpectRefused("3 places or more are needed to fix a Moebius transform, not 2");
+  this->ExpectRefused(
+    "3 or more pairs of points are needed to determine a Moebius transform, not 2");
 }
 
 TEST_F(SphericalAlignment, WithoutLandmarksSurfacesNeedTrianglesAndFinitePoints)
@@ -283,5 +284,6 @@ TEST_F(SphericalAlignment, WithoutLandmarksSurfacesNeedTrianglesAndFinitePoints)
   this->Reference->GetPoints()->SetPoint(0, 0.0, std::numeric_limits<double>::infinity(), 0.0);
   this->ExpectRefused("some points are not finite");
   this->Reference->SetPolys(vtkNew<vtkCellArray>());
-  this->ExpectRefused("without landmarks both surfaces need triangles");
+  this->ExpectRefused(
+    "without landmarks both surfaces must have triangles; add landmarks or triangles");
 }

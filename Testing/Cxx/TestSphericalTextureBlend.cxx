@@ -69,7 +69,7 @@ TEST_F(SphericalTextureBlend, FadesFromTheFrontToTheBack)
   EXPECT_EQ(this->At(55, 16), 100.0);
 }
 
-// Pictures taken of a coloured object from both sides give back its colours all around.
+// Pictures taken of a colored object from both sides give back its colors all around.
 TEST_F(SphericalTextureBlend, TwoViewsShowAllOfTheObject)
 {
   this->Filter->SetFieldOfView(240);
@@ -107,10 +107,10 @@ TEST_F(SphericalTextureBlend, TwoViewsShowAllOfTheObject)
 TEST_F(SphericalTextureBlend, RefusesWhatCannotBeBlended)
 {
   this->Filter->SetInputDataObject(2, Plain(4, 0));
-  this->ExpectError("not the same number of components");
+  this->ExpectError("must have the same number of components");
   vtkNew<vtkImageData> none;
   this->Filter->SetInputDataObject(2, none);
-  this->ExpectError("no single slice");
+  this->ExpectError("an image of one slice");
   this->Filter->SetInputDataObject(2, Plain(3, 0));
   this->Filter->SetBackViewDirection(0, 0, 0);
   this->ExpectError("ViewDirection must be finite and not zero");

@@ -21,16 +21,16 @@
 
 namespace
 {
-// Gives every point a colour by its place, changing over a twentieth of the surface's extent.
-void Colour(vtkPolyData* surface)
+// Gives every point a color by its place, changing over a twentieth of the surface's extent.
+void Color(vtkPolyData* surface)
 {
   double bounds[6];
   surface->GetBounds(bounds);
   const double length =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Colours");
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
     const double* p = surface->GetPoint(i);
@@ -39,9 +39,9 @@ void Colour(vtkPolyData* surface)
     {
       rgb[c] = std::round(127.5 + 110.0 * std::sin(20.0 * p[c] / length + p[(c + 1) % 3] / length));
     }
-    colours->InsertNextTuple(rgb);
+    colors->InsertNextTuple(rgb);
   }
-  surface->GetPointData()->SetScalars(colours);
+  surface->GetPointData()->SetScalars(colors);
 }
 
 // What a renderer that mixes the four nearest pixels shows at (s, t).
@@ -61,14 +61,14 @@ double Sampled(vtkImageData* image, const double* st, int component)
     v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
 }
 
-// The mean difference between the colours of points and what a textured surface shows where it is
+// The mean difference between the colors of points and what a textured surface shows where it is
 // closest to them.
 double MeanDifference(vtkPolyData* points, vtkPolyData* textured, vtkImageData* image)
 {
   vtkNew<vtkCellLocator> locator;
   locator->SetDataSet(textured);
   locator->BuildLocator();
-  vtkDataArray* colours = points->GetPointData()->GetScalars();
+  vtkDataArray* colors = points->GetPointData()->GetScalars();
   vtkDataArray* coordinates = textured->GetPointData()->GetTCoords();
   vtkNew<vtkGenericCell> cell;
   double sum = 0.0;
@@ -87,7 +87,7 @@ double MeanDifference(vtkPolyData* points, vtkPolyData* textured, vtkImageData* 
     }
     for (int c = 0; c < 3; ++c)
     {
-      sum += std::abs(Sampled(image, st, c) - colours->GetComponent(i, c));
+      sum += std::abs(Sampled(image, st, c) - colors->GetComponent(i, c));
     }
   }
   return sum / (3.0 * points->GetNumberOfPoints());
@@ -102,7 +102,7 @@ protected:
     source->SetFrequency(24);
     source->Update();
     this->Surface->DeepCopy(source->GetOutput());
-    Colour(this->Surface);
+    Color(this->Surface);
     this->Map->SetInputData(this->Surface);
     this->Map->SplitSeamOn();
     this->Map->SetProjection(vtkSphericalTextureMap::OCTAHEDRAL);
@@ -130,9 +130,9 @@ TEST_F(SphericalTextureImage, WritesTheContractsArrays)
   this->Filter->Update();
   vtkImageData* image = this->Filter->GetOutput();
   EXPECT_EQ(image->GetNumberOfPoints(), 300 * 200);
-  contract::ExpectArray(image->GetPointData(), "Colours", VTK_UNSIGNED_CHAR, 3, 300 * 200);
+  contract::ExpectArray(image->GetPointData(), "Colors", VTK_UNSIGNED_CHAR, 3, 300 * 200);
   contract::ExpectArray(image->GetPointData(), "OutsideSurface", VTK_UNSIGNED_CHAR, 1, 300 * 200);
-  EXPECT_EQ(image->GetPointData()->GetScalars(), image->GetPointData()->GetArray("Colours"));
+  EXPECT_EQ(image->GetPointData()->GetScalars(), image->GetPointData()->GetArray("Colors"));
   EXPECT_EQ(image->GetPointData()->GetArray("OutsideSurface")->GetRange()[1], 0.0);
   EXPECT_DOUBLE_EQ(image->GetPoint(0)[0], 0.5 / 300);
   EXPECT_NEAR(image->GetPoint(300 * 200 - 1)[1], 1.0 - 0.5 / 200, 1e-12);
@@ -180,8 +180,8 @@ TEST_F(SphericalTextureImage, PutBackItLooksAsBefore)
   }
 }
 
-// A scan's own colours, of which the learned surface knows nothing.
-TEST_F(SphericalTextureImage, KeepsTheColoursOfAScan)
+// A scan's own colors, of which the learned surface knows nothing.
+TEST_F(SphericalTextureImage, KeepsTheColorsOfAScan)
 {
   const std::string path = std::string(CONFORMALSOM_SCAN_DIR) + "/igea.ply";
   if (!std::filesystem::exists(path))
@@ -192,7 +192,7 @@ TEST_F(SphericalTextureImage, KeepsTheColoursOfAScan)
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkPolyData* scan = reader->GetOutput();
-  Colour(scan);
+  Color(scan);
   vtkNew<vtkConformalSOM> network;
   network->SetInputData(scan);
   vtkNew<vtkCurvedSeamlessSurface> surface;
@@ -208,12 +208,12 @@ TEST_F(SphericalTextureImage, TakesValuesFromPointsWithoutTriangles)
 {
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(this->Surface->GetPoints());
-  Colour(cloud);
+  Color(cloud);
   this->Filter->SetSourceData(cloud);
   this->Map->SetProjection(vtkSphericalTextureMap::LONGITUDE_LATITUDE);
   this->Filter->SetImageSize(1024, 512);
   this->Filter->Update();
-  // Every pixel has the colour of some point; the mean of neighbours is none of them.
+  // Every pixel has the color of some point; the mean of neighbors is none of them.
   EXPECT_LT(MeanDifference(this->Surface, this->Map->GetOutput(), this->Filter->GetOutput()), 2.0);
 }
 
@@ -232,15 +232,15 @@ TEST_F(SphericalTextureImage, RefusesWhatItCannotBake)
   this->Filter->SetArrayName("");
   this->Surface->GetPointData()->SetActiveScalars(nullptr);
   this->Surface->Modified();
-  this->ExpectError("no active scalars to bake");
-  this->Surface->GetPointData()->SetActiveScalars("Colours");
+  this->ExpectError("the source has no active scalars to bake; set ArrayName");
+  this->Surface->GetPointData()->SetActiveScalars("Colors");
   this->Filter->SetInputData(this->Surface);
   this->ExpectError("no field data SpherePole of vtkSphericalTextureMap");
   this->Filter->SetInputConnection(this->Map->GetOutputPort());
   vtkNew<vtkPolyData> nobody;
-  Colour(nobody);
+  Color(nobody);
   this->Filter->SetInputDataObject(1, nobody);
-  this->ExpectError("no points to take values from");
+  this->ExpectError("the source has no points");
   this->Filter->SetInputDataObject(1, nullptr);
   this->Filter->SetImageSize(0, 7);
   contract::Observed observed(this->Filter);

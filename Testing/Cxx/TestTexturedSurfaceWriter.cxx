@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> TexturedSphere()
   return sphere;
 }
 
-// Every pixel of its own colour, so that a turned picture is seen.
+// Every pixel of its own color, so that a turned picture is seen.
 vtkSmartPointer<vtkImageData> Picture(int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

@@ -32,7 +32,7 @@ vtkSmartPointer<Array> NumbersOf(const char* name, int components, vtkIdType tup
   return array;
 }
 
-/// Triangles of float points with normals, texture coordinates, colours, a sphere map, numbers.
+/// Triangles of float points with normals, texture coordinates, colors, a sphere map, numbers.
 inline vtkSmartPointer<vtkPolyData> RichSphere()
 {
   vtkNew<vtkSphereSource> source;

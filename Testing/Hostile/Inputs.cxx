@@ -1100,7 +1100,7 @@ std::vector<Input> Pictures()
         return image;
       } });
   };
-  const auto grey = [](vtkIdType, int) { return 7.0; };
+  const auto gray = [](vtkIdType, int) { return 7.0; };
   add("picture", [](vtkImageData*) {});
   add("no pixels", [](vtkImageData* i) { i->GetPointData()->Initialize(); });
   add("empty", [](vtkImageData* i) { i->Initialize(); });
@@ -1108,25 +1108,25 @@ std::vector<Input> Pictures()
   {
     add(std::to_string(tuples) + " pixels for 256",
       [=](vtkImageData* i)
-      { i->GetPointData()->SetScalars(Filled<vtkUnsignedCharArray>("Pixels", 3, tuples, grey)); });
+      { i->GetPointData()->SetScalars(Filled<vtkUnsignedCharArray>("Pixels", 3, tuples, gray)); });
   }
   for (const int components : { 1, 2, 4, 5 })
   {
     add(std::to_string(components) + " components",
       [=](vtkImageData* i) {
         i->GetPointData()->SetScalars(
-          Filled<vtkUnsignedCharArray>("Pixels", components, 256, grey));
+          Filled<vtkUnsignedCharArray>("Pixels", components, 256, gray));
       });
   }
   add("bits",
     [=](vtkImageData* i)
-    { i->GetPointData()->SetScalars(Filled<vtkBitArray>("Pixels", 3, 256, grey)); });
+    { i->GetPointData()->SetScalars(Filled<vtkBitArray>("Pixels", 3, 256, gray)); });
   add("ids",
     [=](vtkImageData* i)
-    { i->GetPointData()->SetScalars(Filled<vtkIdTypeArray>("Pixels", 3, 256, grey)); });
+    { i->GetPointData()->SetScalars(Filled<vtkIdTypeArray>("Pixels", 3, 256, gray)); });
   add("floats",
     [=](vtkImageData* i)
-    { i->GetPointData()->SetScalars(Filled<vtkFloatArray>("Pixels", 3, 256, grey)); });
+    { i->GetPointData()->SetScalars(Filled<vtkFloatArray>("Pixels", 3, 256, gray)); });
   for (const double value : { NaN, Infinity, Largest })
   {
     add("pixels of " + std::to_string(value).substr(0, 8),
@@ -1140,7 +1140,7 @@ std::vector<Input> Pictures()
     [=](vtkImageData* i)
     {
       i->SetExtent(0, 0, 0, 0, 0, 0);
-      i->GetPointData()->SetScalars(Filled<vtkUnsignedCharArray>("Pixels", 3, 1, grey));
+      i->GetPointData()->SetScalars(Filled<vtkUnsignedCharArray>("Pixels", 3, 1, gray));
     });
   add("one row", [=](vtkImageData* i) { i->SetExtent(0, 255, 0, 0, 0, 0); });
   add("two slices", [](vtkImageData* i) { i->SetExtent(0, 15, 0, 7, 0, 1); });

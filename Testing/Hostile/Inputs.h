@@ -32,7 +32,7 @@ struct Input
 };
 
 /// A closed surface of 162 points around (0, 0, 0), 2 long, with a map, texture coordinates,
-/// normals, colours, numbers, and the field data that images of the sphere need.
+/// normals, colors, numbers, and the field data that images of the sphere need.
 vtkSmartPointer<vtkPolyData> Ellipsoid(double scale = 1.0);
 
 /// A picture of 16 x 16 pixels, 3 bytes each.

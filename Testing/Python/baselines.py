@@ -12,9 +12,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "Baseline")
 LEFT_OVERS = os.environ.get("CONFORMALSOM_PICTURES", ".")
-# A pixel may be off by GREY_LEVELS, and what goes beyond may add up to PIXELS turned from black to
+# A pixel may be off by GRAY_LEVELS, and what goes beyond may add up to PIXELS turned from black to
 # white. Mesa with other processors' instructions stays at 0.0; points moved by 1e-5 give 67.
-GREY_LEVELS, PIXELS = 4, 5.0
+GRAY_LEVELS, PIXELS = 4, 5.0
 
 
 def require_display():
@@ -46,7 +46,7 @@ def expect_picture(test, drawn, name):
     difference.SetImageConnection(baseline.GetOutputPort())
     difference.AllowShiftOff()
     difference.AveragingOff()
-    difference.SetThreshold(GREY_LEVELS)
+    difference.SetThreshold(GRAY_LEVELS)
     difference.Update()
     error = difference.GetThresholdedError()
     if error > PIXELS:

@@ -46,7 +46,7 @@ def painted_actor(surface):
 
 
 def flips_actor(surface):
-    """The triangles, red where the map turns them or their neighbours over."""
+    """The triangles, red where the map turns them or their neighbors over."""
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     sphere = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
     flipped = np.linalg.det(sphere[triangles]) <= 0
@@ -127,19 +127,19 @@ class TestPictures(unittest.TestCase):
             scenes.append(pictures.scene(actor, label + ", from behind", self.camera(200)))
         self.expect_row("SphericalTextureProjections", scenes)
 
-    def test_colours_baked_and_put_back(self):
-        """Bands of paint across the bear, as colours of its points."""
+    def test_colors_baked_and_put_back(self):
+        """Bands of paint across the bear, as colors of its points."""
         surface = self.surface.GetOutput()
         points = vtk_to_numpy(surface.GetPoints().GetData())
         wave = np.sin(points @ np.array([[4.0, 14.0, 0.0], [14.0, -4.0, 6.0], [3.0, 3.0, 14.0]]).T)
         colors = numpy_to_vtk(np.rint(140 + 90 * wave).astype(np.uint8), deep=True)
         colors.SetName("Paint")
         surface.GetPointData().AddArray(colors)
-        coloured = pictures.actor_of(surface)
-        coloured.GetMapper().SetScalarModeToUsePointFieldData()
-        coloured.GetMapper().SelectColorArray("Paint")
-        coloured.GetMapper().ScalarVisibilityOn()
-        scenes = [pictures.scene(coloured, "Colours of points", self.camera())]
+        colored = pictures.actor_of(surface)
+        colored.GetMapper().SetScalarModeToUsePointFieldData()
+        colored.GetMapper().SelectColorArray("Paint")
+        colored.GetMapper().ScalarVisibilityOn()
+        scenes = [pictures.scene(colored, "Colors of points", self.camera())]
         for projection, size, label in (
                 (vtkSphericalTextureMap.OCTAHEDRAL, (512, 512), "Octahedral"),
                 (vtkSphericalTextureMap.CUBE_MAP, (768, 512), "Cube map")):
@@ -222,7 +222,7 @@ class TestPictures(unittest.TestCase):
     def test_checkerboard_on_the_surface(self):
         self.expect_actor("SphericalTextureMap", painted_actor(self.surface.GetOutput()))
 
-    def test_distance_to_the_figure_in_colours(self):
+    def test_distance_to_the_figure_in_colors(self):
         mismatch = vtkSurfaceMismatch()
         mismatch.SetInputConnection(0, self.surface.GetOutputPort())
         mismatch.SetInputData(1, figure_surface())

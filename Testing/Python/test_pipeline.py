@@ -122,10 +122,10 @@ end_header
 3 0 2 3 7
 3 0 1 1 7
 """
-PLY_FILES = [PLY.format(float="float", alpha="", opacity=""),
+PLY_FILES = [PLY.format(float="float", alpha="", opacity="") + "more",
              PLY.format(float="double", alpha="property uchar alpha\n", opacity="4 ")]
 SCAN = "\n".join(line for line in PLY_FILES[0].replace("nan", "1").splitlines()
-                 if line != "3 0 1 1 7").replace("element face 3", "element face 2") + "\n"
+                 if line not in ("3 0 1 1 7", "more")).replace("element face 3", "element face 2") + "\n"
 OFF_FILES = ["STCNOFF\n3 1 0\n" + "".join(
     f"{point}  0 0 1  {color}  0 1\n" for point in ("0 0 0", "1 0 0", "0 1 0")) + face
              for color, face in (("1 0 0 1", "3 0 1 2 255 0 0 255\n"),

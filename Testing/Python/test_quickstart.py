@@ -268,7 +268,7 @@ class TestColors(unittest.TestCase):
             write(writer, scan, folder, name)
             picture = vtkPNGWriter()
             picture.SetInputData(textures.to_image(np.full((8, 8, 3), 0.2)))
-            picture.SetFileName(os.path.join(folder, "grey.png"))
+            picture.SetFileName(os.path.join(folder, "gray.png"))
             picture.Write()
             run = quickstart(folder, name, *options, "--output", "out", "--frequency", "8",
                              "--surface-frequency", "24")
@@ -304,7 +304,7 @@ class TestColors(unittest.TestCase):
     def test_given_picture_wins(self):
         scan = cloud_of(egg(20))
         colored(scan, hues(points_of(scan)), scan.GetPointData())
-        _, seen = self.paint("scan.ply", conformalsom.vtkConformalPLYWriter(), scan, "grey.png")
+        _, seen = self.paint("scan.ply", conformalsom.vtkConformalPLYWriter(), scan, "gray.png")
         self.assertLess(np.abs(seen - 51.0).max(), 1e-9)
 
     def test_picture_of_the_gallery_is_what_it_draws(self):

@@ -49,7 +49,7 @@ class TestTextures(unittest.TestCase):
         eyes = white[int(0.40 * SIZE):int(0.46 * SIZE)].sum()
         mouth = white[int(0.66 * SIZE):int(0.68 * SIZE)].sum()
         self.assertGreater(eyes, mouth)
-        self.assertTrue((image[0] == image[-1]).all())  # the border is of one colour
+        self.assertTrue((image[0] == image[-1]).all())  # the border is of one color
 
     def test_wood_grain_runs_upwards(self):
         image = pixels(textures.wood(256)).astype(float).mean(axis=2)

@@ -107,12 +107,12 @@ inline void AddPriorities(vtkPolyData* cloud)
   cloud->GetPointData()->AddArray(array);
 }
 
-/// Colours of three bytes, and a number, for each point: the active scalars and "Height".
-inline void AddColours(vtkPolyData* cloud)
+/// Colors of three bytes, and a number, for each point: the active scalars and "Height".
+inline void AddColors(vtkPolyData* cloud)
 {
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Colours");
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Colors");
+  colors->SetNumberOfComponents(3);
   vtkNew<vtkDoubleArray> heights;
   heights->SetName("Height");
   for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
@@ -120,9 +120,9 @@ inline void AddColours(vtkPolyData* cloud)
     double x[3];
     cloud->GetPoint(i, x);
     heights->InsertNextValue(x[0] + x[2] / 3.0);
-    colours->InsertNextTuple3(40.0 * (x[0] - std::floor(x[0])), 30.0 * std::abs(x[1]), i % 251);
+    colors->InsertNextTuple3(40.0 * (x[0] - std::floor(x[0])), 30.0 * std::abs(x[1]), i % 251);
   }
-  cloud->GetPointData()->SetScalars(colours);
+  cloud->GetPointData()->SetScalars(colors);
   cloud->GetPointData()->AddArray(heights);
 }
 

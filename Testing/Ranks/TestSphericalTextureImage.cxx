@@ -27,12 +27,12 @@ vtkSmartPointer<vtkPolyData> Painted()
   return map->GetOutput();
 }
 
-// Coloured points of a ball, and no triangles.
+// Colored points of a ball, and no triangles.
 vtkSmartPointer<vtkPolyData> Cloud()
 {
   auto cloud = vtkSmartPointer<vtkPolyData>::New();
   cloud->SetPoints(Ball(17)->GetPoints());
-  clouds::AddColours(cloud);
+  clouds::AddColors(cloud);
   return cloud;
 }
 
@@ -90,7 +90,7 @@ TEST(SphericalTextureImage, TakesTheClosestPointOfAllRanks)
 TEST(SphericalTextureImage, TakesTheClosestTriangleOfAllRanks)
 {
   auto source = clouds::Soup(Ball(5));
-  clouds::AddColours(source);
+  clouds::AddColors(source);
   clouds::AddSoupTriangles(source);
   std::vector<vtkIdType> ends = clouds::UnevenCuts(source->GetNumberOfPolys());
   for (vtkIdType& end : ends)

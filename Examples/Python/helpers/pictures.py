@@ -18,7 +18,7 @@ FINER = 2  # pixels drawn for each pixel kept, along each axis
 
 
 def actor_of(data):
-    """An actor that shows a data set in one colour, whatever arrays it has."""
+    """An actor that shows a data set in one color, whatever arrays it has."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputDataObject(data)
     mapper.ScalarVisibilityOff()

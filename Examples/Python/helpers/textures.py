@@ -3,13 +3,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
-# A glazed tile's colours.
+# A glazed tile's colors.
 CREAM, COBALT, OCHRE, BRICK, LEAF = (np.array(c) / 255.0 for c in (
     (250, 243, 226), (29, 66, 138), (232, 165, 39), (186, 62, 45), (64, 124, 92)))
 
 
 def to_image(colors):
-    """A #rows by #columns by 3 array of colours in [0, 1], first row on top, as a vtkImageData."""
+    """A #rows by #columns by 3 array of colors in [0, 1], first row on top, as a vtkImageData."""
     rows, columns, _ = colors.shape
     image = vtkImageData()
     image.SetDimensions(columns, rows, 1)
@@ -51,7 +51,7 @@ def checkerboard(size=1024, fields=16):
 
 
 def petals(radius, angle, count, inner, outer, width, turn=0.0):
-    """Signed distance to a wreath of leaf-shaped petals that point away from the centre."""
+    """Signed distance to a wreath of leaf-shaped petals that point away from the center."""
     sector = 2.0 * np.pi / count
     offset = (angle - turn + sector / 2.0) % sector - sector / 2.0
     along, across = radius * np.cos(offset), np.abs(radius * np.sin(offset))
@@ -69,7 +69,7 @@ def dots(radius, angle, count, at, size, turn=0.0):
 
 
 def rosette(size=1024):
-    """A painted tile: wreaths of petals and dots around the middle; its border is one colour."""
+    """A painted tile: wreaths of petals and dots around the middle; its border is one color."""
     x, y = pixel_centers(size)
     radius, angle = np.hypot(x, y), np.arctan2(x, y)  # from the top, clockwise
     canvas = np.ones((size, size, 3)) * CREAM

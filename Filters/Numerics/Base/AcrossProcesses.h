@@ -1,4 +1,4 @@
-/// What processes with parts of the same data tell each other, by sums alone.
+/// Exchange of data between processes, as sums over all of them.
 
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
@@ -43,7 +43,7 @@ inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index poin
   const Index before = shareOf(reduce, points).Before;
   if (before + points > std::numeric_limits<int>::max())
   {
-    throw std::length_error("the processes have more points together than an int counts");
+    throw std::length_error("the processes together have more points than an int can count");
   }
   own.array() += static_cast<int>(before);
   return gatherRows(reduce, own);

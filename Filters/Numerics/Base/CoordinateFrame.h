@@ -1,4 +1,4 @@
-/// A unit of length near the size of the coordinates, in which they may be squared and multiplied.
+/// Scales coordinates by a power of two to a size near 1, so that products stay in range.
 
 #ifndef ConformalCoordinateFrame_h
 #define ConformalCoordinateFrame_h

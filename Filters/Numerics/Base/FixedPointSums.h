@@ -1,4 +1,4 @@
-/// Sums whose value does not depend on the order of adding.
+/// Fixed-point sums: the result does not depend on the order of addition.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h

@@ -1,4 +1,4 @@
-/// Which of many points are kept, in a bit or two each.
+/// A compact set of the indices that are kept, of many.
 
 #ifndef ConformalKeptIds_h
 #define ConformalKeptIds_h

@@ -1,4 +1,4 @@
-/// Numbers that move in step through a processor's vector units.
+/// Small fixed-size vectors for SIMD units.
 
 #ifndef ConformalLanes_h
 #define ConformalLanes_h

@@ -1,4 +1,4 @@
-/// How the core runs on many threads and many processes without knowing any of them.
+/// Abstract parallel loops and reductions: how the core runs on threads and processes.
 ///
 /// Results do not depend on the number of threads: work is cut into blocks of a fixed size,
 /// whatever runs them, and blocks never add into each other's results.

@@ -1,4 +1,4 @@
-/// The one door of randomness: numbers that are the same on every machine for the same seed.
+/// Pseudorandom numbers that are the same on every machine for the same seed.
 
 #ifndef ConformalRandom_h
 #define ConformalRandom_h

@@ -1,4 +1,4 @@
-/// The steps of a task as parts of its progress, so that progress is even in time.
+/// Divides the progress of a task among its steps, so that it is even in time.
 
 #ifndef ConformalSteps_h
 #define ConformalSteps_h

@@ -23,7 +23,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< of n
 /// Returns whether to go on; after a false the core throws Aborted.
 using Progress = std::function<bool(double)>;
 
-/// Thrown by every function of the core whose Progress said stop.
+/// Thrown by every function of the core whose Progress returns false.
 class Aborted : public std::exception
 {
 public:
@@ -51,8 +51,8 @@ inline Progress partOf(const Progress& whole, double begin, double end)
   { return whole(fraction < 1.0 ? std::min(begin + fraction * (end - begin), end) : end); };
 }
 
-/// Points that somebody else owns, as packed floats or doubles, so that ten million of them
-/// need no copy. Seen in a unit of length, see CoordinateFrame.
+/// View of points in memory owned elsewhere, as packed floats or doubles, so that ten million of
+/// them need no copy. Seen in a unit of length, see CoordinateFrame.
 class PointView
 {
 public:
@@ -92,7 +92,7 @@ private:
   double Unit = 1.0;
 };
 
-/// Numbers that somebody else owns, likewise.
+/// View of numbers in memory owned elsewhere.
 class NumberView
 {
 public:

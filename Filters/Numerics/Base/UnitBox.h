@@ -1,4 +1,4 @@
-/// Coordinates of which squares and cubes can be taken without a thought of the unit.
+/// Scales coordinates to a unit box, so that products neither overflow nor underflow.
 
 #ifndef ConformalUnitBox_h
 #define ConformalUnitBox_h

@@ -20,7 +20,7 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
     forBlocks(parallelFor, size, BlockSize,
       [&](Index begin, Index end)
       {
-        // Neighbours in the scan are often neighbours in space: the last triangle is a hint.
+        // Neighbors in the scan are often neighbors in space: the last triangle is a hint.
         int hint = -1;
         for (Index i = begin; i < end; ++i)
         {

@@ -1,4 +1,4 @@
-/// Foot points of many patterns: found on all threads, handed out one by one.
+/// Closest surface points of many samples, computed in parallel and delivered in order.
 
 #ifndef ConformalFootPoints_h
 #define ConformalFootPoints_h

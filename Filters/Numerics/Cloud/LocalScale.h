@@ -1,4 +1,4 @@
-/// How far the patterns around each neuron lie from the surface.
+/// Local distance scale of the samples around each neuron, for outlier rejection.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h

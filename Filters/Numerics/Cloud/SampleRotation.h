@@ -1,4 +1,4 @@
-/// Some patterns of many, others at each turn.
+/// Deterministic subsets of the samples, a different one at each turn.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -12,7 +12,7 @@
 namespace conformal
 {
 /// Which patterns a pass takes: all where they are few, else evenly spaced ones in the scan's own
-/// order, from a start that moves from turn to turn so that all are heard. Of a cloud spread over
+/// order, from a start that moves from turn to turn so that all are used. Of a cloud spread over
 /// processes each takes its own; together they are those that one process would take.
 class SampleRotation
 {

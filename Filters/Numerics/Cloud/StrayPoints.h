@@ -1,4 +1,4 @@
-/// Points beside the surface that the others sample.
+/// Detects stray points that lie off the surface sampled by the others.
 
 #ifndef ConformalStrayPoints_h
 #define ConformalStrayPoints_h

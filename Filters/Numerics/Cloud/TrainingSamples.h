@@ -1,4 +1,4 @@
-/// The patterns a map learns from: which of the given points count, how much, and in which unit.
+/// The samples to learn from: selection, weights and normalization.
 
 #ifndef ConformalTrainingSamples_h
 #define ConformalTrainingSamples_h
@@ -12,8 +12,8 @@
 
 namespace conformal
 {
-/// Patterns x in X of \cite Liou2008, section 2, read in place and normalised on the fly:
-/// centre at the (weighted) centroid, largest radius 1.
+/// Patterns x in X of \cite Liou2008, section 2, read in place and normalized on the fly:
+/// center at the (weighted) centroid, largest radius 1.
 ///
 /// They may be one process's part of a cloud that is spread over several: the frame is that of the
 /// whole cloud then, and every process has to do the same with its part.
@@ -40,7 +40,7 @@ public:
   Index firstOfTotal() const { return this->OfAll.Before; }
   bool empty() const { return this->OfAll.Total == 0; }
 
-  /// Pattern i of [0, size()), normalised.
+  /// Pattern i of [0, size()), normalized.
   Vector3 operator[](Index i) const { return this->normalize(this->View[this->id(i)]); }
   /// Priority of pattern i: 1 for the largest weight given.
   double weight(Index i) const

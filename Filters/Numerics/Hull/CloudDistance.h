@@ -1,4 +1,4 @@
-/// The distance to a cloud of points, on a lattice around it.
+/// Distance to a point cloud at the nodes of a grid around it.
 
 #ifndef ConformalCloudDistance_h
 #define ConformalCloudDistance_h

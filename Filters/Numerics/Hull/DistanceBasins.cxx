@@ -74,7 +74,7 @@ std::vector<int> climbOneStep(const FreudenthalLattice& lattice,
         for (const int step : steps)
         {
           const float other = distances[node + step];
-          // Of equals, to the later one: nobody goes round in circles.
+          // Of equals, to the later one, so that there are no cycles.
           if (other > height || (other == height && node + step > best))
           {
             best = node + step;

@@ -1,4 +1,4 @@
-/// What is outside of a cloud of points that may have holes.
+/// Classifies grid nodes as inside or outside of a point cloud that may have holes.
 
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h
@@ -29,7 +29,7 @@ struct OutsideNodes
 /// Tell the nodes outside of a cloud from those inside and those closer to it than an offset.
 ///
 /// The nodes beyond the offset fall into basins, each a hill of the distance with its peak. Basins
-/// are joined from the highest saddle down, as water falls that drowned them all. One that meets
+/// are joined from the highest saddle down, in the order of a watershed transform. One that meets
 /// the outside becomes part of it unless it is persistent: unless its peak is more than
 /// `persistence` times as high as the saddle. So a hole in the data is closed though it is much
 /// wider than the offset, if what it opens into is wider still.

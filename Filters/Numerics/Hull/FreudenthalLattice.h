@@ -1,4 +1,4 @@
-/// A cubic lattice cut into tetrahedra, on which sets of nodes have a topology without ambiguity.
+/// Freudenthal triangulation of a cubic grid, on which sets of nodes have an unambiguous topology.
 
 #ifndef ConformalFreudenthalLattice_h
 #define ConformalFreudenthalLattice_h

@@ -219,7 +219,7 @@ GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
 {
   if (samples.empty())
   {
-    throw std::invalid_argument("there are no samples to make a hull of");
+    throw std::invalid_argument("there are no samples for a hull");
   }
   using Limits = GenusZeroHullLimits;
   requireRange(options.Spacing, Limits::LeastSpacing, Limits::LargestSpacing, "lattice's spacing");

@@ -1,4 +1,4 @@
-/// A closed surface without handles around a cloud of points.
+/// Closed surface of genus zero around a point cloud.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -40,7 +40,7 @@ public:
   /// @param[in] nodes  1 for the nodes next to these data, else 0
   HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes);
 
-  /// Whether a sample, in the normalised frame, is data of the hull, or within a spacing or two of
+  /// Whether a sample, in the normalized frame, is data of the hull, or within a spacing or two of
   /// such. False for outliers and for what lies apart from the largest piece.
   bool contains(const Vector3& sample) const;
 
@@ -49,7 +49,7 @@ private:
   std::vector<bool> Nodes;
 };
 
-/// The hull in the samples' normalised frame, and how it was found.
+/// The hull in the samples' normalized frame, and how it was found.
 struct GenusZeroHullResult : Mesh
 {
   HullData Data;
@@ -60,7 +60,7 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfCutNodes = 0;       ///< where handles were cut
   Index NumberOfCutInsideNodes = 0; ///< of these, those that count as NumberOfInsideNodes
   Index NumberOfCutDataNodes = 0;   ///< where data must be cut to open a handle: nodes near them
-  DataHole LargestHole;             ///< closed in the data, in the normalised frame
+  DataHole LargestHole;             ///< closed in the data, in the normalized frame
   bool Leaks = false;               ///< see OutsideNodes
   Index NumberOfSamplesOutside = 0; ///< samples that are not of Data
   Index NumberOfSamplesInside = 0;  ///< samples of Data apart from the surface: inner parts

@@ -1,4 +1,4 @@
-/// Sets of lattice nodes that are solid: one piece, without handles.
+/// Makes sets of grid nodes solid: connected and without handles.
 
 #ifndef ConformalLatticeSolid_h
 #define ConformalLatticeSolid_h

@@ -1,4 +1,4 @@
-/// The surface of a set of lattice nodes, and smoothing it.
+/// Extracts and smooths the surface of a set of grid nodes.
 
 #ifndef ConformalLevelSetSurface_h
 #define ConformalLevelSetSurface_h

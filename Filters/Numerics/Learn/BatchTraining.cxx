@@ -50,7 +50,7 @@ std::vector<int> frequencies(int finest)
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// One step of diffusion over the lattice: every neuron keeps half and hands half to its
-/// neighbours in equal parts.
+/// neighbors in equal parts.
 void diffuse(const Adjacency& neighbors, Shares& shares, const ParallelFor& parallelFor)
 {
   Shares spread(shares.rows(), 4);
@@ -70,7 +70,7 @@ void diffuse(const Adjacency& neighbors, Shares& shares, const ParallelFor& para
 }
 
 /// The width of so many steps of diffusion as a radius sigma on the unit sphere: a step's variance
-/// in one direction is a quarter of the square edge length, half of the neighbours' half share.
+/// in one direction is a quarter of the square edge length, half of the neighbors' half share.
 double diffusionRadius(int steps, Index triangles)
 {
   const double area = 4.0 * std::acos(-1.0) / static_cast<double>(triangles);
@@ -78,7 +78,7 @@ double diffusionRadius(int steps, Index triangles)
   return std::sqrt(0.25 * steps * squareEdge);
 }
 
-/// S / C. A neuron without patterns follows its neighbours.
+/// S / C. A neuron without patterns follows its neighbors.
 Points means(const Shares& shares, const Adjacency& neighbors, const Points& weights,
   const ParallelFor& parallelFor)
 {

@@ -1,4 +1,4 @@
-/// A start for learning that has the object's limbs already; a part of trainConformalSOM.
+/// Initial surface for learning, from a hull of the samples; used by trainConformalSOM.
 
 #ifndef ConformalHullStart_h
 #define ConformalHullStart_h

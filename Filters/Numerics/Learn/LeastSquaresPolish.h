@@ -1,4 +1,5 @@
-/// The best vertices a flat triangle mesh can have; the last part of batch training.
+/// Least-squares fit of the vertices of a triangle mesh to samples; the last stage of batch
+/// training.
 
 #ifndef ConformalLeastSquaresPolish_h
 #define ConformalLeastSquaresPolish_h
@@ -26,10 +27,10 @@ struct PolishOptions
   std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts at all; may be empty
 };
 
-/// So many times: the foot point of every sample on the surface, then the weights w that meet the
+/// In each round: the foot point of every sample on the surface, then the weights w that meet the
 /// samples best in the sense of SurfaceEquations.h, the stiffness being the smoothness times the
 /// mean weight of the samples of a neuron. Stiffer are neurons without samples around, whose part
-/// of the surface shall be drawn straight across, and in the last rounds those in folds.
+/// of the surface is drawn straight across, and in the last rounds those in folds.
 ///
 /// Samples much farther from the surface than those around them are left out (LocalScale.h).
 ///

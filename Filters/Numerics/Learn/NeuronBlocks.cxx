@@ -18,7 +18,7 @@ using Halves =
 
 NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
 {
-  // The tree's median splits put neighbours on the sphere side by side.
+  // The tree's median splits put neighbors on the sphere side by side.
   std::vector<Box> boxes(network.rows());
   for (Index i = 0; i < network.rows(); ++i)
   {

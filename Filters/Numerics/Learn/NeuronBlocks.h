@@ -1,4 +1,4 @@
-/// The neurons of a map, laid out so that one pattern's winner is found and its neighbourhood
+/// Neurons in spatial blocks, so that the winner of a sample is found and its neighborhood
 /// moved without visiting the rest.
 
 #ifndef ConformalNeuronBlocks_h

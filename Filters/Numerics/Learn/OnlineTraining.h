@@ -1,4 +1,4 @@
-/// The CSM Learning Algorithm, step by step; a part of trainConformalSOM.
+/// Online training, the CSM Learning Algorithm step by step; used by trainConformalSOM.
 
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h

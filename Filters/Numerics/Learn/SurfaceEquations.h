@@ -1,4 +1,4 @@
-/// The least-squares problem of a triangle mesh that is drawn to its patterns.
+/// Normal equations of the least-squares fit of a triangle mesh to samples.
 
 #ifndef ConformalSurfaceEquations_h
 #define ConformalSurfaceEquations_h
@@ -15,7 +15,7 @@ namespace conformal
 {
 /// Where the vertices w of a mesh should move, d, to meet its patterns x:
 ///
-///     minimise  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
+///     minimize  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
 ///
 /// with b the barycentric weights of the pattern's foot point, r = x - b w, L the uniform Laplacian
 /// and s_i a vertex's stiffness, times the evenness along the surface; the bending at the edges
@@ -44,7 +44,7 @@ public:
   /// vertexTriangles of its triangles
   const Adjacency& around() const { return this->Around; }
 
-  /// Add what the other processes have added; not what they pulled.
+  /// Add what the other processes have added; not their single equations.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
   /// Some steps of conjugate gradients from d = 0. The patterns are then forgotten.

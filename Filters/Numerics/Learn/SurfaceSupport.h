@@ -1,4 +1,4 @@
-/// Which parts of a learned surface have patterns near them, and which span empty space.
+/// Finds the parts of a learned surface that no samples support.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h

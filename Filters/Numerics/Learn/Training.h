@@ -1,4 +1,4 @@
-/// What learning is asked for, and what comes of it.
+/// Options and result of learning.
 
 #ifndef ConformalTraining_h
 #define ConformalTraining_h

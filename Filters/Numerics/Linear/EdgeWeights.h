@@ -1,4 +1,4 @@
-/// A weight for each edge of a triangle mesh: strings of a membrane.
+/// Edge weights of a triangle mesh: uniform, cotangent and harmonic.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h

@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-// Unknowns. From here on the multifrontal factorisation is faster, about three times at 134,000,
+// Unknowns. From here on the multifrontal factorization is faster, about three times at 134,000,
 // and what takes that long must report and let itself be stopped, which Eigen's does not.
 constexpr Index LargeSystem = 20000;
 

@@ -1,4 +1,4 @@
-/// Membranes: some vertices of a mesh are held, the others find their rest.
+/// Harmonic extension: solves for the free vertices of a mesh whose other vertices are fixed.
 
 #ifndef ConformalHarmonicExtension_h
 #define ConformalHarmonicExtension_h

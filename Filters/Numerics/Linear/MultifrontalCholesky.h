@@ -1,4 +1,4 @@
-/// Solves the equations of a membrane with springs along the edges of a mesh.
+/// Multifrontal Cholesky solver for mesh Laplacians.
 
 #ifndef ConformalMultifrontalCholesky_h
 #define ConformalMultifrontalCholesky_h
@@ -17,7 +17,7 @@ namespace conformal
 /// touches. Parts of one level are independent, so they are done at the same time; large ones are
 /// done a panel at a time, with a report after each, so that no step is long.
 ///
-/// Eigen's own sparse factorisations go column by column, on one thread and without a report; for
+/// Eigen's own sparse factorizations go column by column, on one thread and without a report; for
 /// Igea's 134,342 unknowns they take 0.7 s, this one 0.2 s.
 class MultifrontalCholesky
 {

@@ -1,4 +1,4 @@
-/// In which order to eliminate the unknowns of a surface.
+/// Nested dissection: an elimination order for the unknowns of a surface mesh.
 
 #ifndef ConformalNestedDissection_h
 #define ConformalNestedDissection_h

@@ -150,7 +150,7 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
 {
   if (points.size() != spherePositions.rows())
   {
-    throw std::invalid_argument("every point needs a position on the sphere");
+    throw std::invalid_argument("every point must have a position on the sphere");
   }
   Distortion result;
   const Index size = triangles.rows();

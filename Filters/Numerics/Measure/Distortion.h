@@ -1,4 +1,4 @@
-/// How much a map from a triangle mesh to the sphere bends, stretches and folds.
+/// Angle, area and quasi-conformal distortion of a map from a triangle mesh to the sphere.
 
 #ifndef ConformalDistortion_h
 #define ConformalDistortion_h

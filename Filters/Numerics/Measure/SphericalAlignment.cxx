@@ -17,7 +17,8 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Index needed = rotation ? 2 : 3;
   if (from.rows() < needed)
   {
-    throw std::invalid_argument(std::to_string(needed) + " places or more are needed to fix a " +
+    throw std::invalid_argument(std::to_string(needed) +
+      " or more pairs of points are needed to determine a " +
       (rotation ? "rotation" : "Moebius transform") + ", not " + std::to_string(from.rows()));
   }
   SphericalAlignmentResult result;

@@ -1,4 +1,4 @@
-/// Brings one map to the sphere to agree with another one.
+/// Aligns one map to the sphere with another.
 
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h

@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-// The reference's centre at the origin, the unit of length 1.
+// The reference's center at the origin, the unit of length 1.
 struct Frame
 {
   Vector3 Center = Vector3::Zero();
@@ -74,7 +74,8 @@ Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const 
   }
   if (!(frame.Unit > 0.0))
   {
-    throw std::invalid_argument("the reference has no extent to take a unit of length from");
+    throw std::invalid_argument("all points of the reference coincide, so there is no unit of "
+                                "length; set LengthUnit to None");
   }
   return frame;
 }
@@ -348,7 +349,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
     throw std::overflow_error(std::string("the distances are too ") +
-      (square < leastSquare ? "small" : "large") + " to be squared: take another unit of length");
+      (square < leastSquare ? "small" : "large") + " to be squared; use another LengthUnit");
   }
   report(progress, 1.0);
   return result;

@@ -1,4 +1,4 @@
-/// How well a model surface agrees with the object it models, looked at from both sides.
+/// Distances between a model surface and its reference, in both directions.
 
 #ifndef ConformalSurfaceMismatch_h
 #define ConformalSurfaceMismatch_h

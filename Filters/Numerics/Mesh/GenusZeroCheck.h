@@ -1,4 +1,4 @@
-/// Is a triangle mesh a closed surface of genus zero, and if not, what is wrong and where?
+/// Checks whether a triangle mesh is a closed surface of genus zero, and lists its faults.
 /// Also the repairs that lose nothing: welding, consistent orientation, dropping what is unused.
 
 #ifndef ConformalGenusZeroCheck_h

@@ -1,4 +1,4 @@
-/// The network space of the map: an icosahedron subdivided and pushed onto the unit sphere.
+/// Geodesic sphere: a subdivided icosahedron, projected to the unit sphere.
 
 #ifndef ConformalGeodesicSphere_h
 #define ConformalGeodesicSphere_h

@@ -1,4 +1,4 @@
-/// How much a triangle mesh bends at its edges, as a quadratic form.
+/// Bending energy of a triangle mesh at its edges, as a quadratic form.
 
 #ifndef ConformalHingeBending_h
 #define ConformalHingeBending_h

@@ -14,7 +14,7 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress&
 {
   if (numberOfVertices < 4)
   {
-    throw std::invalid_argument("a closed surface has at least 4 vertices");
+    throw std::invalid_argument("a closed surface must have at least 4 vertices");
   }
   // For each vertex, but collapsing.
   const auto size = static_cast<double>(mesh.Positions.rows());

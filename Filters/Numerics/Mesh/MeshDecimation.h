@@ -1,4 +1,4 @@
-/// The same closed surface with fewer vertices.
+/// Decimation of a closed surface.
 
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h

@@ -1,4 +1,4 @@
-/// Who is next to whom in a triangle mesh.
+/// Adjacency of vertices and triangles in a triangle mesh.
 
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h

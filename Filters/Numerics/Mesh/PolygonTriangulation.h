@@ -1,4 +1,4 @@
-/// Triangles of a polygon of many corners.
+/// Triangulation of polygons with many corners.
 
 #ifndef ConformalPolygonTriangulation_h
 #define ConformalPolygonTriangulation_h

@@ -1,4 +1,4 @@
-/// A closed surface as a tetrahedron and the vertices to be put into it, one after the other.
+/// Progressive mesh: a tetrahedron and the vertex splits that restore a closed surface.
 
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h

@@ -1,4 +1,4 @@
-/// Which vertex of a closed mesh is missed least, and into which neighbor it goes.
+/// Half-edge collapses of a closed mesh in the order of their quadric error.
 
 #ifndef ConformalQuadricCollapse_h
 #define ConformalQuadricCollapse_h

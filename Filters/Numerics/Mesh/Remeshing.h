@@ -1,4 +1,4 @@
-/// The same closed surface with triangles as even as it allows, as many as wanted.
+/// Remeshing of a closed surface to even triangles, with a given number of vertices.
 
 #ifndef ConformalRemeshing_h
 #define ConformalRemeshing_h

@@ -1,4 +1,4 @@
-/// Points of a triangle mesh in terms of its vertices.
+/// Points of a triangle mesh in barycentric coordinates.
 
 #ifndef ConformalSurfacePlace_h
 #define ConformalSurfacePlace_h

@@ -1,4 +1,4 @@
-/// A closed triangle mesh that vertices are taken from and put back into.
+/// Editable connectivity of a closed triangle mesh, as a ring of neighbors for each vertex.
 
 #ifndef ConformalVertexRings_h
 #define ConformalVertexRings_h

@@ -1,4 +1,4 @@
-/// A binary tree of boxes over numbered items: what closest-point and ray queries walk.
+/// Binary tree of bounding boxes, for closest-point and ray queries.
 
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
@@ -49,7 +49,7 @@ struct BoxTree
   std::vector<int> Items;
 };
 
-/// Build by median splits of the items' box centres along the longest side. Depends on the boxes
+/// Build by median splits of the items' box centers along the longest side. Depends on the boxes
 /// only, so every run gives the same tree. O(n log n).
 /// @throws Aborted
 BoxTree buildBoxTree(const std::vector<Box>& boxes, const ParallelFor& parallelFor = {},

@@ -1,4 +1,4 @@
-/// Foot points: the closest point of a triangle mesh.
+/// Closest point of a triangle mesh (foot point).
 
 #ifndef ConformalTriangleTree_h
 #define ConformalTriangleTree_h

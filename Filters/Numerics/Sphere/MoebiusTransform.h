@@ -8,7 +8,7 @@
 namespace conformal
 {
 /// A map of the unit ball to itself that is conformal on the sphere and keeps orientation: a point
-/// of the ball is moved to the ball's centre without turning, then all is rotated.
+/// of the ball is moved to the ball's center without turning, then all is rotated.
 struct MoebiusTransform
 {
   Vector3 Center = Vector3::Zero(); ///< the point that is moved to 0, of length below one
@@ -27,7 +27,7 @@ Eigen::Matrix3d closestRotation(
   const Points& from, const Points& to, const Eigen::VectorXd& weights);
 
 /// The transform without rotation after which the weighted mean of the positions is the sphere's
-/// centre. It is unique where no point has half of all the weight; otherwise the best that was
+/// center. It is unique where no point has half of all the weight; otherwise the best that was
 /// found is returned.
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P, not negative, not all zero

@@ -1,4 +1,4 @@
-/// A mapped mesh at the directions of another lattice.
+/// Resamples a mapped mesh at given directions.
 
 #ifndef ConformalResampling_h
 #define ConformalResampling_h

@@ -1,4 +1,4 @@
-/// How often a map to the sphere covers it, and where it folds.
+/// Degree and folds of a map to the sphere.
 
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h

@@ -1,4 +1,4 @@
-/// Which triangle of a map to the sphere holds a direction.
+/// Finds the triangle of a map to the sphere that contains a direction.
 
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
@@ -11,7 +11,7 @@
 
 namespace conformal
 {
-/// Where the line from the sphere's centre along a direction meets the flat triangles.
+/// Where the line from the sphere's center along a direction meets the flat triangles.
 struct SphereLocation
 {
   int Triangle = -1;                     ///< -1 if no triangle is near

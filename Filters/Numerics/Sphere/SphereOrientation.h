@@ -1,4 +1,4 @@
-/// On which side of the plane through two directions does a third one lie? Without rounding.
+/// Exact orientation predicate for three directions.
 
 #ifndef ConformalSphereOrientation_h
 #define ConformalSphereOrientation_h
@@ -8,7 +8,7 @@
 namespace conformal
 {
 /// Sign of the determinant of three vectors, exactly: 1 where they are counter-clockwise seen from
-/// outside the sphere, -1 where they are clockwise, 0 where they lie in a plane through its centre.
+/// outside the sphere, -1 where they are clockwise, 0 where they lie in a plane through its center.
 /// A determinant from differences decides where its rounding cannot matter; otherwise the products
 /// are added up as sums of doubles that do not overlap \cite Shewchuk1997.
 /// @param[in] a, b, c  of about unit length

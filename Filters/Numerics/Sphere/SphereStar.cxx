@@ -25,7 +25,7 @@ struct Frame
   {
     return { this->X.dot(difference), this->Y.dot(difference), this->Z.dot(difference) };
   }
-  Vector3 place(const Vector2& step) const // by projection from the sphere's centre
+  Vector3 place(const Vector2& step) const // by projection from the sphere's center
   {
     return (this->Z + step[0] * this->X + step[1] * this->Y).normalized();
   }
@@ -190,7 +190,7 @@ std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, con
   const Vector3& origin = positions[ring.front()];
   const Frame frame(origin);
   std::vector<Vector3> local;
-  double width = 0.0; // of the ring in the chart that is projected from the sphere's centre
+  double width = 0.0; // of the ring in the chart that is projected from the sphere's center
   constexpr double greatest = 5.0;
   for (int id : ring)
   {

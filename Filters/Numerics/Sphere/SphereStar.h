@@ -1,4 +1,4 @@
-/// One vertex of a map to the sphere among its neighbors: where it can be, where it is best.
+/// The star of a vertex on the sphere: feasible and optimal positions of the vertex.
 
 #ifndef ConformalSphereStar_h
 #define ConformalSphereStar_h
@@ -54,7 +54,7 @@ struct Corner
 };
 
 /// A point inside the star-shaped polygon of a ring, from which all its sides are seen
-/// counter-clockwise: the centroid, as seen from the sphere's centre, of all such points.
+/// counter-clockwise: the centroid, as seen from the sphere's center, of all such points.
 /// @param[in] ring       ids of positions, the first one seeing all others so
 /// @return nothing if there is no point whose determinants are all >= SmallestDeterminant
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);

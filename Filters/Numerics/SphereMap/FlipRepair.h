@@ -1,4 +1,4 @@
-/// Unfolds the few places where a map to the sphere is folded.
+/// Repairs flipped triangles of a map to the sphere.
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h

@@ -29,7 +29,7 @@ void check(const GlobalConformalMapOptions& options)
   }
   if (!(options.Tolerance >= 0.0))
   {
-    throw std::invalid_argument("Tolerance must be a number, at least 0");
+    throw std::invalid_argument("Tolerance must not be negative or NaN");
   }
 }
 

@@ -1,4 +1,4 @@
-/// The global conformal map of a closed surface to the sphere, and its relatives.
+/// Global conformal map of a closed surface to the sphere.
 
 #ifndef ConformalGlobalConformalMap_h
 #define ConformalGlobalConformalMap_h
@@ -55,7 +55,7 @@ struct GlobalConformalMapResult
 /// above 0 takes mapToSphere at once.
 ///
 /// Conformal maps are given up to a Moebius transform: the area-weighted mean of the surface is
-/// moved to the sphere's centre, and the sphere turned to where it agrees best with directions from
+/// moved to the sphere's center, and the sphere turned to where it agrees best with directions from
 /// the surface's middle.
 ///
 /// @param[in] mesh  finite, all positions used; triangles may have no area

@@ -1,4 +1,4 @@
-/// The global conformal parameterization of Gu and Yau, as it was published.
+/// Global conformal parameterization of Gu and Yau, as published.
 
 #ifndef ConformalGuYauMap_h
 #define ConformalGuYauMap_h
@@ -26,7 +26,7 @@ struct GuYauResult
 };
 
 /// Start at the Gauss map; let strings of equal constants, then of the harmonic energy's constants,
-/// pull the vertices along the sphere, the weighted mean being put back to the centre after each
+/// pull the vertices along the sphere, the weighted mean being put back to the center after each
 /// step \cite Gu2004, \cite Liou2008 section 4.1.
 ///
 /// With obtuse triangles string constants are negative and the result folds; with triangles of no

@@ -1,4 +1,4 @@
-/// A conformal map of a closed surface to the sphere, as far as linear equations and repairs lead.
+/// Conformal map of a closed surface to the sphere by linear solves and local repair.
 
 #ifndef ConformalHarmonicSphereMap_h
 #define ConformalHarmonicSphereMap_h

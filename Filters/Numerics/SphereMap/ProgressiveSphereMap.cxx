@@ -246,7 +246,7 @@ ProgressiveSphereMapResult mapToSphere(
   }
   if (options.NumberOfSweeps < 0 || options.NumberOfSmoothingSweeps < 0)
   {
-    throw std::invalid_argument("there cannot be less than no sweeps");
+    throw std::invalid_argument("the number of sweeps must not be negative");
   }
   requireGenusZero(triangles, points.rows());
   const Points places = inUnitBox(points);

@@ -1,4 +1,4 @@
-/// A map of a closed surface to the sphere that never folds.
+/// Fold-free map of a closed surface to the sphere, by a progressive mesh.
 
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h

@@ -62,7 +62,7 @@ public:
     this->VertexAreas /= this->VertexAreas.sum();
   }
 
-  // Centre at 0 and a size at which the sphere gets about half of the surface on either side: there
+  // Center at 0 and a size at which the sphere gets about half of the surface on either side: there
   // |z| has the mean pi/2.
   void normalize()
   {
@@ -71,7 +71,7 @@ public:
     const double size = this->Map.cwiseAbs().dot(this->VertexAreas) / (2.0 * std::atan(1.0));
     if (!(size > 0.0 && std::isfinite(size)))
     {
-      throw std::runtime_error("the surface has shrunk to a point");
+      throw std::runtime_error("all points of the surface coincide");
     }
     this->Map /= size;
   }
@@ -121,7 +121,7 @@ public:
     const Vector found = matrix.ldlt().solve(side);
     if (!found.allFinite())
     {
-      throw std::runtime_error("no triangle is left to correct the map by");
+      throw std::runtime_error("there is no triangle left to correct the map with");
     }
     for (Index v = 0; v < this->Map.size(); ++v)
     {
@@ -338,7 +338,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   }
   if (!positions.allFinite())
   {
-    throw std::runtime_error("the surface has left the numbers' range");
+    throw std::runtime_error("the conformal map has coordinates that are not finite");
   }
   return positions;
 }

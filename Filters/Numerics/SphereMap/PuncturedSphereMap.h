@@ -1,4 +1,4 @@
-/// The conformal map of a closed surface to the sphere by one linear solve.
+/// Conformal map of a closed surface to the sphere by one linear solve.
 
 #ifndef ConformalPuncturedSphereMap_h
 #define ConformalPuncturedSphereMap_h

@@ -1,4 +1,4 @@
-/// The triangles of a surface as its maps see them: areas and cotangents, never infinite.
+/// Bounded areas and cotangents of the triangles of a surface, for sphere maps.
 
 #ifndef ConformalSurfaceShapes_h
 #define ConformalSurfaceShapes_h

@@ -24,8 +24,8 @@ void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* wha
 {
   if (!surface.differentiable())
   {
-    throw std::invalid_argument(std::string("domes of the sphere have no ") + what +
-      ": take DomeHeight None, Curvature or Fitted");
+    throw std::invalid_argument(std::string("with DomeHeight Published or Scaled there is no ") +
+      what + "; use DomeHeight None, Curvature or Fitted");
   }
 }
 
@@ -51,7 +51,7 @@ conformal::Triangles trianglesOfMap(
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
-    throw std::invalid_argument("the map must cover the sphere just once, but it covers it " +
+    throw std::invalid_argument("the map must cover the sphere exactly once, but it covers it " +
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " triangles folded over");
   }
@@ -83,8 +83,8 @@ void copyUnitVectors(
     });
   if (bad < vectors.size())
   {
-    throw std::invalid_argument(
-      std::string(what) + " " + std::to_string(bad) + " is zero or not finite: no direction");
+    throw std::invalid_argument(std::string(what) + " " + std::to_string(bad) +
+      " is zero or not finite, so it has no direction");
   }
 }
 
@@ -180,7 +180,8 @@ void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples
   {
     if (!cloud || cloud->empty())
     {
-      throw std::invalid_argument("domes can be fitted to a cloud only, and there is none");
+      throw std::invalid_argument(
+        "DomeHeight Fitted needs a cloud of points to fit the surface to");
     }
     this->Curved =
       fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, parallelFor, progress);
@@ -297,7 +298,7 @@ CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
   const CurvedSeamlessSurface& s = this->Surface;
   if (derivative)
   {
-    requireDifferentiable(s, "derivative along their ridges");
+    requireDifferentiable(s, "derivative");
   }
   const SphereLocation location = s.Locator.locate(direction, this->Last);
   const int r = location.Triangle;
@@ -365,7 +366,7 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   if (samples.differentiates())
   {
-    requireDifferentiable(surface, "derivative along their ridges");
+    requireDifferentiable(surface, "derivative");
   }
   forBlocks(parallelFor, directions.size(), BlockSize, progress,
     [&](Index begin, Index end)

@@ -93,7 +93,7 @@ public:
   }
 
   /// For each triangle 1 if the construction is replaced: it has no shape, in the model or on the
-  /// sphere, and is mapped affinely; or with the sphere's domes a neighbour faces the opposite way;
+  /// sphere, and is mapped affinely; or with the sphere's domes a neighbor faces the opposite way;
   /// or its curved triangle would turn over and is flatter.
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 

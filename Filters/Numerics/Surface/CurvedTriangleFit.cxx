@@ -264,7 +264,7 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
     forBlocks(parallelFor, size, BlockSize,
       [&](Index begin, Index end)
       {
-        int last = -1; // neighbours in the scan are often neighbours in space
+        int last = -1; // neighbors in the scan are often neighbors in space
         for (Index i = begin; i < end; ++i)
         {
           int& hint = hints[first + i];
@@ -344,7 +344,7 @@ void requireOneSize(const Points& positions)
   if (!(positions.cwiseAbs().maxCoeff() <= largest && extent >= smallest))
   {
     throw std::invalid_argument(
-      "the cloud must be of the surface's size and place for the surface to be fitted to it");
+      "the cloud must have about the size and position of the surface to be fitted");
   }
 }
 

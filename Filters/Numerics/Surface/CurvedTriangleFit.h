@@ -1,4 +1,4 @@
-/// Curved triangles drawn to a cloud of points.
+/// Fits curved triangles to a point cloud.
 
 #ifndef ConformalCurvedTriangleFit_h
 #define ConformalCurvedTriangleFit_h
@@ -16,7 +16,7 @@ struct CurvedTriangleFitOptions
   double FitSmoothness = 0.01; ///< not negative; larger values smooth noise
 };
 
-/// So many times: the foot point of every sample on the curved triangles, then one Gauss-Newton
+/// In each round: the foot point of every sample on the curved triangles, then one Gauss-Newton
 /// step of the distances along the normals there. Unknown are, for each vertex, an offset d along
 /// its normal and two tilts of the normal, so that the surface slides nowhere along itself and its
 /// map to the sphere stays as it is. It is held by

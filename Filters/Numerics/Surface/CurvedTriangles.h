@@ -18,8 +18,8 @@ namespace conformal
 /// coordinates m,
 ///     q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) n_k)
 ///     n_k.
-/// An edge depends on its own ends only, so neighbours meet without a gap. Domes rise on ridges and
-/// sink in hollows, since a normal tells on which side of it the neighbours lie; a normal shorter
+/// An edge depends on its own ends only, so neighbors meet without a gap. Domes rise on ridges and
+/// sink in hollows, since a normal tells on which side of it the neighbors lie; a normal shorter
 /// than 1 gives a flatter corner. Where they meet the tangent planes agree at the vertices only.
 class CurvedTriangle
 {
@@ -36,8 +36,9 @@ public:
   /// The surface's own normal, which jumps a little across edges. Unit, or zero without area.
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
-  /// Whether it turns over somewhere, seen along the normal of the flat triangle: never said of one
-  /// without area, and only where a point of a fine grid does unless the control points exclude it.
+  /// Whether it turns over somewhere, seen along the normal of the flat triangle: never reported
+  /// for one without area, and only where a point of a fine grid does unless the control points
+  /// exclude it.
   bool folds() const;
 
   /// Bounds: of the control points.

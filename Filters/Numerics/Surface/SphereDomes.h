@@ -1,4 +1,4 @@
-/// Domes over a flat model, raised in proportion to those of the unit sphere.
+/// Domes over a flat model, \cite Liou2008 section 3, proportional to those of the unit sphere.
 
 #ifndef ConformalSphereDomes_h
 #define ConformalSphereDomes_h
@@ -12,10 +12,10 @@ namespace conformal
 /// Directions and heights of domes, \cite Liou2008 Eqs. 6 to 8, 11 and 12.
 ///
 /// Implementation note: where Eq. 11 leaves a choice. At a corner, 0/0, the quotient is 1; the
-/// height is 0 there. If the centre's image lies beyond an end of the edge, a_q' is the point
-/// where the perpendicular leaves the subtriangle on the side away from the edge. Neighbours that
+/// height is 0 there. If the center's image lies beyond an end of the edge, a_q' is the point
+/// where the perpendicular leaves the subtriangle on the side away from the edge. Neighbors that
 /// face exactly opposite ways have no mean normal (Eq. 8): each uses its own. A triangle without
-/// area has no normal: it takes its neighbours' at its edges.
+/// area has no normal: it takes its neighbors' at its edges.
 class SphereDomes
 {
 public:

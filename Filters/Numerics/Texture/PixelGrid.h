@@ -1,4 +1,4 @@
-/// Pixels of an image and the places (s, t) of it.
+/// Conversion between pixels and texture coordinates (s, t) of an image.
 
 #ifndef ConformalPixelGrid_h
 #define ConformalPixelGrid_h
@@ -12,7 +12,7 @@
 
 namespace conformal
 {
-/// What the nearest four pixels have to say at a place.
+/// Weights of the four nearest pixels at a place.
 struct PixelMix
 {
   std::array<Index, 4> Pixels;

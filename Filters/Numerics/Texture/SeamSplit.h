@@ -1,4 +1,4 @@
-/// Surfaces cut along the seams of an image of the sphere.
+/// Cuts surfaces along the seams of an image of the sphere.
 
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h

@@ -1,4 +1,4 @@
-/// Where and how an image touches the sphere.
+/// Position and axes of an image on the sphere.
 
 #ifndef ConformalSphereView_h
 #define ConformalSphereView_h

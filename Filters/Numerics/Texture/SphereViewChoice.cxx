@@ -140,7 +140,7 @@ Vector3 interpolated(const Points& values, const Triangles& triangles, const Pla
   return sum;
 }
 
-// The middle of a large triangle may lie at the sphere's centre; a corner then stands for it.
+// The middle of a large triangle may lie at the sphere's center; a corner then stands for it.
 Vector3 poleAt(const Points& spherePositions, const Triangles& triangles, const Place& place)
 {
   const Vector3 n = interpolated(spherePositions, triangles, place);
@@ -221,7 +221,7 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
   const Complex derivative = isMirrored ? mirrored : upright;
   if (!(std::abs(derivative) > 0.0) || !std::isfinite(std::abs(derivative)))
   {
-    return; // nothing to be told from a neighbourhood without extent
+    return; // nothing to be told from a neighborhood without extent
   }
   // Z = e^(i angle) z, or e^(i angle) conj(z), up to a positive factor; up is where Z = i.
   const Complex turn = derivative / std::abs(derivative);
@@ -253,7 +253,7 @@ void check(const PointView& points, const Triangles& triangles, const Points& sp
   }
   if (points.size() != spherePositions.rows())
   {
-    throw std::invalid_argument("every point needs a position on the sphere");
+    throw std::invalid_argument("every point must have a position on the sphere");
   }
   if (!(options.FieldOfView >= MinimumFieldOfView && options.FieldOfView <= MaximumFieldOfView))
   {

@@ -1,4 +1,4 @@
-/// Where on the sphere an image goes that is to face somebody who looks at the surface.
+/// Chooses the position and orientation of an image on the sphere for a given view of the surface.
 
 #ifndef ConformalSphereViewChoice_h
 #define ConformalSphereViewChoice_h

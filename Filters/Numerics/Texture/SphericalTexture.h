@@ -1,4 +1,4 @@
-/// An image laid on the sphere, and from there on a surface.
+/// Texture coordinates of a mapped surface for an image of the sphere.
 
 #ifndef ConformalSphericalTexture_h
 #define ConformalSphericalTexture_h

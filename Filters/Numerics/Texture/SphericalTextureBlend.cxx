@@ -34,7 +34,7 @@ void blendPictures(const TwoPictures& pictures, const SphereImage& image, const 
 {
   if (grid.size() < 1 || pictures.FrontGrid.size() < 1 || pictures.BackGrid.size() < 1)
   {
-    throw std::invalid_argument("an image has at least one pixel");
+    throw std::invalid_argument("an image must have at least one pixel");
   }
   if (!(pictures.BlendAngle >= 0.0 && pictures.BlendAngle <= 180.0))
   {

@@ -63,7 +63,7 @@ void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid&
 {
   if (grid.Width < 1 || grid.Height < 1)
   {
-    throw std::invalid_argument("an image has at least one pixel");
+    throw std::invalid_argument("an image must have at least one pixel");
   }
   if (surface.Triangles.rows() == 0)
   {
@@ -113,7 +113,7 @@ public:
     reduce.sum(sizes, 2);
     if (sizes[0] == 0)
     {
-      throw std::invalid_argument("there are no points to take values from");
+      throw std::invalid_argument("the source has no points");
     }
     this->HasTriangles = sizes[1] > 0;
     if (!this->HasTriangles)
@@ -131,7 +131,7 @@ public:
     positions = gatherRows(reduce, positions);
     if (!positions.allFinite())
     {
-      throw std::invalid_argument("points to take values from are not finite");
+      throw std::invalid_argument("points of the source are not finite");
     }
     this->Surface = TriangleTree(positions, this->Triangles, parallelFor, progress);
   }

@@ -1,4 +1,4 @@
-/// What an image of the sphere shows of the surface that is mapped to it.
+/// Finds the surface point that each pixel of an image of the sphere shows.
 
 #ifndef ConformalSphericalTextureImage_h
 #define ConformalSphericalTextureImage_h

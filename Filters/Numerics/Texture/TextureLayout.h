@@ -1,4 +1,4 @@
-/// Where an image of the sphere lies on a surface.
+/// Texture coordinates of an image of the sphere on a surface.
 
 #ifndef ConformalTextureLayout_h
 #define ConformalTextureLayout_h

@@ -14,7 +14,7 @@
 
 namespace conformal
 {
-/// How the maps of neighbouring triangles meet.
+/// How the maps of neighboring triangles meet.
 enum class SeamMode
 {
   PerTriangle, ///< as published: each for itself, with a jump along the common edge

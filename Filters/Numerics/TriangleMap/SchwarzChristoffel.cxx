@@ -145,7 +145,7 @@ HalfDiskPoint TriangleShape::solve(
     logS = { logS.real(), std::min(Pi, std::max(0.0, logS.imag())) };
     if (logS.real() > LargestLogS)
     {
-      // Too far for this corner's series: go on from the neighbour on whose side the point lies.
+      // Too far for this corner's series: go on from the neighbor on whose side the point lies.
       const Complex s = expOf({ std::min(logS.real(), -0.1), logS.imag() });
       const bool toNext = s.real() > 0.0;
       corner = toNext ? next(corner) : previous(corner);

@@ -1,4 +1,4 @@
-/// The conformal map of one triangle, ready for many points.
+/// Conformal map of one triangle, prepared for many points.
 
 #ifndef ConformalTriangleMap_h
 #define ConformalTriangleMap_h

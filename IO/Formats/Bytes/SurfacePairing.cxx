@@ -82,8 +82,8 @@ void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfa
   NamedArray positions = asDoubles(sphere.Data.Points);
   if (!makeUnitVectors(positions))
   {
-    fail(
-      surface, path, { ParseCode::Malformed, 0, 0, "found a point of the sphere at its center" });
+    fail(surface, path,
+      { ParseCode::Malformed, 0, 0, "found a sphere point at the center of the sphere" });
     return;
   }
   auto& arrays = surface.Data.PointArrays;

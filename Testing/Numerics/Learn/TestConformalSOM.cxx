@@ -54,7 +54,7 @@ Points potato(Index size)
   return points;
 }
 
-// A bent sausage that nearly bites its tail: the centre line runs over 5/6 of a circle of radius
+// A bent sausage that nearly bites its tail: the center line runs over 5/6 of a circle of radius
 // 1, the tube's radius is 0.3, its ends are round. Learned from a sphere it spans a web.
 Points horseshoe(Index size)
 {
@@ -64,7 +64,7 @@ Points horseshoe(Index size)
   Points points(size, 3);
   for (Index i = 0; i < size; ++i)
   {
-    // Along the centre line, beyond whose ends the sphere's share of the tube's area begins.
+    // Along the center line, beyond whose ends the sphere's share of the tube's area begins.
     const double along = (arc + 4.0 * Tube) * random.uniform() - 2.0 * Tube;
     const double around = 2.0 * pi * random.uniform();
     const double end = std::clamp(along, 0.0, arc);
@@ -78,7 +78,7 @@ Points horseshoe(Index size)
   return points;
 }
 
-// The longest way from a triangle's centre to the nearest point.
+// The longest way from a triangle's center to the nearest point.
 double farthestFromData(const Points& points, const ConformalSOMResult& result)
 {
   const conformal::PointTree data{ conformal::PointView(points) };
@@ -154,7 +154,7 @@ TEST(ConformalSOM, ASpheresCloudGivesASphere)
     for (Index i = 0; i < result.Positions.rows(); ++i)
     {
       const Vector3 w = result.Positions.row(i);
-      // The neurons average over a neighbourhood (Online) or fit flat triangles (Batch).
+      // The neurons average over a neighborhood (Online) or fit flat triangles (Batch).
       EXPECT_NEAR(w.norm(), 1.0, options.TrainingMode == TrainingMode::Online ? 0.05 : 0.01);
       turned = std::max(turned, (w.normalized() - Vector3(result.SpherePositions.row(i))).norm());
     }

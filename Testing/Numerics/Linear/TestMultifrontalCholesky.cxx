@@ -80,7 +80,7 @@ void twoThreads(Index count, const std::function<void(Index)>& body)
 }
 }
 
-TEST(MultifrontalCholesky, AgreesWithAnotherFactorisation)
+TEST(MultifrontalCholesky, AgreesWithAnotherFactorization)
 {
   for (int frequency : { 1, 2, 7, 40 })
   {

@@ -16,7 +16,7 @@ using conformal::Vector3;
 
 namespace
 {
-/// Small boxes in a cube, many with the same centre.
+/// Small boxes in a cube, many with the same center.
 std::vector<Box> boxes(int count)
 {
   std::mt19937 random(count);

@@ -89,7 +89,7 @@ TEST(MoebiusTransform, CentersWhatAnotherOneHasMoved)
   }
 }
 
-// Half of all the weight in one point: there is no centre, but no harm either.
+// Half of all the weight in one point: there is no center, but no harm either.
 TEST(MoebiusTransform, CentersOnePointAsWellAsPossible)
 {
   Points points = sphere();

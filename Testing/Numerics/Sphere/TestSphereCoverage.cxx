@@ -35,7 +35,7 @@ TEST(SphereCoverage, MirrorsCoverMinusOnce)
 TEST(SphereCoverage, CountsTrianglesFoldedOver)
 {
   Mesh sphere = makeGeodesicSphere(4);
-  // A vertex pulled over its neighbours; the degree does not notice.
+  // A vertex pulled over its neighbors; the degree does not notice.
   const Eigen::RowVector3d far = sphere.Positions.row(sphere.Triangles(50, 1));
   const int pulled = sphere.Triangles(50, 0);
   sphere.Positions.row(pulled) = (2.5 * far - 1.5 * sphere.Positions.row(pulled)).normalized();

@@ -195,7 +195,7 @@ TEST(SphereLocator, IsExactWhereTrianglesShrink)
   Directions directions;
   for (int i = 0; i < 20000; ++i)
   {
-    // The few triangles left for most of the sphere are long and pass close by its centre.
+    // The few triangles left for most of the sphere are long and pass close by its center.
     expectFound(positions, sphere.Triangles, locator, directions.next(), 1e-10);
   }
   std::mt19937_64 engine(1);

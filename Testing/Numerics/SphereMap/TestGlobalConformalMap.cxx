@@ -165,7 +165,7 @@ double meanK(const Mesh& mesh, const Points& map)
 }
 }
 
-// Nothing to do: centred and turned as it is, the sphere is its own map.
+// Nothing to do: centered and turned as it is, the sphere is its own map.
 TEST(GlobalConformalMap, OfTheSphereIsTheSphere)
 {
   const auto sphere = conformal::makeGeodesicSphere(20);
@@ -192,7 +192,7 @@ TEST(GlobalConformalMap, IsConformalMoreAndMoreWithTheMesh)
   EXPECT_LT(last, 0.01);
 }
 
-// Centred by area, and turned with the surface, wherever and of whatever size it is.
+// Centered by area, and turned with the surface, wherever and of whatever size it is.
 TEST(GlobalConformalMap, IsCanonical)
 {
   auto mesh = bumpy(15);

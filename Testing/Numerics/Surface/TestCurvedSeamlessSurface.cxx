@@ -175,7 +175,7 @@ private:
       const Vector3 b = i + (q - i).dot(along) * along;
       const Vector3 up = (q - b).normalized();
       Vector3 a = q;
-      for (const Vector3& end : { i, j }) // b + h up on the line from the end to the centre
+      for (const Vector3& end : { i, j }) // b + h up on the line from the end to the center
       {
         Eigen::Matrix<double, 3, 2> system;
         system << up, end - center;
@@ -730,9 +730,9 @@ TEST(CurvedSeamlessSurface, AModelWithoutSizeIsOnePoint)
   EXPECT_LT((result.Positions.array() - 5.0).abs().maxCoeff(), 1e-14);
 }
 
-TEST(CurvedSeamlessSurface, NeighboursFacingOppositeWaysAreFlagged)
+TEST(CurvedSeamlessSurface, NeighborsFacingOppositeWaysAreFlagged)
 {
-  // A lattice pressed flat: all triangles at the rim have a neighbour on the other side.
+  // A lattice pressed flat: all triangles at the rim have a neighbor on the other side.
   const Mesh network = makeGeodesicSphere(4);
   Points model = network.Positions;
   model.col(2).setZero();

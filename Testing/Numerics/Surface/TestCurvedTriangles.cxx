@@ -77,7 +77,7 @@ double volume(const CurvedTriangles& surface, int cuts)
 }
 }
 
-TEST(CurvedTriangles, NeighboursMeetToTheBit)
+TEST(CurvedTriangles, NeighborsMeetToTheBit)
 {
   const CurvedTriangles surface = lumps(5);
   const conformal::Triangles& triangles = surface.triangles();

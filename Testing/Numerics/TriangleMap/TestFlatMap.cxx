@@ -128,7 +128,7 @@ Eigen::Matrix2d inPlane(const Eigen::Matrix3d& derivative)
   return plane;
 }
 
-/// Edge k is opposite to corner k; the same edge of the neighbour.
+/// Edge k is opposite to corner k; the same edge of the neighbor.
 struct Across
 {
   Index Triangle;

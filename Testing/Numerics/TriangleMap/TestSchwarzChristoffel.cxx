@@ -170,7 +170,7 @@ TEST(SchwarzChristoffel, TheThreeCornersAgreeAtTheirCommonPoint)
   }
 }
 
-TEST(SchwarzChristoffel, TheCentreOfAnEquilateralTriangleIsTheHalfDisks)
+TEST(SchwarzChristoffel, TheCenterOfAnEquilateralTriangleIsTheHalfDisks)
 {
   const TriangleShape shape = fromAngles(1.0 / 3.0, 1.0 / 3.0).shape();
   const HalfDiskPoint point = shape.toHalfDisk(Vector3::Constant(1.0 / 3.0));
