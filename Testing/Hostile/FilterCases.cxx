@@ -193,7 +193,7 @@ std::vector<SetUp> CurvedSurfaces()
   SetUp curvature = mode("Curvature", vtkCurvedSeamlessMap::CURVATURE, 1);
   curvature.Properties = { Integer("Frequency", &F::SetFrequency),
     Integer("SeamMode", &F::SetSeamMode), Integer("DomeHeight", &F::SetDomeHeight),
-    Number("VertexShift", &F::SetVertexShift) };
+    Number("VertexShift", &F::SetVertexShift), Integer("Polished", &F::SetPolished) };
   SetUp fitted = { "vtkCurvedSeamlessSurface", "Fitted", true,
     On<F>(
       [](F* f, vtkPolyData* good)

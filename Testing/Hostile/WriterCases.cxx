@@ -37,6 +37,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hostile
 {
@@ -295,46 +296,64 @@ std::vector<WriterSetUp> Writers()
   };
 }
 
+// One case of a writer with a property set.
 template <typename Type>
-Outcome WriteName(const std::string& name)
+Case WithProperty(const char* type, const char* ending, const std::string& property,
+  const std::function<void(Type*)>& set)
 {
-  vtkSMPTools::Initialize(1);
-  WriterSetUp setUp = { "", ".curv", true,
-    Writing<Type>(
-      [&](Type* writer)
-      {
-        writer->SetContent(Type::CURVATURE);
-        writer->SetArrayName(name);
-      }),
-    {} };
-  return Write(setUp, Ellipsoid(), BadMap, Targets().front());
+  const WriterSetUp setUp = { type, ending, true, Writing<Type>(set) };
+  return { type, setUp.name(), property, true,
+    [=]()
+    {
+      vtkSMPTools::Initialize(1);
+      return Write(setUp, Ellipsoid(), BadMap, Targets().front());
+    } };
 }
 
 void AddWriterPropertyCases(std::vector<Case>& all)
 {
+  using Values = vtkFreeSurferWriter;
   for (const std::string& name : { std::string(), std::string("no such array"),
          std::string("SpherePosition"), std::string(100000, 'x'), std::string("a\nb") })
   {
     all.push_back(
-      { "vtkFreeSurferWriter", "vtkFreeSurferWriter (.curv)", "ArrayName " + name.substr(0, 20),
-        true, [=]() { return WriteName<vtkFreeSurferWriter>(name); } });
-  }
-  for (const Input& picture : Pictures())
-  {
-    for (const char* ending : { ".glb", ".obj", ".ply" })
-    {
-      all.push_back({ "vtkTexturedSurfaceWriter",
-        std::string("vtkTexturedSurfaceWriter (") + ending + ")", "picture: " + picture.Name, true,
-        [=]()
+      WithProperty<Values>("vtkFreeSurferWriter", ".curv", "ArrayName " + name.substr(0, 20),
+        [=](Values* writer)
         {
-          const auto image = picture.Make();
-          const WriterSetUp setUp = { "", ending, true,
-            Writing<vtkTexturedSurfaceWriter>(
-              [&](vtkTexturedSurfaceWriter* writer) { writer->SetInputDataObject(1, image); }),
-            {} };
-          // Which pictures can be written, the writer says.
-          return Write(setUp, Ellipsoid(), BadMap, Targets().front());
-        } });
+          writer->SetContent(Values::CURVATURE);
+          writer->SetArrayName(name);
+        }));
+  }
+  for (const int content :
+    { std::numeric_limits<int>::min(), -1, 3, std::numeric_limits<int>::max() })
+  {
+    all.push_back(
+      WithProperty<Values>("vtkFreeSurferWriter", ".white", "Content " + std::to_string(content),
+        [=](Values* writer)
+        {
+          writer->SetContent(content);
+          writer->SetArrayName("Curvature");
+        }));
+  }
+  using Textured = vtkTexturedSurfaceWriter;
+  for (const char* ending : { ".glb", ".obj", ".ply" })
+  {
+    for (const bool repeats : { false, true })
+    {
+      all.push_back(WithProperty<Textured>("vtkTexturedSurfaceWriter", ending,
+        std::string("RepeatTexture ") + (repeats ? "on" : "off"),
+        [=](Textured* writer)
+        {
+          writer->SetInputDataObject(1, Picture());
+          writer->SetRepeatTexture(repeats);
+        }));
+    }
+    for (const Input& picture : Pictures())
+    {
+      // Which pictures can be written, the writer says.
+      all.push_back(
+        WithProperty<Textured>("vtkTexturedSurfaceWriter", ending, "picture: " + picture.Name,
+          [=](Textured* writer) { writer->SetInputDataObject(1, picture.Make()); }));
     }
   }
 }

@@ -1,8 +1,8 @@
 #include "FreeSurfer/FreeSurferWriter.h"
 
+#include "Bytes/FloatRange.h"
 #include "Bytes/SurfaceWalk.h"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace conformal
@@ -14,6 +14,8 @@ std::string makeFreeSurfer(
   const SurfaceData& surface, const NamedArray& points, double scale, const ParseProgress& progress)
 {
   requireTriangles(surface);
+  const auto coordinate = [&](std::size_t i) { return scale * valueOf(points, i); };
+  requireFloatRange(3 * points.numberOfTuples(), coordinate);
   std::string bytes = "\xFF\xFF\xFE"
                       "created by ConformalSOM\n\n";
   appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
@@ -24,12 +26,7 @@ std::string makeFreeSurfer(
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
-        const auto value = static_cast<float>(scale * valueOf(points, 3 * point + c));
-        if (!std::isfinite(value))
-        {
-          throw std::invalid_argument("a coordinate is not finite as a 32-bit float");
-        }
-        appendBytes(bytes, value, true);
+        appendBytes(bytes, static_cast<float>(coordinate(3 * point + c)), true);
       }
     },
     [&](std::size_t, const std::int64_t* ids, std::size_t count)

@@ -1,6 +1,7 @@
 #include "Textured/TexturedSurface.h"
 
 #include "Bytes/ByteOrder.h"
+#include "Bytes/FloatRange.h"
 #include "Bytes/NumberText.h"
 
 #include <algorithm>
@@ -163,6 +164,7 @@ void appendLine(std::string& text, const char* keyword, const T* values, std::si
 std::string makeGLB(
   const TexturedSurface& surface, std::string_view png, const ParseProgress& progress)
 {
+  requireFloatRange(surface.Positions.size(), [&](std::size_t i) { return surface.Positions[i]; });
   const std::size_t count = surface.Positions.size() / 3;
   const bool hasNormals = !surface.Normals.empty();
   GLBBuilder builder;

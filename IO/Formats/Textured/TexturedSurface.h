@@ -24,6 +24,7 @@ struct TexturedSurface
 
 /// A binary glTF 2.0 file with the picture inside. Positions become floats, as glTF has no
 /// other, and v is counted from the top there.
+/// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would pass the 4 GiB of the format
 /// @throws ParseError with Aborted if the progress callback says stop
 std::string makeGLB(

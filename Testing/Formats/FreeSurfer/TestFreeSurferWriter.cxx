@@ -34,12 +34,26 @@ TEST(FreeSurferWriter, RefusesWhatCouldNotBeReadBack)
   {
     EXPECT_THROW(conformal::makeFreeSurferSphere(surface), std::invalid_argument);
   }
-  SurfaceData far = tetrahedron(false);
-  far.Points = makeArray("Points", ScalarType::Float64, 3);
-  for (int i = 0; i < 4; ++i)
+}
+
+// A surface may have coordinates near 0 among others; but floats must hold its size.
+TEST(FreeSurferWriter, RefusesWhatFloatsCannotHold)
+{
+  const auto made = [](double unit, double other)
   {
-    const std::array<double, 3> point = { 1, 2, i == 2 ? 1e39 : 3 };
-    append(far.Points, point.data());
-  }
-  EXPECT_THROW(conformal::makeFreeSurferSurface(far), std::invalid_argument);
+    SurfaceData surface = tetrahedron(false);
+    surface.Points = makeArray("Points", ScalarType::Float64, 3);
+    for (int i = 0; i < 4; ++i)
+    {
+      const std::array<double, 3> point = { unit, 2 * unit, i == 2 ? other : 3 * unit };
+      append(surface.Points, point.data());
+    }
+    return surface;
+  };
+  EXPECT_NO_THROW(conformal::makeFreeSurferSurface(made(1.0, 1e-300)));
+  EXPECT_NO_THROW(conformal::makeFreeSurferSurface(made(1e-37, 0.0)));
+  EXPECT_NO_THROW(conformal::makeFreeSurferSurface(made(0.0, 0.0)));
+  EXPECT_THROW(conformal::makeFreeSurferSurface(made(1.0, 1e39)), std::invalid_argument);
+  EXPECT_THROW(conformal::makeFreeSurferSurface(made(1e-39, 0.0)), std::invalid_argument);
+  EXPECT_THROW(conformal::makeFreeSurferSurface(made(1e-300, 0.0)), std::invalid_argument);
 }

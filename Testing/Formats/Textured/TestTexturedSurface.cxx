@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <stdexcept>
 
 namespace
 {
@@ -64,6 +65,22 @@ TEST(TexturedSurface, GLBHasTheLayoutOfTheSpecification)
   EXPECT_EQ(floatAt(glb, data + 36 + 12), 0.75F);   // and of the second
   EXPECT_EQ(uint32At(glb, data + 36 + 24 + 8), 2u); // the last corner
   EXPECT_EQ(glb.substr(data + 72), std::string("12345\0\0\0", 8));
+}
+
+// OBJ holds texts, PLY doubles.
+TEST(TexturedSurface, GLBRefusesWhatFloatsCannotHold)
+{
+  for (const double scale : { 1e-300, 1e-40, 1e39 })
+  {
+    conformal::TexturedSurface surface = triangle();
+    for (double& p : surface.Positions)
+    {
+      p *= scale;
+    }
+    EXPECT_THROW(conformal::makeGLB(surface, "png"), std::invalid_argument) << scale;
+    EXPECT_NO_THROW(conformal::makeOBJ(surface, "a.mtl"));
+    EXPECT_NO_THROW(conformal::makePLY(surface, "a.png"));
+  }
 }
 
 TEST(TexturedSurface, OBJCountsFromOneAndRefersToItsMaterial)

@@ -1,0 +1,47 @@
+# Every property of every filter, source and writer has cases "CLASS (MODE)/PROPERTY VALUE" of its
+# own; those that have none are named. Readers have fuzzers instead.
+cmake_minimum_required(VERSION 3.18)
+
+# Connections and data are inputs, which all cases are about; objects have no extreme values.
+set(no_property "(Connection|Data|Controller|To[A-Z][A-Za-z]*)$")
+
+# The curved surface hands these on to its map.
+set(left_out
+  vtkCurvedSeamlessMap/SeamMode
+  vtkCurvedSeamlessMap/DomeHeight
+  vtkCurvedSeamlessMap/VertexShift
+  vtkCurvedSeamlessMap/NumberOfFitRounds
+  vtkCurvedSeamlessMap/FitSmoothness
+  vtkCurvedSeamlessMap/Polished)
+
+execute_process(COMMAND "${HOSTILE}" --list --ours OUTPUT_VARIABLE cases RESULT_VARIABLE failed)
+if (failed)
+  message(FATAL_ERROR "${HOSTILE} --list failed: ${failed}")
+endif ()
+
+set(tried 0)
+foreach (folder IN ITEMS Filters/Conformal IO/Surface)
+  file(STRINGS "${SOURCE_DIR}/${folder}/CMakeLists.txt" lines REGEX "^ +vtk[A-Za-z0-9]+\\)?$")
+  foreach (line IN LISTS lines)
+    string(REGEX MATCH "vtk[A-Za-z0-9]+" class "${line}")
+    file(READ "${SOURCE_DIR}/${folder}/${class}.h" text)
+    if (class MATCHES "Reader$" OR NOT text MATCHES "static ${class}\\* New\\(\\)")
+      continue ()
+    endif ()
+    string(REGEX MATCHALL "(vtkSet[A-Za-z0-9]*Macro\\(|void Set)[A-Za-z0-9]+" setters "${text}")
+    foreach (setter IN LISTS setters)
+      string(REGEX REPLACE "^(vtkSet[A-Za-z0-9]*Macro\\(|void Set)" "" property "${setter}")
+      if (property MATCHES "${no_property}" OR "${class}/${property}" IN_LIST left_out)
+        continue ()
+      endif ()
+      math(EXPR tried "${tried} + 1")
+      if (NOT "\n${cases}" MATCHES "\n${class}( \\([^\n]*\\))?/${property} ")
+        message(SEND_ERROR "${class}: no case of Testing/Hostile sets ${property}")
+      endif ()
+    endforeach ()
+  endforeach ()
+endforeach ()
+if (tried EQUAL 0)
+  message(FATAL_ERROR "no header has properties: they are not found as they are declared")
+endif ()
+message(STATUS "${tried} properties")
