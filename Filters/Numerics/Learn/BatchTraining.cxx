@@ -139,33 +139,57 @@ double workOfPass(const TrainingSamples& samples, const ConformalSOMOptions& opt
     500.0 * neurons;
 }
 
-double workOfLearning(const TrainingSamples& samples, const ConformalSOMOptions& options)
+/// Of the levels from this frequency on, step by step.
+std::vector<double> workOfLevels(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, int first)
 {
-  double work = 0.0;
+  std::vector<double> work;
   for (int f : frequencies(options.Frequency))
   {
-    work += workOfLattice(f) + options.PassesPerLevel * workOfPass(samples, options, f);
+    if (f >= first)
+    {
+      work.push_back(workOfLattice(f));
+      work.insert(work.end(), options.PassesPerLevel, workOfPass(samples, options, f));
+    }
   }
   return work;
 }
 
+/// Of the patterns in each triangle, about: each neuron's, shared out to the triangles around it.
+std::vector<double> massesOf(
+  const Shares& shares, const Triangles& triangles, const Adjacency& neighbors)
+{
+  std::vector<double> masses(triangles.rows(), 0.0);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      masses[r] += shares(triangles(r, k), 0) / neighbors.size(triangles(r, k));
+    }
+  }
+  return masses;
+}
+
+/// The work that is left after the last level, as a level's mesh and the patterns in each of its
+/// triangles make likely.
+using Forecast = std::function<double(const ConformalSOMResult&, const std::vector<double>&)>;
+
 /// Learning passes from the unit sphere, coarse to fine.
+/// @param[in] rest      the work that is expected after the last level, before anything is known
+/// @param[in] forecast  what is expected when a level is done
 ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, double rest,
+  const Forecast& forecast, Steps& steps)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
-  std::vector<double> work;
-  for (int f : levels)
-  {
-    work.push_back(workOfLattice(f));
-    work.insert(work.end(), options.PassesPerLevel, workOfPass(samples, options, f));
-  }
-  Steps steps(progress, work);
   ConformalSOMResult result;
   double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
   SampleRotation rotation(samples, options.RandomSeed);
   for (int f : levels)
   {
+    std::vector<double> work = workOfLevels(samples, options, f);
+    work.push_back(rest);
+    steps.replan(work);
     Steps preparing(steps.next(), { 25.0, 700.0, 65.0, 620.0 }); // for each neuron
     {
       Mesh finer = makeGeodesicSphere(f, parallelFor, preparing.next());
@@ -182,6 +206,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     const Triangles& triangles = result.Triangles;
     const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
     TriangleTree surface(result.Positions, triangles, parallelFor, preparing.next());
+    std::vector<double> masses(triangles.rows(), 0.0);
 
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
@@ -216,6 +241,10 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       {
         shares.data()[i] = sums[i];
       }
+      if (pass + 1 == options.PassesPerLevel)
+      {
+        masses = massesOf(shares, triangles, neighbors);
+      }
       const int diffusions =
         std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
       for (int step = 0; step < diffusions; ++step)
@@ -242,6 +271,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
     }
     typicalErrors[0] = typicalErrors[1];
+    rest = forecast(result, masses);
   }
   return result;
 }
@@ -255,6 +285,35 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);
+}
+
+double stretchedFraction(const ConformalSOMResult& result)
+{
+  return obtuseFraction(result.Positions, result.Triangles);
+}
+
+/// Smaller webs are not worth another start; nor are fewer stretched triangles.
+constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
+
+/// What is kept of the progress for a hull that may be needed after all, as a share of the work
+/// from the sphere. Whether it is shows for certain only when all of that has been done, which is
+/// the smaller part of the work if it is: a fifth, mostly.
+///
+/// But a level's mesh has most of the webs and stretched triangles that there will be at the end;
+/// the polish adds a quarter to those, measured. Where that is close to the limit, so much is kept
+/// that progress is even within a factor of 3 either way.
+double hullReserve(const ConformalSOMResult& result, const std::vector<double>& masses,
+  const TrainingSamples& samples, double ofSphere, double ofHull)
+{
+  constexpr double byPolish = 1.25, closeToLimit = 0.65;
+  constexpr double ifUnlikely = 0.12, ifPossible = 0.43;
+  const double stretched = byPolish * stretchedFraction(result) / ToleratedTriangles;
+  if (stretched > 1.0 ||
+    unsupportedFraction(samples, result.Positions, result.Triangles, masses) > ToleratedArea)
+  {
+    return ofHull;
+  }
+  return std::min(ofHull, ofSphere * (stretched > closeToLimit ? ifPossible : ifUnlikely));
 }
 
 /// From a start that is rough, from smooth to fine.
@@ -288,41 +347,36 @@ ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  // Smaller webs are not worth another start; nor are fewer stretched triangles.
-  constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
-  const auto stretched = [](const ConformalSOMResult& result)
-  { return obtuseFraction(result.Positions, result.Triangles); };
-
   const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
   const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
-  // Whether the hull is needed shows when all has been learned from the sphere, which takes the
-  // smaller part of the time then. Progress does not wait for that: until the passes have been
-  // made it goes the middle way, then the way that their mesh makes likely. Where it is mistaken,
-  // the progress jumps at the end, or is slow for the hull.
-  const double work = workOfLearning(samples, options);
   PolishOptions polishing = polishFor(options, 0.0);
   const auto neurons = static_cast<Index>(numberOfNeurons(options.Frequency));
   const double ownPolish = workOfPolish(samples, polishing, neurons);
   polishing.NumberOfRounds *= 2;
   const double ofHull = workOfHullStart(samples);
   const double hullPolish = workOfPolish(samples, polishing, neurons);
-  const double hulling = ofHull + hullPolish;
-  constexpr double inReserve = 0.12;
   ConformalSOMResult fromSphere;
   Steps steps(progress, {});
   if (!mustHull)
   {
-    steps.replan({ work,
-      mayHull ? std::sqrt((work + ownPolish) * (work + ownPolish + hulling)) - work : ownPolish });
-    fromSphere = learnFromSphere(samples, options, parallelFor, steps.next());
-    const bool likely = mayHull && stretched(fromSphere) > ToleratedTriangles;
-    const double rest = likely ? hulling : (mayHull ? inReserve * (work + ownPolish) : 0.0);
-    steps.replan({ ownPolish, rest });
+    const std::vector<double> levels = workOfLevels(samples, options, 1);
+    const double ofSphere = std::accumulate(levels.begin(), levels.end(), ownPolish);
+    const double hulling = ofHull + hullPolish;
+    double reserve = mayHull ? std::sqrt(ofSphere * (ofSphere + hulling)) - ofSphere : 0.0;
+    fromSphere = learnFromSphere(
+      samples, options, parallelFor, ownPolish + reserve,
+      [&](const ConformalSOMResult& result, const std::vector<double>& masses)
+      {
+        reserve = mayHull ? hullReserve(result, masses, samples, ofSphere, hulling) : 0.0;
+        return ownPolish + reserve;
+      },
+      steps);
+    steps.replan({ ownPolish, reserve });
     polishAndCheck(
       samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor, steps.next(), fromSphere);
   }
   const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
-  if (!mayHull || (!mustHull && !webs && stretched(fromSphere) <= ToleratedTriangles))
+  if (!mayHull || (!mustHull && !webs && stretchedFraction(fromSphere) <= ToleratedTriangles))
   {
     return fromSphere;
   }
@@ -352,7 +406,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
 
   // Where there was no web to be rid of, the hull has to be worth it.
   const bool clean = !start->Leaks && fromHull.UnsupportedFraction <= ToleratedArea &&
-    stretched(fromHull) < stretched(fromSphere) &&
+    stretchedFraction(fromHull) < stretchedFraction(fromSphere) &&
     fromHull.History.back().MeanSquareError <= 2.0 * fromSphere.History.back().MeanSquareError;
   return mustHull || webs || clean ? fromHull : fromSphere;
 }

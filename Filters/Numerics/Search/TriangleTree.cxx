@@ -87,7 +87,7 @@ FootPoint closestPointOfTriangle(
 TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
   const ParallelFor& parallelFor, const Progress& progress)
 {
-  Steps steps(progress, { 30.0, 300.0, 110.0, 55.0 }); // for each triangle
+  Steps steps(progress, { 30.0, 300.0, 70.0, 40.0, 55.0 }); // for each triangle
   steps.next();
   std::vector<Box> boxes(triangles.rows());
   for (Index r = 0; r < triangles.rows(); ++r)
@@ -98,11 +98,12 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
     }
   }
   BoxTree tree = buildBoxTree(boxes, parallelFor, steps.next());
-  steps.next();
+  const Progress joining = steps.next();
   if (triangles.rows() > 0)
   {
-    this->addQuad(tree, 0);
+    this->addQuad(tree, 0, joining);
   }
+  steps.next();
   this->Items.swap(tree.Items);
   this->Placed.resize(triangles.rows());
   this->PlaceOf.resize(triangles.rows());
@@ -115,9 +116,15 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
   report(progress, 1.0);
 }
 
-int TriangleTree::addQuad(const BoxTree& tree, int node)
+int TriangleTree::addQuad(const BoxTree& tree, int node, const Progress& progress)
 {
   const int self = static_cast<int>(this->Quads.size());
+  constexpr int chunk = 1 << 12;
+  if (self % chunk == 0)
+  {
+    // Half of all nodes have children, of which a quad joins three at most.
+    report(progress, std::min(1.0, 4.0 * self / static_cast<double>(tree.Nodes.size())));
+  }
   this->Quads.emplace_back();
   std::array<int, DoubleLanes> nodes;
   nodes.fill(-1);
@@ -140,7 +147,7 @@ int TriangleTree::addQuad(const BoxTree& tree, int node)
   {
     const bool used = nodes[k] >= 0;
     const BoxTree::Node leaf = used ? tree.Nodes[nodes[k]] : BoxTree::Node();
-    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k]) : -1;
+    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k], progress) : -1;
     this->Quads[self].Next[k] = next;
     this->Quads[self].First[k] = leaf.First;
     this->Quads[self].Count[k] = leaf.Count;

@@ -62,7 +62,7 @@ private:
     int First[DoubleLanes]; ///< a leaf's first place in Items
     int Count[DoubleLanes]; ///< a leaf's number of triangles, else 0
   };
-  int addQuad(const BoxTree& tree, int node);
+  int addQuad(const BoxTree& tree, int node, const Progress& progress);
   Box boxOf(const Quad& quad, int lane) const;
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);

@@ -1,11 +1,13 @@
 #include "SphereMap/GuYauMap.h"
 
+#include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
 #include "Mesh/VertexNormals.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace conformal
 {
@@ -31,6 +33,40 @@ Points gaussMap(const Points& points, const Triangles& triangles)
   return map;
 }
 
+// Foresees at which iteration a descent will have converged.
+class Convergence
+{
+public:
+  explicit Convergence(int mostIterations)
+    : Most(mostIterations)
+  {
+  }
+
+  // The share of the iterations that has been made, never falling. As the logarithm of the changes
+  // has fallen in the second half of them, it will go on falling.
+  // @param[in] excess  how many times as large as it may be at the end a change is
+  double next(double excess)
+  {
+    const double before = this->Logarithms.empty() ? 0.0 : this->Logarithms.back();
+    this->Logarithms.push_back(excess > 0.0 ? std::log(excess) : before);
+    const std::size_t last = this->Logarithms.size() - 1, half = last / 2;
+    const double fall =
+      (this->Logarithms[half] - this->Logarithms[last]) / static_cast<double>(last - half);
+    const auto made = static_cast<double>(last + 1);
+    double all = this->Most;
+    if (last >= 4 && fall > 0.0)
+    {
+      all = std::min(all, made + std::max(this->Logarithms[last], 0.0) / fall);
+    }
+    this->Reached = std::max(this->Reached, made / all);
+    return this->Reached;
+  }
+
+private:
+  double Most, Reached = 0.0;
+  std::vector<double> Logarithms;
+};
+
 class Descent
 {
 public:
@@ -49,6 +85,7 @@ public:
     const double longest = firstStep(strings);
     double step = longest, energy = stringEnergy(strings, this->Map);
     Points next(this->Map.rows(), 3);
+    Convergence convergence(this->Options.MaximumNumberOfIterations);
     for (int i = 0; i < this->Options.MaximumNumberOfIterations; ++i)
     {
       ++iterations;
@@ -64,12 +101,12 @@ public:
       {
         step *= 0.5;
       }
-      if (step < ShortestStep * longest ||
-        (change >= 0.0 && change <= this->Options.Tolerance * std::abs(energy) * step / longest))
+      const double small = this->Options.Tolerance * std::abs(energy) * step / longest;
+      if (step < ShortestStep * longest || (change >= 0.0 && change <= small))
       {
         return true;
       }
-      report(progress, (i + 1.0) / this->Options.MaximumNumberOfIterations);
+      report(progress, convergence.next(change / small));
     }
     return false;
   }
@@ -140,9 +177,10 @@ GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options,
   result.Positions = gaussMap(points, triangles);
   const Eigen::VectorXd areas = vertexAreas(points, triangles);
   Descent descent(result.Positions, areas, options, parallelFor);
-  const bool first = descent.run(equal, result.NumberOfIterations, partOf(progress, 0.0, 0.5));
-  const bool second =
-    descent.run(harmonic.Strings, result.NumberOfIterations, partOf(progress, 0.5, 1.0));
+  // The second descent begins near its end, and takes between all and little of what the first did.
+  Steps steps(progress, { 2.0, 1.0 });
+  const bool first = descent.run(equal, result.NumberOfIterations, steps.next());
+  const bool second = descent.run(harmonic.Strings, result.NumberOfIterations, steps.next());
   result.Converged = first && second;
   result.Energy = stringEnergy(harmonic.Strings, result.Positions);
   return result;
