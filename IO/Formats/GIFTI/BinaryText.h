@@ -4,6 +4,7 @@
 #define ConformalBinaryText_h
 
 #include "Bytes/OwnedArray.h"
+#include "Bytes/ParseStatus.h"
 
 #include <cstddef>
 #include <memory>
@@ -15,7 +16,9 @@ namespace conformal
 {
 /// Write bytes as text.
 /// @param[in] isCompressed  whether to compress them first
-std::string encodeBinaryText(std::string_view bytes, bool isCompressed);
+/// @throws ParseError with Aborted if the progress callback says stop
+std::string encodeBinaryText(
+  std::string_view bytes, bool isCompressed, const ParseProgress& progress = {});
 
 class BinaryTextError : public std::runtime_error
 {

@@ -62,7 +62,8 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-void appendArray(std::string& text, const NamedArray& array, const char* intent)
+void appendArray(
+  std::string& text, const NamedArray& array, const char* intent, const ParseProgress& progress)
 {
   const std::string_view bytes(
     reinterpret_cast<const char*>(array.Values.data()), array.Values.size());
@@ -73,8 +74,8 @@ void appendArray(std::string& text, const NamedArray& array, const char* intent)
     " Encoding=\"GZipBase64Binary\" Endian=\"" +
     (isLittleEndianMachine() ? "LittleEndian" : "BigEndian") +
     "\" ExternalFileName=\"\" ExternalFileOffset=\"\">\n<MetaData><MD><Name>Name</Name><Value>" +
-    escaped(array.Name) + "</Value></MD></MetaData>\n<Data>" + encodeBinaryText(bytes, true) +
-    "</Data>\n</DataArray>\n";
+    escaped(array.Name) + "</Value></MD></MetaData>\n<Data>" +
+    encodeBinaryText(bytes, true, progress) + "</Data>\n</DataArray>\n";
 }
 }
 
@@ -89,7 +90,7 @@ std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
   NamedArray triangles = makeArray("Triangles", ScalarType::Int32, 3);
   triangles.Values.reserve(3 * numberOfPolygons(surface) * sizeof(std::int32_t));
   walk(
-    surface, progress, [](std::size_t) {},
+    surface, {}, [](std::size_t) {},
     [&](std::size_t, const std::int64_t* ids, std::size_t)
     {
       const std::int32_t triangle[] = { static_cast<std::int32_t>(ids[0]),
@@ -101,13 +102,29 @@ std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
     std::to_string(2 + surface.PointArrays.size()) + "\">\n<MetaData/>\n<LabelTable/>\n";
-  appendArray(text, surface.Points, "POINTSET");
-  appendArray(text, triangles, "TRIANGLE");
+  // Compressing takes nearly all of the time.
+  double all = static_cast<double>(surface.Points.Values.size() + triangles.Values.size());
+  for (const NamedArray& array : surface.PointArrays)
+  {
+    all += static_cast<double>(array.Values.size());
+  }
+  double done = 0.0;
+  const auto add = [&](const NamedArray& array, const char* intent)
+  {
+    const auto size = static_cast<double>(array.Values.size());
+    const ParseProgress adding = [&](double part)
+    { return !progress || progress((done + part * size) / all); };
+    appendArray(text, array, intent, adding);
+    done += size;
+  };
+  add(surface.Points, "POINTSET");
+  add(triangles, "TRIANGLE");
   for (const NamedArray& array : surface.PointArrays)
   {
     const bool isShape = array.Components == 1 && isFloating(array.Type);
-    appendArray(text, array, isShape ? "SHAPE" : "NONE");
+    add(array, isShape ? "SHAPE" : "NONE");
   }
+  report(progress, 1.0);
   return text + "</GIFTI>\n";
 }
 }

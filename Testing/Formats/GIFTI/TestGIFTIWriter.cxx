@@ -1,7 +1,12 @@
 #include "GIFTI/GIFTIWriter.h"
 
 #include "../Bytes/WrittenSurfaces.h"
+#include "GIFTI/BinaryText.h"
 #include "GIFTI/GIFTIParser.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
 
 using namespace written;
 
@@ -30,6 +35,30 @@ TEST(GIFTIWriter, StopsWhenAsked)
 {
   ExpectStopsWhenAsked(
     [](const SurfaceData& data, auto stop) { return conformal::makeGIFTI(data, stop); });
+}
+
+// Compressing takes seconds for millions of points: it is told to stop, and tells how far it is.
+TEST(GIFTIWriter, ReportsWhileItCompresses)
+{
+  const NamedArray noise = randomArray<double>("noise", ScalarType::Float64, 1, 1 << 18, 1);
+  const std::string_view bytes(
+    reinterpret_cast<const char*>(noise.Values.data()), noise.Values.size());
+  std::vector<double> reports;
+  const auto listen = [&](double part)
+  {
+    reports.push_back(part);
+    return true;
+  };
+  const std::string text = conformal::encodeBinaryText(bytes, true, listen);
+  EXPECT_GE(reports.size(), 8U);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  conformal::BinaryTextDecoder decoder(bytes.size(), true);
+  decoder.add(text);
+  const auto decoded = decoder.take();
+  ASSERT_EQ(decoded.size(), bytes.size());
+  EXPECT_TRUE(std::equal(decoded.data(), decoded.data() + decoded.size(), noise.Values.data()));
+  const auto stop = [](double part) { return part < 0.5; };
+  EXPECT_THROW(conformal::encodeBinaryText(bytes, true, stop), conformal::ParseError);
 }
 
 TEST(GIFTIWriter, RefusesWhatCouldNotBeReadBack)
