@@ -125,8 +125,7 @@ const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
 }
 
 //------------------------------------------------------------------------------
-void vtkCurvedSeamlessMap::SetBuilt(
-  std::shared_ptr<const vtkConformalConversions::BuiltSurface> map)
+void vtkCurvedSeamlessMap::Take(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map)
 {
   this->Map = std::move(map);
 }

@@ -209,7 +209,7 @@ public:
   /**
    * The map as a filter of this module has built it; none for null.
    */
-  void SetBuilt(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map);
+  void Take(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map);
 #endif
 
 protected:

@@ -217,7 +217,7 @@ int vtkCurvedSeamlessSurface::RequestData(
             (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0),
           40.0 * denseSize, 20.0 * denseSize, 30.0 * denseSize, 900.0 * denseSize,
           (domes ? 150.0 : 10.0) * denseSize, 30.0 * denseSize });
-      this->Map->SetBuilt(nullptr);
+      this->Map->Take(nullptr);
       const auto map = vtkConformalConversions::BuildSurface(
         properties, this, surface, cloud, steps.next(), processes);
       // What is large is let go as soon as the output has it.
@@ -268,7 +268,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       vtkConformalConversions::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
         static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
       output->ShallowCopy(result);
-      this->Map->SetBuilt(map);
+      this->Map->Take(map);
     });
 }
 
