@@ -31,7 +31,11 @@ namespace
 conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
 {
   conformal::ConformalSOMOptions options;
+  options.Lattice = static_cast<conformal::Lattice>(self->GetLattice());
   options.Frequency = self->GetFrequency();
+  options.NumberOfNeurons = self->GetNumberOfNeurons();
+  options.SphereMap = static_cast<conformal::SphereMap>(self->GetSphereMap());
+  options.AreaBalance = self->GetAreaBalance();
   options.TrainingMode = static_cast<conformal::TrainingMode>(self->GetTrainingMode());
   options.RandomSeed = static_cast<unsigned int>(self->GetRandomSeed());
   options.ReferencePoint = static_cast<conformal::ReferencePoint>(self->GetReferencePoint());
@@ -233,7 +237,7 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double neurons = 10.0 * options.Frequency * options.Frequency;
+      const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
       const bool online = options.TrainingMode == conformal::TrainingMode::Online;
       // Reading, learning (the middle of what the shapes of objects make of it), errors, the
       // output.
@@ -285,7 +289,15 @@ int vtkConformalSOM::RequestData(
 void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Lattice: " << (this->Lattice == GEODESIC ? "Geodesic" : "Adaptive") << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "NumberOfNeurons: " << this->NumberOfNeurons << "\n";
+  os << indent << "SphereMap: "
+     << (this->SphereMap == CONFORMAL_MAP ? "Conformal"
+            : this->SphereMap == BALANCED ? "Balanced"
+                                          : "Lattice")
+     << "\n";
+  os << indent << "AreaBalance: " << this->AreaBalance << "\n";
   os << indent << "TrainingMode: " << (this->TrainingMode == ONLINE ? "Online" : "Batch") << "\n";
   os << indent
      << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")

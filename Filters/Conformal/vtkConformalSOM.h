@@ -9,10 +9,12 @@
  * "SpherePosition", from which learning starts instead of the sphere or a hull. It must lie where
  * the points do: reach no farther from their middle than 4 times as far as they do.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates:
- * 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency, double precision.
+ * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates,
+ * double precision: 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency; with Lattice
+ * Adaptive, NumberOfNeurons points and 2 NumberOfNeurons - 4 triangles.
  * - point array "SpherePosition" (double, 3 components): where each point lies on the unit sphere,
- *   the neuron's position vector n_i.
+ *   as SphereMap says: the neuron's position vector n_i, or its place in a conformal map of the
+ * mesh.
  * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
  *   square distance between a neuron and the input points it stands for.
  * - field data "Rank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
@@ -26,7 +28,8 @@
  *   the active global ids.
  *
  * Output port 1: vtkTable, on the first process, one row for each epoch (Online) or pass (Batch):
- * "Frequency" of the lattice trained, "NeighborhoodRadius" sigma(t) on the unit sphere,
+ * "Frequency" of the lattice trained (of the geodesic one of about as many triangles, if Adaptive),
+ * "NeighborhoodRadius" sigma(t) on the unit sphere,
  * "LearningRate" alpha(t), "MeanSquareError" of the points presented, to the mesh, and
  * "MeanDisplacement" of the neurons; both in the unit of training, in which the cloud's largest
  * distance from its centroid is 1.
@@ -37,6 +40,12 @@
  * paper's learning algorithm, one point at a time, with the paper's constants as defaults. Batch,
  * the default, takes all points at a time on ever finer lattices and ends with a least-squares
  * polish: it fits more than a hundred times closer in a fraction of the time.
+ *
+ * What is learned, polished and mapped: Online learns by Eqs. 3 to 5, and the neurons' places on
+ * the sphere are the paper's map. Batch learns by Eq. 3 over all points, then polishes. With
+ * Lattice Adaptive nothing is learned by Eq. 3: a hull of the points is remeshed and polished in
+ * turns, and the result mapped to the sphere conformally. The paper names meshes that grow and swap
+ * edges as alternatives to its lattice.
  *
  * Implementation note: taken literally the paper's constants stop learning before the neighborhood
  * is as small as a triangle; Documentation/Filters.md has the measurement.
@@ -77,6 +86,19 @@ public:
     HULL = 2
   };
 
+  enum Lattices
+  {
+    GEODESIC = 0,
+    ADAPTIVE = 1
+  };
+
+  enum SphereMaps
+  {
+    LATTICE = 0,
+    CONFORMAL_MAP = 1,
+    BALANCED = 2
+  };
+
   enum ReferencePoints
   {
     CONFORMAL = 0,
@@ -95,11 +117,58 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere that is the network. In [1, 1000]. Default is 36, which
-   * gives 12,962 neurons and 25,920 triangles. Training takes about 1 KiB a neuron.
+   * What the network is. GEODESIC (default): the paper's, a geodesic sphere of which each triangle
+   * keeps its neighbors wherever it comes to lie. ADAPTIVE: triangles of one size all over the
+   * surface, nearly equilateral on long limbs too; Batch only. It starts from a hull of the points,
+   * or from the mesh on input port 1, and ignores Frequency, PassesPerLevel and StartingShape.
+   */
+  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
+  vtkGetMacro(Lattice, int);
+  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
+  void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
+  ///@}
+
+  ///@{
+  /**
+   * Frequency f of the geodesic sphere that is the network; ignored if Lattice is ADAPTIVE. In
+   * [1, 1000]. Default is 36, which gives 12,962 neurons and 25,920 triangles. Training takes about
+   * 1 KiB a neuron.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many points the mesh has if Lattice is ADAPTIVE; ignored if it is GEODESIC, whose Frequency
+   * says how many. In [12, 10000002], as Frequency. Default is 12,962, those of a Frequency of 36.
+   */
+  vtkSetClampMacro(NumberOfNeurons, int, 12, 10000002);
+  vtkGetMacro(NumberOfNeurons, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where the array "SpherePosition" has the points of the mesh. LATTICE (default): where the
+   * geodesic sphere has its neurons; an adaptive network has no such places, and gets the conformal
+   * map. CONFORMAL_MAP: in a conformal map of the learned mesh, as vtkGlobalConformalMap makes it:
+   * angles are kept, and limbs get little of the sphere. BALANCED: in one that trades angles for
+   * areas, see AreaBalance.
+   */
+  vtkSetClampMacro(SphereMap, int, LATTICE, BALANCED);
+  vtkGetMacro(SphereMap, int);
+  void SetSphereMapToLattice() { this->SetSphereMap(LATTICE); }
+  void SetSphereMapToConformal() { this->SetSphereMap(CONFORMAL_MAP); }
+  void SetSphereMapToBalanced() { this->SetSphereMap(BALANCED); }
+  ///@}
+
+  ///@{
+  /**
+   * SphereMap BALANCED: from conformal, 0, to nearly equal in area, 1, as AreaBalance of
+   * vtkGlobalConformalMap. In [0, 1]. Default is 0.5.
+   */
+  vtkSetClampMacro(AreaBalance, double, 0.0, 1.0);
+  vtkGetMacro(AreaBalance, double);
   ///@}
 
   ///@{
@@ -215,7 +284,8 @@ public:
 
   ///@{
   /**
-   * Batch: least-squares rounds over all points after learning. At least 0. Default is 10.
+   * Batch: least-squares rounds over all points after learning; of an adaptive network, after the
+   * last remeshing. At least 0. Default is 10.
    */
   vtkSetClampMacro(NumberOfPolishRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfPolishRounds, int);
@@ -224,7 +294,7 @@ public:
   ///@{
   /**
    * Batch: weight of the Laplacian in the polish, for each point of a neuron. Not negative. Default
-   * is 0.01; larger values smooth noise.
+   * is 0.01; larger values smooth noise. Noise that is found in the points adds to it.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -300,7 +370,11 @@ private:
   vtkConformalSOM(const vtkConformalSOM&) = delete;
   void operator=(const vtkConformalSOM&) = delete;
 
+  int Lattice = GEODESIC;
   int Frequency = 36;
+  int NumberOfNeurons = 12962;
+  int SphereMap = LATTICE;
+  double AreaBalance = 0.5;
   int TrainingMode = BATCH;
   char* PriorityArrayName = nullptr;
   int RandomSeed = 1;

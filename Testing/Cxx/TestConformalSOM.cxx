@@ -130,6 +130,62 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
   }
 }
 
+TEST(ConformalSOM, AdaptiveLatticeHasTheNeuronsWanted)
+{
+  auto filter = MakeFilter(MakeCloud(3000));
+  filter->SetLatticeToAdaptive();
+  filter->SetNumberOfNeurons(345);
+  filter->GenerateErrorScalarsOn();
+  contract::Observed observed(filter);
+  std::vector<double> x; // of the first point on the sphere, by each map
+  for (int map :
+    { vtkConformalSOM::LATTICE, vtkConformalSOM::CONFORMAL_MAP, vtkConformalSOM::BALANCED })
+  {
+    filter->SetSphereMap(map);
+    filter->Update();
+    EXPECT_FALSE(observed.Error() || observed.Warning());
+    vtkPolyData* mesh = filter->GetOutput();
+    ASSERT_EQ(mesh->GetNumberOfPoints(), 345);
+    EXPECT_EQ(mesh->GetNumberOfPolys(), 2 * 345 - 4);
+    contract::ExpectSpherePosition(mesh);
+    contract::ExpectArray(mesh->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 345);
+    EXPECT_EQ(mesh->GetFieldData()->GetArray("StartedFromHull")->GetTuple1(0), 1.0);
+    EXPECT_EQ(mesh->GetFieldData()->GetArray("Polished")->GetTuple1(0), 1.0);
+    x.push_back(mesh->GetPointData()->GetArray("SpherePosition")->GetComponent(0, 0));
+  }
+  EXPECT_EQ(x[0], x[1]); // there is no other than the conformal map
+  EXPECT_NE(x[0], x[2]);
+
+  filter->SetTrainingModeToOnline();
+  filter->Update();
+  EXPECT_NE(observed.ErrorMessage().find("Batch"), std::string::npos);
+  ExpectEmpty(filter);
+}
+
+// The surface is the same, in other places on the sphere.
+TEST(ConformalSOM, MapsTheLearnedMeshAnew)
+{
+  for (int mode : { vtkConformalSOM::ONLINE, vtkConformalSOM::BATCH })
+  {
+    auto lattice = MakeFilter(MakeCloud(3000)), mapped = MakeFilter(MakeCloud(3000));
+    lattice->SetTrainingMode(mode);
+    mapped->SetTrainingMode(mode);
+    mapped->SetSphereMapToConformal();
+    lattice->Update();
+    mapped->Update();
+    ExpectMesh(mapped);
+    for (vtkIdType i = 0; i < mapped->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      double a[3], b[3];
+      lattice->GetOutput()->GetPoint(i, a);
+      mapped->GetOutput()->GetPoint(i, b);
+      ASSERT_TRUE(a[0] == b[0] && a[1] == b[1] && a[2] == b[2]) << i;
+    }
+    EXPECT_NE(lattice->GetOutput()->GetPointData()->GetArray("SpherePosition")->GetComponent(0, 0),
+      mapped->GetOutput()->GetPointData()->GetArray("SpherePosition")->GetComponent(0, 0));
+  }
+}
+
 TEST(ConformalSOM, StartsFromTheMeshOnPortOne)
 {
   auto cloud = MakeCloud(5000);
@@ -226,11 +282,12 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetRandomSeed(4); });
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetTrainingModeToOnline(); });
   for (const char* property :
-    { "Frequency", "TrainingMode", "PriorityArrayName", "RandomSeed", "ReferencePoint",
-      "NumberOfEpochs", "SamplesPerEpoch", "InitialNeighborhoodRadius", "NeighborhoodTimeConstant",
-      "InitialLearningRate", "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron",
-      "NumberOfPolishRounds", "Smoothness", "AutomaticPriority", "StartingShape",
-      "GenerateErrorScalars", "DistributeOutput", "Controller" })
+    { "Lattice", "Frequency", "NumberOfNeurons", "SphereMap", "AreaBalance", "TrainingMode",
+      "PriorityArrayName", "RandomSeed", "ReferencePoint", "NumberOfEpochs", "SamplesPerEpoch",
+      "InitialNeighborhoodRadius", "NeighborhoodTimeConstant", "InitialLearningRate",
+      "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron", "NumberOfPolishRounds",
+      "Smoothness", "AutomaticPriority", "StartingShape", "GenerateErrorScalars",
+      "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(filter, property);
   }
@@ -491,12 +548,15 @@ TEST(ConformalSOM, BadParametersAreErrors)
   refused([](auto* f) { f->SetLearningRateTimeConstant(0.0); });
   refused([&](auto* f) { f->SetSmoothness(nan); });
   refused([](auto* f) { f->SetSmoothness(-1.0); });
+  refused([&](auto* f) { f->SetAreaBalance(nan); });
 
   vtkNew<vtkConformalSOM> filter;
   filter->SetFrequency(0);
   EXPECT_EQ(filter->GetFrequency(), 1);
   filter->SetFrequency(1000000);
   EXPECT_EQ(filter->GetFrequency(), 1000);
+  filter->SetNumberOfNeurons(0);
+  EXPECT_EQ(filter->GetNumberOfNeurons(), 12);
   filter->SetNumberOfEpochs(-3);
   EXPECT_EQ(filter->GetNumberOfEpochs(), 0);
 }

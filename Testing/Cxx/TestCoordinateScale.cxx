@@ -289,6 +289,17 @@ std::vector<Case> Cases()
       { return learn(scale, [=](vtkConformalSOM* filter) { filter->SetStartingShape(shape); }); },
       false, learning });
   }
+  cases.push_back({ "LearnsAdaptive",
+    [=](double scale)
+    {
+      return learn(scale,
+        [=](vtkConformalSOM* filter)
+        {
+          filter->SetLatticeToAdaptive();
+          filter->SetNumberOfNeurons(162);
+        });
+    },
+    false, learning });
   for (const int mode : { vtkConformalSOM::ONLINE, vtkConformalSOM::BATCH })
   {
     const std::string suffix = mode == vtkConformalSOM::ONLINE ? "Online" : "Batch";

@@ -31,7 +31,12 @@ TEST(OptionsMirrorProperties, ConformalSOM)
 {
   const conformal::ConformalSOMOptions options;
   vtkNew<vtkConformalSOM> filter;
+  EXPECT_EQ(filter->GetLattice(), static_cast<int>(options.Lattice));
   EXPECT_EQ(filter->GetFrequency(), options.Frequency);
+  EXPECT_EQ(filter->GetNumberOfNeurons(), options.NumberOfNeurons);
+  EXPECT_EQ(filter->GetNumberOfNeuronsMinValue(), conformal::LeastNeurons);
+  EXPECT_EQ(filter->GetSphereMap(), static_cast<int>(options.SphereMap));
+  EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
   EXPECT_EQ(filter->GetTrainingMode(), static_cast<int>(options.TrainingMode));
   EXPECT_EQ(filter->GetRandomSeed(), static_cast<int>(options.RandomSeed));
   EXPECT_EQ(filter->GetReferencePoint(), static_cast<int>(options.ReferencePoint));
@@ -48,9 +53,16 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(filter->GetAutomaticPriority(), options.AutomaticPriority);
   EXPECT_EQ(filter->GetStartingShape(), static_cast<int>(options.StartingShape));
   EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
+  using conformal::Lattice;
   using conformal::ReferencePoint;
+  using conformal::SphereMap;
   using conformal::StartingShape;
   using conformal::TrainingMode;
+  EXPECT_EQ(vtkConformalSOM::GEODESIC, static_cast<int>(Lattice::Geodesic));
+  EXPECT_EQ(vtkConformalSOM::ADAPTIVE, static_cast<int>(Lattice::Adaptive));
+  EXPECT_EQ(vtkConformalSOM::LATTICE, static_cast<int>(SphereMap::Lattice));
+  EXPECT_EQ(vtkConformalSOM::CONFORMAL_MAP, static_cast<int>(SphereMap::Conformal));
+  EXPECT_EQ(vtkConformalSOM::BALANCED, static_cast<int>(SphereMap::Balanced));
   EXPECT_EQ(vtkConformalSOM::ONLINE, static_cast<int>(TrainingMode::Online));
   EXPECT_EQ(vtkConformalSOM::BATCH, static_cast<int>(TrainingMode::Batch));
   EXPECT_EQ(vtkConformalSOM::CONFORMAL, static_cast<int>(ReferencePoint::Conformal));

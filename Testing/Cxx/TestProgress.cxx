@@ -392,6 +392,13 @@ TEST(Progress, OfTheLearner)
       }));
 }
 
+TEST(Progress, OfTheAdaptiveLearner)
+{
+  using SOM = vtkConformalSOM;
+  ExpectEven("ConformalSOM limbs, adaptive",
+    Of<SOM>(Limbs(60), [](SOM* som) { som->SetLatticeToAdaptive(); }));
+}
+
 TEST(Progress, OfTheLearnerOnScans)
 {
   ExpectEvenOnScans<vtkConformalSOM>(

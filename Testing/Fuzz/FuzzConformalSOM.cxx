@@ -34,6 +34,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     learner->SetLearningRateTimeConstant(source.number());
     learner->SetSmoothness(source.number());
   }
+  if (odd & 16)
+  {
+    learner->SetLatticeToAdaptive();
+    learner->SetNumberOfNeurons(12 + source.below(60));
+    learner->SetSphereMap(source.below(3));
+    learner->SetAreaBalance(source.number());
+  }
   learner->SetInputDataObject(0, source.surface());
   if (odd & 128)
   {

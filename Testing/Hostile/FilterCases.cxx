@@ -97,9 +97,20 @@ std::vector<SetUp> Learners()
     Integer("SamplesPerNeuron", &F::SetSamplesPerNeuron),
     Integer("NumberOfPolishRounds", &F::SetNumberOfPolishRounds),
     Number("Smoothness", &F::SetSmoothness), Switch("AutomaticPriority", &F::SetAutomaticPriority),
-    Integer("StartingShape", &F::SetStartingShape),
+    Integer("StartingShape", &F::SetStartingShape), Integer("Lattice", &F::SetLattice),
     Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
+  SetUp adaptive = { "vtkConformalSOM", "Adaptive", true,
+    make(
+      [](F* f)
+      {
+        f->SetLatticeToAdaptive();
+        f->SetNumberOfNeurons(200);
+        f->SetSphereMapToBalanced();
+      }),
+    BadPoints, true };
+  adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons),
+    Integer("SphereMap", &F::SetSphereMap), Number("AreaBalance", &F::SetAreaBalance) };
   SetUp online = { "vtkConformalSOM", "Online", true,
     make([](F* f) { f->SetTrainingModeToOnline(); }), BadPoints, true };
   online.Properties = { Integer("ReferencePoint", &F::SetReferencePoint),
@@ -109,7 +120,7 @@ std::vector<SetUp> Learners()
     Number("NeighborhoodTimeConstant", &F::SetNeighborhoodTimeConstant),
     Number("InitialLearningRate", &F::SetInitialLearningRate),
     Number("LearningRateTimeConstant", &F::SetLearningRateTimeConstant) };
-  return { batch, online,
+  return { batch, adaptive, online,
     { "vtkConformalSOM", "Online, Winner", true,
       make(
         [](F* f)

@@ -7,10 +7,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 import numpy as np
 
+import compare_lattices
 import compare_surfaces
 from helpers import scan_files
-from helpers.builtin_figure import figure_cloud
-from conformalsom import vtkConformalSOM, vtkCurvedSeamlessMap, vtkGeodesicSphereSource
+from helpers.builtin_figure import figure_cloud, figure_surface
+from conformalsom import (
+    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessMap, vtkGeodesicSphereSource)
 
 SCANS = os.environ["CONFORMALSOM_SCAN_DIR"]
 
@@ -37,6 +39,34 @@ class TestSurfaces(unittest.TestCase):
                 self.assertLess(error["CSS Fitted"], 0.3 * error["butterfly"])
                 if name == "igea.ply":
                     self.assertLess(rows["CSS Curvature"][2], 2.0)
+
+    def test_the_adaptive_lattice_fits_a_figure_closer(self):
+        rows, _ = compare_lattices.compared(figure_surface(), 16, 20000)
+        even, own = (rows[lattice] for lattice in compare_lattices.LATTICES)
+        for column in ("p2s", "s2p"):
+            self.assertLess(own[column], even[column])
+        self.assertEqual((own["web %"], own["folds"]), (0.0, 0.0))
+        self.assertGreater(own["angle"], max(49.0, even["angle"] + 5.0))
+        self.assertLess(own["K"], min(1.1, even["K"]))
+
+    def test_the_adaptive_lattice_has_the_points_wanted_and_both_maps(self):
+        network = vtkConformalSOM()
+        network.SetInputData(figure_cloud(3000))
+        network.SetLatticeToAdaptive()
+        network.SetNumberOfNeurons(500)
+        deviations = []
+        for name in ("Lattice", "Conformal", "Balanced"):
+            getattr(network, "SetSphereMapTo" + name)()
+            network.Update()
+            self.assertEqual(network.GetOutput().GetNumberOfPoints(), 500)
+            distortion = vtkConformalDistortion()
+            distortion.SetInputConnection(network.GetOutputPort())
+            distortion.Update()
+            data = distortion.GetOutput().GetFieldData()
+            self.assertEqual(data.GetArray("NumberOfFlippedTriangles").GetValue(0), 0)
+            deviations.append(data.GetArray("AreaDistortionDeviation").GetValue(0))
+        self.assertEqual(deviations[0], deviations[1])
+        self.assertLess(deviations[2], 0.8 * deviations[1])
 
     def test_maps_numpy_arrays(self):
         """The array calls, and an integral over the sphere that is the surface's area."""

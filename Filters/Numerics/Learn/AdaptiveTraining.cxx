@@ -90,7 +90,7 @@ ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* star
   static_cast<Mesh&>(result) = hull;
   result.Hulled = true;
   result.HullLeaks = hull.Leaks;
-  result.NumberOfCutNodes = hull.NumberOfCutNodes;
+  result.NumberOfCutNodes = hasHandles(hull) ? hull.NumberOfCutNodes : 0;
   result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
   const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
   if (strays > ManyStrays * static_cast<double>(samples.totalSize()))

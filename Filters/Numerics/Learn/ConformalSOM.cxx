@@ -21,8 +21,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index LeastNeurons = 12; // of an icosahedron
-
 void require(bool good, const std::string& what)
 {
   if (!good)

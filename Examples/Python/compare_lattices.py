@@ -1,0 +1,148 @@
+#!/usr/bin/python3
+"""What does an adaptive lattice make of an object's limbs that the geodesic one does not?
+
+Spreads points over closed models (in any format that quickstart.py opens; default: a toy bear made
+by code), learns each with both lattices, of as many neurons, and prints how well the meshes fit the
+model and how good their triangles are. The conformal map of both is measured.
+"""
+import argparse
+import os
+import sys
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+from conformalsom import vtkConformalDistortion, vtkConformalSOM, vtkSurfaceMismatch
+
+from helpers import builtin_figure, scan_files
+
+LATTICES = ("Geodesic", "Adaptive")
+COLUMNS = ("p2s", "s2p", "web %", "Hausdorff", "folds", "angle", "obtuse %", "K")
+
+
+def triangulated(model):
+    triangles = vtkTriangleFilter()
+    triangles.PassVertsOff()
+    triangles.PassLinesOff()
+    triangles.SetInputData(model)
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def spread(model, count):
+    """Points evenly over the model's area; its vertices for a count of 0."""
+    points = (builtin_figure.even_samples(model, count, np.random.RandomState(1)) if count else
+              vtk_to_numpy(model.GetPoints().GetData()).astype(float))
+    coordinates = vtkPoints()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    cloud = vtkPolyData()
+    cloud.SetPoints(coordinates)
+    return cloud
+
+
+def learned(cloud, lattice, frequency):
+    """The mesh in its conformal map, and the seconds it took."""
+    network = vtkConformalSOM()
+    network.SetInputData(cloud)
+    getattr(network, "SetLatticeTo" + lattice)()
+    network.SetFrequency(frequency)
+    network.SetNumberOfNeurons(10 * frequency * frequency + 2)
+    network.SetSphereMapToConformal()
+    begin = time.perf_counter()
+    network.Update()
+    return network.GetOutput(), time.perf_counter() - begin
+
+
+def mean_angle_and_obtuse(mesh):
+    """Mean smallest angle in degrees, and the share of triangles with an angle above 90."""
+    corners = corner_positions(mesh)
+    angles = []
+    for k in range(3):
+        u = corners[:, (k + 1) % 3] - corners[:, k]
+        v = corners[:, (k + 2) % 3] - corners[:, k]
+        angles.append(np.arctan2(np.linalg.norm(np.cross(u, v), axis=1), (u * v).sum(axis=1)))
+    angles = np.degrees(angles)
+    return angles.min(axis=0).mean(), (angles.max(axis=0) > 90.0).mean()
+
+
+def fold_fraction(mesh):
+    """Share of edges at which the normals of both triangles are more than 90 degrees apart."""
+    triangles = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    corners = corner_positions(mesh)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    edges = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    order = np.lexsort((edges[:, 1], edges[:, 0])) % len(triangles)  # both sides of each edge
+    return ((normals[order[::2]] * normals[order[1::2]]).sum(axis=1) < 0.0).mean()
+
+
+def corner_positions(mesh):
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
+    return points[vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+
+
+def measured(mesh, model):
+    """The columns by name."""
+    mismatch = vtkSurfaceMismatch()
+    mismatch.SetInputData(0, mesh)
+    mismatch.SetInputData(1, model)
+    mismatch.Update()
+    distortion = vtkConformalDistortion()
+    distortion.SetInputData(mesh)
+    distortion.Update()
+
+    def figure(measure, name):
+        return measure.GetOutput().GetFieldData().GetArray(name).GetValue(0)
+
+    angle, obtuse = mean_angle_and_obtuse(mesh)
+    return dict(zip(COLUMNS, (
+        figure(mismatch, "MeanSquarePointToSurface"), figure(mismatch, "MeanSquareSurfaceToPoint"),
+        100.0 * figure(mismatch, "WebFraction"), figure(mismatch, "HausdorffDistance"),
+        fold_fraction(mesh), angle, 100.0 * obtuse, figure(distortion, "MeanQuasiConformalError"))))
+
+
+def compared(model, frequency=36, count=40000):
+    """The columns of both lattices, and the ratio of the seconds of Adaptive and Geodesic."""
+    model = triangulated(model)
+    cloud = spread(model, count)
+    rows, seconds = {}, []
+    for lattice in LATTICES:
+        mesh, taken = learned(cloud, lattice, frequency)
+        rows[lattice] = measured(mesh, model)
+        seconds.append(taken)
+    return rows, seconds[1] / seconds[0]
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("model", nargs="*", help="closed models, default: a toy bear made by code")
+    parser.add_argument("--frequency", type=int, default=36,
+                        help="of the geodesic lattice, default 36; the other has as many neurons")
+    parser.add_argument("--points", type=int, default=40000,
+                        help="to learn from, default 40000; 0 for the model's vertices")
+    args = parser.parse_args()
+    models = {}
+    for path in args.model:
+        reader = scan_files.scan_reader(path)
+        reader.Update()
+        models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
+    print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in COLUMNS))
+    for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():
+        rows, ratio = compared(model, args.frequency, args.points)
+        for lattice, row in rows.items():
+            print(f"{name:<24}{lattice:<10}" + "".join(f"{value:>10.3g}" for value in row.values()))
+        print(f"{'':<24}Adaptive takes {ratio:.2f} of Geodesic's time")
+    print("Lengths: the model's largest radius is 1. p2s, s2p: mean square distances of the model's\n"
+          "vertices to the mesh, and of the mesh to the model. angle: mean smallest, in degrees. K: of\n"
+          "the conformal map, 1 if angles are kept.")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError) as error:
+        sys.exit(f"compare_lattices: {error}")
