@@ -11,11 +11,12 @@ void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count)
 }
 
 //------------------------------------------------------------------------------
-void WarnOfCutHandles(vtkObject* self, conformal::Index numberOfCutNodes)
+void WarnOfCutHandles(vtkObject* self, double cutFraction)
 {
   vtkWarningWithObjectMacro(
-    self, << "the hull of the points had handles, which were cut at " << numberOfCutNodes
-          << " lattice nodes: the object is not of genus zero, or parts of it touch");
+    self, << "the hull of the points had handles, which were cut open; the cuts are "
+          << 100.0 * cutFraction
+          << " % of its area. The object is not of genus zero, or parts of it touch");
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ namespace vtkConformalConversions
 {
 /// One warning each. The filter decides what is worth one.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
-void WarnOfCutHandles(vtkObject* self, conformal::Index numberOfCutNodes);
+void WarnOfCutHandles(vtkObject* self, double cutFraction);
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }

@@ -126,9 +126,9 @@ void WarnAbout(
       self, << "the points have holes too large to distinguish inside from outside; the mesh may "
                "also follow the inner side of the points");
   }
-  if (result.NumberOfCutNodes > 0)
+  if (result.CutFraction > 0.0)
   {
-    vtkConformalConversions::WarnOfCutHandles(self, result.NumberOfCutNodes);
+    vtkConformalConversions::WarnOfCutHandles(self, result.CutFraction);
   }
   if (result.NumberOfSamplesOutside > samples / 1000)
   {

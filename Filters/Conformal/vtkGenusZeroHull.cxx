@@ -64,7 +64,7 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
   }
   if (conformal::hasHandles(hull))
   {
-    vtkConformalConversions::WarnOfCutHandles(self, hull.NumberOfCutNodes);
+    vtkConformalConversions::WarnOfCutHandles(self, conformal::cutFraction(hull));
   }
   // Closed scans lose up to one point of a thousand where their points are far apart.
   const conformal::Index noticeable = samples.totalSize() / 200;

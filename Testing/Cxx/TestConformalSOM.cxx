@@ -1,6 +1,7 @@
 #include "vtkConformalSOM.h"
 
 #include "FilterContract.h"
+#include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
@@ -22,8 +23,10 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -402,6 +405,34 @@ TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)
   EXPECT_TRUE(none.Warning());
   EXPECT_FALSE(none.Error());
   ExpectEmpty(c);
+}
+
+// Real scans, closed and of genus zero, with limbs that bend back to the body.
+TEST(ConformalSOM, SaysNothingOfCleanScans)
+{
+  for (const char* name : { "spot", "armadillo" })
+  {
+    const std::string path = std::string(CONFORMALSOM_SCAN_DIR) + "/" + name + ".ply";
+    if (!std::filesystem::exists(path))
+    {
+      GTEST_SKIP() << path << " is missing";
+    }
+    vtkNew<vtkConformalPLYReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    for (const int lattice : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+    {
+      SCOPED_TRACE(std::string(name) + (lattice == vtkConformalSOM::ADAPTIVE ? " adaptive" : ""));
+      auto filter = MakeFilter(reader->GetOutput());
+      filter->SetStartingShapeToHull();
+      filter->SetFrequency(24);
+      filter->SetNumberOfNeurons(5762);
+      filter->SetLattice(lattice);
+      contract::Observed observed(filter);
+      filter->Update();
+      EXPECT_FALSE(observed.Error() || observed.Warning()) << observed.WarningMessage();
+    }
+  }
 }
 
 TEST(ConformalSOM, AnyUnitAndPlaceWill)

@@ -238,14 +238,14 @@ TEST_F(GenusZeroHull, WarnsOfWhatIsLeftOutOrCut)
   AddSphere(half, 20000, 1.0, 0.0, 0.0);
   expect(half, "the points enclose nothing");
   AddTorus(torus, 1.0, 0.4);
-  expect(torus, "had handles, which were cut at ");
+  expect(torus, "had handles, which were cut open; the cuts are ");
   AddTorus(thin, 1.0, 0.15);
-  expect(thin, "had handles, which were cut at ");
+  expect(thin, "had handles, which were cut open; the cuts are ");
   for (const double x : { 0.0, 2.3 }) // a tube of it has next to nothing inside
   {
     AddTorus(chain, 1.0, 0.35, x);
   }
-  expect(chain, "had handles, which were cut at ");
+  expect(chain, "had handles, which were cut open; the cuts are ");
   // A few outliers are not worth a word; their number is among the figures.
   AddSphere(few, 20000, 1.0, 0.0);
   AddSphere(few, 50, 0.2, 1.3);

@@ -4,6 +4,7 @@
 #include "Hull/CloudDistance.h"
 #include "Hull/LatticeSolid.h"
 #include "Hull/LevelSetSurface.h"
+#include "Mesh/GenusZeroCheck.h"
 
 #include <algorithm>
 #include <array>
@@ -211,6 +212,14 @@ bool hasHandles(const GenusZeroHullResult& hull)
   constexpr Index most = 4, mostOfData = 3; // that sparse data have by chance
   return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most) ||
     (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > mostOfData);
+}
+
+//------------------------------------------------------------------------------
+double cutFraction(const GenusZeroHullResult& hull)
+{
+  const double area = surfaceArea(hull.Positions, hull.Triangles);
+  const double cut = static_cast<double>(hull.NumberOfCutNodes) * hull.Spacing * hull.Spacing;
+  return hasHandles(hull) && area > 0.0 ? std::min(1.0, 2.0 * cut / area) : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -72,6 +72,10 @@ struct GenusZeroHullResult : Mesh
 /// A shell around points that enclose nothing has none.
 bool hasHandles(const GenusZeroHullResult& hull);
 
+/// Share of the surface's area that was made by cutting such handles: both sides of each cut. 0 if
+/// hasHandles() is false.
+double cutFraction(const GenusZeroHullResult& hull);
+
 /// Wrap a cloud into one closed surface of genus zero, at about the offset from the data.
 ///
 /// 1. The distance to the data is found on a lattice (CloudDistance.h).

@@ -58,19 +58,6 @@ double spacingFor(const TrainingSamples& samples, Index neurons)
     GenusZeroHullLimits::LargestSpacing);
 }
 
-double surfaceArea(const Mesh& mesh)
-{
-  double sum = 0.0;
-  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
-  {
-    const Vector3 a = mesh.Positions.row(mesh.Triangles(r, 0)),
-                  b = mesh.Positions.row(mesh.Triangles(r, 1)),
-                  c = mesh.Positions.row(mesh.Triangles(r, 2));
-    sum += 0.5 * (b - a).cross(c - a).norm();
-  }
-  return sum;
-}
-
 /// The surface to begin with, in the samples' unit.
 ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* start, double spacing,
   PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress)
@@ -90,7 +77,7 @@ ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* star
   static_cast<Mesh&>(result) = hull;
   result.Hulled = true;
   result.HullLeaks = hull.Leaks;
-  result.NumberOfCutNodes = hasHandles(hull) ? hull.NumberOfCutNodes : 0;
+  result.CutFraction = cutFraction(hull);
   result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
   const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
   if (strays > ManyStrays * static_cast<double>(samples.totalSize()))
@@ -137,7 +124,8 @@ Noise noiseBeside(const ConformalSOMResult& result, const TrainingSamples& sampl
 double smoothnessFor(const Noise& noise, const ConformalSOMResult& result, Index patterns)
 {
   const auto neurons = static_cast<double>(result.Positions.rows());
-  const double edge = edgeFor(surfaceArea(result), result.Positions.rows());
+  const double edge =
+    edgeFor(surfaceArea(result.Positions, result.Triangles), result.Positions.rows());
   const double bending = TypicalBending * edge * edge;
   return noise.Variance > 0.0
     ? noise.Variance / (bending * bending * static_cast<double>(patterns) / neurons)

@@ -401,7 +401,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;
   fromHull.HullLeaks = start->Leaks;
-  fromHull.NumberOfCutNodes = start->NumberOfCutNodes;
+  fromHull.CutFraction = start->CutFraction;
   fromHull.NumberOfSamplesOutside = start->NumberOfSamplesOutside;
 
   // Where there was no web to be rid of, the hull has to be worth it.

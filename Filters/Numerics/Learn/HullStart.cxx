@@ -90,7 +90,7 @@ std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Poi
     resample(map.Positions, thinned.Positions, thinned.Triangles, directions, parallelFor);
   start.Data = hull.Data;
   start.Leaks = hull.Leaks;
-  start.NumberOfCutNodes = hull.NumberOfCutNodes;
+  start.CutFraction = cutFraction(hull);
   start.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
   return start;
 }

@@ -30,7 +30,7 @@ struct HullStart
   Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
   HullData Data;    ///< tells samples of the object from those apart from it
   bool Leaks = false;
-  Index NumberOfCutNodes = 0; ///< where handles of the hull were cut open
+  double CutFraction = 0.0; ///< see cutFraction()
   Index NumberOfSamplesOutside = 0;
 };
 

@@ -93,9 +93,10 @@ struct ConformalSOMResult : MappedMesh
   std::vector<TrainingRecord> History;
 
   // Batch training: what it saw on its way.
-  bool Hulled = false;        ///< whether it started from a hull
-  bool HullLeaks = false;     ///< the points do not enclose anything at the hull's scale
-  Index NumberOfCutNodes = 0; ///< where handles of the hull were cut: genus, or limbs that touch
+  bool Hulled = false;      ///< whether it started from a hull
+  bool HullLeaks = false;   ///< the points do not enclose anything at the hull's scale
+  double CutFraction = 0.0; ///< of the hull's area, where handles of the object were cut open:
+                            ///< it is not of genus zero, or limbs touch
   Index NumberOfSamplesOutside = 0; ///< patterns far from the hull: outliers, or inner parts
   double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
   double NoiseToDetail = 0.0;       ///< variance of the noise over that of what the lattice is too

@@ -422,6 +422,18 @@ double signedVolume(const PointView& points, const Triangles& triangles)
 }
 
 //------------------------------------------------------------------------------
+double surfaceArea(const PointView& points, const Triangles& triangles)
+{
+  double area = 0.0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const Vector3 a = points[triangles(r, 0)];
+    area += 0.5 * (points[triangles(r, 1)] - a).cross(points[triangles(r, 2)] - a).norm();
+  }
+  return area;
+}
+
+//------------------------------------------------------------------------------
 Index mergeCoincidentBoundaryPoints(
   Triangles& triangles, const PointView& points, const GenusZeroReport& mesh)
 {

@@ -70,6 +70,9 @@ void requireGenusZero(
 /// outside.
 double signedVolume(const PointView& points, const Triangles& triangles);
 
+/// Sum of the areas of the triangles.
+double surfaceArea(const PointView& points, const Triangles& triangles);
+
 /// Weld an open mesh: points of boundary edges with equal coordinates become the one of smallest
 /// id, as polygon soups need it. Points inside the mesh are left alone, since surfaces that only
 /// touch must not be glued.

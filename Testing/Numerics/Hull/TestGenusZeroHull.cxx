@@ -165,6 +165,9 @@ TEST(GenusZeroHull, CutsATorusOpen)
   EXPECT_NEAR(hull.NumberOfCutNodes * 0.03 * 0.03, Pi * 0.33 * 0.33, 0.25);
   EXPECT_NEAR(hull.NumberOfCutInsideNodes * 0.03 * 0.03, Pi * 0.27 * 0.27, 0.25);
   EXPECT_TRUE(hasHandles(hull));
+  // Two discs as wide as the tube, of its hull's area.
+  const double tube = 0.33, area = 4.0 * Pi * Pi * 0.7 * tube;
+  EXPECT_NEAR(conformal::cutFraction(hull), 2.0 * Pi * tube * tube / area, 0.06);
   EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
 }
 
@@ -227,6 +230,8 @@ TEST(GenusZeroHull, KnowsHandlesOfTheOffset)
     const GenusZeroHullResult hull = hullOf(all, spaced(spacing / samples.scale()));
     EXPECT_EQ(hull.EulerNumber, 0) << tube;
     EXPECT_FALSE(hasHandles(hull)) << tube << " " << hull.NumberOfCutDataNodes;
+    EXPECT_GT(hull.NumberOfCutNodes, 0);
+    EXPECT_EQ(conformal::cutFraction(hull), 0.0);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using conformal::ConformalSOMOptions;
@@ -75,6 +76,38 @@ TEST(BatchTraining, StartsFromTheHullWhereTold)
   EXPECT_TRUE(result.Hulled);
   EXPECT_FALSE(result.HullLeaks);
   EXPECT_LT(result.History.back().MeanSquareError, 1e-4);
+}
+
+// A limb that bends back to its body closes a handle of the hull, not of the object.
+TEST(BatchTraining, TellsHandlesOfTheObjectFromThoseOfTheHull)
+{
+  const double pi = std::acos(-1.0);
+  constexpr double Tube = 0.1;
+  const auto ring = [&](double gap)
+  {
+    conformal::Random random(4);
+    Points points(20000, 3);
+    const double end = gap > 0.0 ? Tube + gap / 2.0 : 0.0; // where a cap begins, along the ring
+    for (Index i = 0; i < points.rows();)
+    {
+      const double bend = 2.0 * pi * random.uniform(), turn = 2.0 * pi * random.uniform();
+      const double beyond = std::max({ 0.0, end - bend, bend - (2.0 * pi - end) });
+      const double tube = std::sqrt(std::max(0.0, Tube * Tube - beyond * beyond));
+      const double r = 1.0 + tube * std::cos(turn);
+      if (beyond < Tube && (1.0 + Tube) * random.uniform() < r)
+      {
+        points.row(i++) << r * std::cos(bend), r * std::sin(bend), tube * std::sin(turn);
+      }
+    }
+    return points;
+  };
+  ConformalSOMOptions options = fast(StartingShape::Hull);
+  options.NumberOfPolishRounds = 1;
+  const auto cutFraction = [&](const Points& cloud)
+  { return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}, {}).CutFraction; };
+  EXPECT_EQ(cutFraction(ring(0.03)), 0.0);
+  // Two discs as wide as the tube.
+  EXPECT_NEAR(cutFraction(ring(0.0)), Tube / (2.0 * pi), 0.03);
 }
 
 // Errors of a clean cloud fall with the lattice's, those of a noisy one stay.

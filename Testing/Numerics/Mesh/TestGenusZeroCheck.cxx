@@ -167,13 +167,16 @@ TEST(GenusZeroCheck, TellsInsideOut)
   EXPECT_EQ(conformal::describe(report).size(), 2u);
 }
 
-TEST(GenusZeroCheck, VolumeIsThatOfTheTetrahedronWhereverItLies)
+TEST(GenusZeroCheck, VolumeAndAreaAreThoseOfTheTetrahedronWhereverItLies)
 {
   Points corners(4, 3);
   corners << 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1;
   EXPECT_DOUBLE_EQ(conformal::signedVolume(corners, tetrahedron(0, 1, 2, 3)), 1.0 / 6.0);
+  const double area = 1.5 + std::sqrt(0.75);
+  EXPECT_DOUBLE_EQ(conformal::surfaceArea(corners, tetrahedron(0, 1, 2, 3)), area);
   corners.rowwise() += Eigen::RowVector3d(1 << 20, 0, 1 << 22);
   EXPECT_DOUBLE_EQ(conformal::signedVolume(corners, tetrahedron(0, 1, 2, 3)), 1.0 / 6.0);
+  EXPECT_DOUBLE_EQ(conformal::surfaceArea(corners, tetrahedron(0, 1, 2, 3)), area);
 }
 
 // Rows 0 and 1 repeat a vertex, row 2 is flat although rounding gives it a tiny cross product.
