@@ -3,6 +3,7 @@
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Cloud/TrainingSamples.h"
+#include "Mesh/EvenTriangles.h"
 #include "Mesh/GeodesicSphere.h"
 #include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessMap.h"
@@ -49,10 +50,11 @@ bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& propert
   const bool isUsed = properties.Options.DomeHeight >= conformal::DomeHeight::Curvature &&
     properties.Options.VertexShift > 0.0;
   if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
-    conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()))
+    (conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()) ||
+      conformal::hasEvenTriangles(mesh)))
   {
     vtkWarningWithObjectMacro(self,
-      << "the surface has the connectivity of a mesh of vtkConformalSOM, but no field array "
+      << "the surface has triangles like those of a mesh of vtkConformalSOM, but no field array "
          "\"Polished\"; it is taken as not polished. Set Polished to On if it was learned in batch "
          "training, or to Off if it was not.");
   }

@@ -117,8 +117,9 @@ public:
    * squares, as vtkConformalSOM does in batch training. If so, the vertices are moved by
    * VertexShift; if not, the surface goes through them. AUTOMATIC (default) reads the field array
    * "Polished" of the mesh, which vtkConformalSOM writes. Without this array the mesh is taken as
-   * not polished; there is a warning if it has the connectivity of a geodesic sphere, as the meshes
-   * of vtkConformalSOM have, since the array may have been lost, for instance in a file.
+   * not polished; there is a warning if it has the connectivity of a geodesic sphere or even
+   * triangles, as the meshes of vtkConformalSOM have, since the array may have been lost, for
+   * instance in a file.
    */
   vtkSetClampMacro(Polished, int, AUTOMATIC, ON);
   vtkGetMacro(Polished, int);

@@ -3,6 +3,7 @@
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Mesh/TriangleSubdivision.h"
 #include "Mesh/VertexNormals.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
@@ -25,6 +26,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessSurface);
@@ -33,6 +36,27 @@ vtkCxxSetObjectMacro(vtkCurvedSeamlessSurface, Controller, vtkMultiProcessContro
 namespace
 {
 constexpr conformal::Index BlockSize = 4096;
+
+double PointsOfFrequency(int frequency)
+{
+  return 10.0 * frequency * frequency + 2.0;
+}
+
+// Into how many triangles along an edge those of the network are cut; 0 if the surface is sampled
+// in other directions.
+int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling, bool hasSphere,
+  int subdivisions, int frequency)
+{
+  if (sampling == vtkCurvedSeamlessSurface::DIRECTIONS ||
+    (sampling == vtkCurvedSeamlessSurface::AUTOMATIC &&
+      (hasSphere || conformal::isGeodesicSphere(surface.sphere(), surface.triangles()))))
+  {
+    return 0;
+  }
+  return subdivisions > 0
+    ? subdivisions
+    : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
+}
 
 // Directions and triangles in which the surface is wanted.
 conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal::Progress& progress)
@@ -111,21 +135,20 @@ void FillGaps(VectorMap normals, const VectorMap& directions)
     });
 }
 
+// The triangles of which a test is true.
 vtkNew<vtkUnsignedCharArray> DegenerateCells(
-  const conformal::Triangles& triangles, const std::vector<unsigned char>& degeneratePoints)
+  conformal::Index size, const std::function<bool(conformal::Index)>& isDegenerate)
 {
   vtkNew<vtkUnsignedCharArray> cells;
   cells->SetName("Degenerate");
-  cells->SetNumberOfValues(triangles.rows());
+  cells->SetNumberOfValues(size);
   unsigned char* degenerate = cells->GetPointer(0);
-  conformal::forBlocks(vtkConformalConversions::SMPFor(), triangles.rows(), BlockSize,
+  conformal::forBlocks(vtkConformalConversions::SMPFor(), size, BlockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       for (conformal::Index r = begin; r < end; ++r)
       {
-        const auto ids = triangles.row(r);
-        degenerate[r] =
-          degeneratePoints[ids[0]] | degeneratePoints[ids[1]] | degeneratePoints[ids[2]];
+        degenerate[r] = isDegenerate(r);
       }
     });
   return cells;
@@ -184,7 +207,8 @@ int vtkCurvedSeamlessSurface::RequestData(
   const auto sphere = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
   const auto cloud = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[2]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const int frequency = this->Frequency;
+  const int frequency = this->Frequency, sampling = this->Sampling,
+            subdivisions = this->Subdivisions;
   // Observers may change this->Map meanwhile.
   const vtkConformalConversions::CurvedSeamlessProperties properties =
     vtkConformalConversions::PropertiesOf(this->Map);
@@ -192,8 +216,9 @@ int vtkCurvedSeamlessSurface::RequestData(
   return vtkConformalConversions::RunCore(this, fits ? this->Controller : nullptr,
     [&](vtkConformalConversions::Processes& processes)
     {
+      const bool takesSphere = sphere && sampling != NETWORK;
       const int owner = processes.firstWith(
-        surface->GetNumberOfPoints() > 0 && !(sphere && sphere->GetNumberOfPoints() == 0));
+        surface->GetNumberOfPoints() > 0 && !(takesSphere && sphere->GetNumberOfPoints() == 0));
       if (owner < 0)
       {
         vtkConformalConversions::WarnOfEmptyInput(this,
@@ -208,30 +233,53 @@ int vtkCurvedSeamlessSurface::RequestData(
       const double cloudSize =
         fits && cloud ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
       const double rounds = 1.0 + properties.Options.Fit.NumberOfFitRounds;
-      const double denseSize = sphere ? static_cast<double>(sphere->GetNumberOfPoints())
-                                      : 10.0 * frequency * frequency + 2.0;
-      // The map, as BuildSurface() has it; then, for each direction, the sphere, its triangles, its
-      // directions, the surface, and what is left.
-      conformal::Steps steps(processes.progress(),
-        { (matched ? 5300.0 : 3300.0) * meshSize +
-            (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0),
-          40.0 * denseSize, 20.0 * denseSize, 30.0 * denseSize, 900.0 * denseSize,
-          (domes ? 150.0 : 10.0) * denseSize, 30.0 * denseSize });
+      // The map, as BuildSurface() has it.
+      const double ofMap = (matched ? 5300.0 : 3300.0) * meshSize +
+        (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0);
+      // Then, for each direction, the sphere, its triangles, its directions, the surface, and what
+      // is left.
+      const auto ofDirections = [&](double size) -> std::vector<double>
+      {
+        return { 40.0 * size, 20.0 * size, 30.0 * size, 900.0 * size, (domes ? 150.0 : 10.0) * size,
+          30.0 * size };
+      };
+      const std::vector<double> expected =
+        ofDirections(takesSphere ? static_cast<double>(sphere->GetNumberOfPoints())
+                                 : std::max(PointsOfFrequency(frequency), meshSize));
+      conformal::Steps steps(
+        processes.progress(), { ofMap, std::accumulate(expected.begin(), expected.end(), 0.0) });
       this->Map->Take(nullptr);
       const auto map = vtkConformalConversions::BuildSurface(
         properties, this, surface, cloud, steps.next(), processes);
+      const int cuts =
+        SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
+      steps.replan(ofDirections(cuts > 0 ? meshSize * cuts * cuts
+          : takesSphere                  ? static_cast<double>(sphere->GetNumberOfPoints())
+                                         : PointsOfFrequency(frequency)));
       // What is large is let go as soon as the output has it.
       const conformal::Progress making = steps.next();
-      conformal::Mesh dense =
-        processes.rank() == owner ? DenseSphere(sphere, frequency, making) : conformal::Mesh();
+      conformal::Mesh dense;
+      if (processes.rank() == owner)
+      {
+        dense = cuts > 0 ? conformal::subdividedNetwork(
+                             map->Surface, cuts, vtkConformalConversions::SMPFor(), making)
+                         : DenseSphere(sphere, frequency, making);
+      }
       steps.next();
       const vtkNew<vtkPolyData> result;
       vtkConformalConversions::SetTriangles(result, dense.Triangles);
       steps.next();
       const vtkNew<vtkDoubleArray> directions =
         Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
-      conformal::copyUnitVectors(
-        dense.Positions, "direction", directions->GetPointer(0), vtkConformalConversions::SMPFor());
+      if (cuts > 0)
+      {
+        ViewOf(directions) = dense.Positions; // to the bit, so that vertices are found as such
+      }
+      else
+      {
+        conformal::copyUnitVectors(dense.Positions, "direction", directions->GetPointer(0),
+          vtkConformalConversions::SMPFor());
+      }
       dense.Positions.resize(0, 3);
 
       const conformal::Index size = directions->GetNumberOfTuples();
@@ -264,7 +312,13 @@ int vtkCurvedSeamlessSurface::RequestData(
       result->SetPoints(points);
       result->GetPointData()->AddArray(directions);
       result->GetPointData()->SetNormals(normals);
-      result->GetCellData()->AddArray(DegenerateCells(dense.Triangles, degenerate));
+      result->GetCellData()->AddArray(DegenerateCells(dense.Triangles.rows(),
+        [&](conformal::Index r) -> bool
+        {
+          const auto ids = dense.Triangles.row(r);
+          return cuts > 0 ? map->Surface.degenerate()[r / (conformal::Index(cuts) * cuts)]
+                          : degenerate[ids[0]] | degenerate[ids[1]] | degenerate[ids[2]];
+        }));
       vtkConformalConversions::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
         static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
       output->ShallowCopy(result);
@@ -432,7 +486,10 @@ vtkMTimeType vtkCurvedSeamlessSurface::GetMTime()
 void vtkCurvedSeamlessSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  static const char* const samplings[] = { "Automatic", "Directions", "Network" };
+  os << indent << "Sampling: " << samplings[this->Sampling] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Subdivisions: " << this->Subdivisions << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "Map:\n";
   this->Map->PrintSelf(os, indent.GetNextIndent());

@@ -12,8 +12,8 @@
  *
  * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
  * directions of its points, taken from the point array "SpherePosition" (3 components) where there
- * is one and from the coordinates otherwise, and is given its triangles. Without it a geodesic
- * sphere of the Frequency below is used.
+ * is one and from the coordinates otherwise, and is given its triangles. Without it the property
+ * Sampling says where the surface is evaluated.
  *
  * Input port 2 (optional): vtkPointSet, the cloud that DomeHeight FITTED fits the surface to.
  * Points that are not finite are left out with a warning, ghost points silently.
@@ -26,7 +26,7 @@
  * the normal of the flat triangle the point comes from, or if that is degenerate its
  * SpherePosition.
  * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
- *   degenerate triangle of port 0.
+ *   degenerate triangle of port 0; with Sampling NETWORK in those that are cut from one.
  * - field array "NumberOfDegeneratePatches" (vtkIdType): of the triangles of port 0, how many
  *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
  *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
@@ -75,14 +75,51 @@ public:
    */
   void SetSphereData(vtkPolyData* sphere);
 
+  enum Samplings
+  {
+    AUTOMATIC = 0,
+    DIRECTIONS = 1,
+    NETWORK = 2
+  };
+
   ///@{
   /**
-   * Frequency f of the geodesic sphere that is used where port 1 has no input: the surface has
-   * 10 f^2 + 2 points and 20 f^2 triangles. In [1, 1000]. Default is 80, which gives 64,002 points.
-   * In a multiple of the frequency of the mesh on port 0 no triangle lies across one of its edges.
+   * Where the surface is evaluated, and how its points are joined. DIRECTIONS: at the points of the
+   * sphere on port 1, or of a geodesic sphere of the Frequency, which lies evenly on the sphere,
+   * whatever the mesh of port 0 looks like. NETWORK: every triangle of the mesh of port 0 is cut on
+   * the sphere into Subdivisions x Subdivisions, so that each has its points however small it is
+   * there, as the limbs of a conformal map are. The mesh's own points come first, then those on
+   * edges, then those inside triangles; an input on port 1 is not used. AUTOMATIC (default):
+   * DIRECTIONS where port 1 has an input or the mesh lies on the sphere as a geodesic one
+   * (vtkConformalSOM with Lattice GEODESIC and SphereMap LATTICE), NETWORK otherwise.
+   */
+  vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
+  vtkGetMacro(Sampling, int);
+  void SetSamplingToAutomatic() { this->SetSampling(AUTOMATIC); }
+  void SetSamplingToDirections() { this->SetSampling(DIRECTIONS); }
+  void SetSamplingToNetwork() { this->SetSampling(NETWORK); }
+  ///@}
+
+  ///@{
+  /**
+   * DIRECTIONS: frequency f of the geodesic sphere that is used where port 1 has no input; the
+   * surface has 10 f^2 + 2 points and 20 f^2 triangles. In a multiple of the frequency of the mesh
+   * on port 0 no triangle lies across one of its edges. NETWORK with Subdivisions 0: the surface
+   * gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
+  ///@}
+
+  ///@{
+  /**
+   * NETWORK: k, the number of parts into which the edges of the mesh are cut; of N points and
+   * 2 N - 4 triangles it makes (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0 (default)
+   * takes the least k that gives at least the 10 f^2 + 2 points of the Frequency: 3 for the 12,962
+   * points of a learned mesh, which makes 116,642. In [0, 100].
+   */
+  vtkSetClampMacro(Subdivisions, int, 0, 100);
+  vtkGetMacro(Subdivisions, int);
   ///@}
 
   /**
@@ -192,7 +229,9 @@ private:
   vtkCurvedSeamlessSurface(const vtkCurvedSeamlessSurface&) = delete;
   void operator=(const vtkCurvedSeamlessSurface&) = delete;
 
+  int Sampling = AUTOMATIC;
   int Frequency = 80;
+  int Subdivisions = 0;
   vtkMultiProcessController* Controller = nullptr;
   vtkNew<vtkCurvedSeamlessMap> Map;
 };

@@ -2,6 +2,7 @@
 
 #include "FilterContract.h"
 #include "MeshFixtures.h"
+#include "vtkConformalSOM.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkGeodesicSphereSource.h"
 
@@ -24,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -73,6 +75,57 @@ double LargestDifference(vtkPolyData* a, vtkPolyData* b)
     largest = std::max(largest, std::sqrt(vtkMath::Distance2BetweenPoints(p, q)));
   }
   return largest;
+}
+
+/// V - E + F, or 0 if an edge has not two triangles that run along it in opposite directions.
+vtkIdType EulerNumberIfClosed(vtkPolyData* surface)
+{
+  std::set<std::pair<vtkIdType, vtkIdType>> directed;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(i, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      if (!directed.emplace(ids->GetId(k), ids->GetId((k + 1) % 3)).second)
+      {
+        return 0;
+      }
+    }
+  }
+  for (const auto& [from, to] : directed)
+  {
+    if (!directed.count({ to, from }))
+    {
+      return 0;
+    }
+  }
+  return surface->GetNumberOfPoints() - static_cast<vtkIdType>(directed.size()) / 2 +
+    surface->GetNumberOfPolys();
+}
+
+/// The map's northern hemisphere drawn together around the pole, as by a Moebius transform.
+void ShrinkTheNorth(vtkPolyData* surface, double factor)
+{
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double* n = surface->GetPointData()->GetArray("SpherePosition")->GetTuple3(i);
+    // Stereographic projection from the south pole, there and back.
+    const double x = factor * n[0], y = factor * n[1], w = 1.0 + n[2];
+    const double square = x * x + y * y;
+    if (n[2] > -0.999999)
+    {
+      SetSpherePosition(surface, i, 2.0 * x * w, 2.0 * y * w, w * w - square);
+    }
+  }
+}
+
+double VolumeOf(vtkPolyData* surface)
+{
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(surface);
+  mass->Update();
+  return mass->GetVolume();
 }
 
 class CurvedSeamlessSurface : public testing::Test
@@ -223,13 +276,126 @@ TEST_F(CurvedSeamlessSurface, AGivenSphereMayHaveNoTriangles)
 TEST_F(CurvedSeamlessSurface, ThreadsChangeNoBit)
 {
   const vtkNew<vtkPolyData> ellipsoid = Ellipsoid(9);
-  vtkSMPTools::Initialize(1);
-  vtkNew<vtkPolyData> alone;
-  alone->DeepCopy(this->Run(ellipsoid));
-  vtkSMPTools::Initialize(2);
-  this->Filter->Modified();
-  EXPECT_EQ(LargestDifference(this->Run(ellipsoid), alone), 0.0);
+  for (const int sampling :
+    { vtkCurvedSeamlessSurface::DIRECTIONS, vtkCurvedSeamlessSurface::NETWORK })
+  {
+    this->Filter->SetSampling(sampling);
+    this->Filter->SetFrequency(30);
+    vtkSMPTools::Initialize(1);
+    vtkNew<vtkPolyData> alone;
+    alone->DeepCopy(this->Run(ellipsoid));
+    vtkSMPTools::Initialize(2);
+    this->Filter->Modified();
+    EXPECT_EQ(LargestDifference(this->Run(ellipsoid), alone), 0.0);
+  }
   vtkSMPTools::Initialize();
+}
+
+// Not the sphere, but the mesh itself says where the surface is wanted.
+TEST_F(CurvedSeamlessSurface, TheNetworkIsCutIntoEqualParts)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  this->Filter->SetSamplingToNetwork();
+  for (int height = vtkCurvedSeamlessMap::NONE; height <= vtkCurvedSeamlessMap::FITTED; ++height)
+  {
+    this->Filter->SetDomeHeight(height);
+    this->Filter->SetCloudData(surface);
+    for (const int seam :
+      { vtkCurvedSeamlessMap::PER_TRIANGLE, vtkCurvedSeamlessMap::EDGE_MATCHED })
+    {
+      this->Filter->SetSeamMode(seam);
+      for (const int k : { 1, 2, 5 })
+      {
+        this->Filter->SetSubdivisions(k);
+        vtkPolyData* output = this->Run(surface);
+        EXPECT_FALSE(this->Seen.Error() || this->Seen.Warning());
+        ASSERT_EQ(output->GetNumberOfPoints(), 160 * k * k + 2);
+        ASSERT_EQ(output->GetNumberOfPolys(), 320 * k * k);
+        EXPECT_EQ(EulerNumberIfClosed(output), 2);
+        contract::ExpectSpherePosition(output);
+        contract::ExpectArray(
+          output->GetPointData(), "Normals", VTK_DOUBLE, 3, output->GetNumberOfPoints());
+        EXPECT_EQ(output->GetCellData()->GetArray("Degenerate")->GetRange()[1], 0.0);
+      }
+    }
+  }
+}
+
+TEST_F(CurvedSeamlessSurface, TheNetworksPointsComeFirstAndAreExact)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid();
+  this->Filter->SetSamplingToNetwork();
+  this->Filter->SetSubdivisions(4);
+  vtkPolyData* output = this->Run(surface);
+  vtkDataArray* map = output->GetPointData()->GetArray("SpherePosition");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3], q[3];
+    output->GetPoint(i, p);
+    surface->GetPoint(i, q);
+    EXPECT_EQ(vtkMath::Distance2BetweenPoints(p, q), 0.0);
+    EXPECT_NEAR(vtkMath::Dot(map->GetTuple3(i),
+                  std::array<double, 3>{ (q[0] - 10.0) / 3.0, q[1] / 2.0, q[2] }.data()),
+      1.0, 1e-14);
+  }
+  // And the map finds every point again where the surface says it is.
+  vtkNew<vtkDoubleArray> positions;
+  ASSERT_TRUE(this->Filter->GetMap()->ToSurface(map, positions));
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_LT(vtkMath::Distance2BetweenPoints(positions->GetTuple3(i), output->GetPoint(i)), 1e-26);
+  }
+}
+
+// A cap of the map is shrunk to where no direction of a regular sphere comes by.
+TEST_F(CurvedSeamlessSurface, TheNetworkKeepsWhatDirectionsMiss)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid(8);
+  ShrinkTheNorth(surface, 1e-3);
+  this->Filter->SetSamplingToDirections();
+  const double exact = 4.0 / 3.0 * vtkMath::Pi() * 3.0 * 2.0;
+  EXPECT_LT(VolumeOf(this->Run(surface)), 0.8 * exact);
+  this->Filter->SetSamplingToAutomatic();
+  EXPECT_GT(VolumeOf(this->Run(surface)), 0.97 * exact);
+}
+
+TEST_F(CurvedSeamlessSurface, AutomaticSamplingIsByTheNetworkUnlessItIsGeodesic)
+{
+  const vtkNew<vtkPolyData> surface = Ellipsoid(), uneven = Ellipsoid();
+  ShrinkTheNorth(uneven, 0.1);
+  const auto run = [&](vtkPolyData* input, int sampling)
+  {
+    this->Filter->SetSampling(sampling);
+    vtkNew<vtkPolyData> output;
+    output->DeepCopy(this->Run(input));
+    return output;
+  };
+  using F = vtkCurvedSeamlessSurface;
+  EXPECT_EQ(this->Filter->GetSampling(), F::AUTOMATIC);
+  EXPECT_EQ(
+    LargestDifference(run(surface, F::AUTOMATIC).Get(), run(surface, F::DIRECTIONS).Get()), 0.0);
+  EXPECT_EQ(LargestDifference(run(uneven, F::AUTOMATIC).Get(), run(uneven, F::NETWORK).Get()), 0.0);
+  // 160 k^2 + 2 reaches 10 f^2 + 2 = 1,002 with k = 3.
+  EXPECT_EQ(run(uneven, F::AUTOMATIC)->GetNumberOfPoints(), 1442);
+  EXPECT_EQ(run(surface, F::NETWORK)->GetNumberOfPoints(), 1442);
+  // A sphere on port 1 is meant to be used; an empty one makes an empty output.
+  const vtkNew<vtkPolyData> sphere = Ellipsoid(3);
+  this->Filter->SetSphereData(sphere);
+  EXPECT_EQ(run(uneven, F::AUTOMATIC)->GetNumberOfPoints(), 92);
+  EXPECT_EQ(run(uneven, F::DIRECTIONS)->GetNumberOfPoints(), 92);
+  EXPECT_EQ(run(uneven, F::NETWORK)->GetNumberOfPoints(), 1442);
+  this->Filter->SetSphereData(vtkNew<vtkPolyData>());
+  EXPECT_EQ(run(uneven, F::NETWORK)->GetNumberOfPoints(), 1442);
+  EXPECT_FALSE(this->Seen.Warning());
+  EXPECT_EQ(run(uneven, F::AUTOMATIC)->GetNumberOfPoints(), 0);
+  this->Seen.ExpectWarning("the sphere on input port 1 is empty");
+}
+
+TEST_F(CurvedSeamlessSurface, MoreTrianglesThanAnIntCountsAreRefused)
+{
+  this->Filter->SetSamplingToNetwork();
+  this->Filter->SetSubdivisions(100);
+  this->ExpectRefused(Ellipsoid(110), "more than an int counts"); // 242,000 times 10,000
 }
 
 TEST_F(CurvedSeamlessSurface, LeavesItsInputAlone)
@@ -253,8 +419,8 @@ TEST_F(CurvedSeamlessSurface, RunsOnlyWhenModifiedAndPrints)
   this->Filter->SetSeamModeToPerTriangle();
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetOutput()->GetMTime(), before);
-  for (const char* property :
-    { "Frequency", "SeamMode", "DomeHeight", "VertexShift", "NumberOfFitRounds", "FitSmoothness" })
+  for (const char* property : { "Sampling", "Frequency", "Subdivisions", "SeamMode", "DomeHeight",
+         "VertexShift", "NumberOfFitRounds", "FitSmoothness" })
   {
     contract::ExpectPrints(this->Filter, property);
   }
@@ -262,6 +428,11 @@ TEST_F(CurvedSeamlessSurface, RunsOnlyWhenModifiedAndPrints)
   EXPECT_EQ(this->Filter->GetFrequency(), 1);
   this->Filter->SetFrequency(1001);
   EXPECT_EQ(this->Filter->GetFrequency(), 1000);
+  EXPECT_EQ(this->Filter->GetSubdivisions(), 0);
+  this->Filter->SetSubdivisions(-1);
+  EXPECT_EQ(this->Filter->GetSubdivisions(), 0);
+  this->Filter->SetSubdivisions(101);
+  EXPECT_EQ(this->Filter->GetSubdivisions(), 100);
 }
 
 TEST_F(CurvedSeamlessSurface, PropertiesAreThoseOfItsMap)
@@ -404,6 +575,33 @@ TEST_F(CurvedSeamlessSurface, LostFieldDataChangeNothingSilently)
     this->Filter->SetDomeHeight(height); // which moves no vertex
     this->ExpectDone(surface, "");
   }
+}
+
+// The same for a learned mesh that is not known by its connectivity.
+TEST_F(CurvedSeamlessSurface, AdaptiveNetworksAreKnownAsPolished)
+{
+  const vtkNew<vtkPolyData> cloud = Ellipsoid(40);
+  vtkNew<vtkConformalSOM> network;
+  network->SetInputData(cloud);
+  network->SetLatticeToAdaptive();
+  network->SetNumberOfNeurons(2000);
+  network->Update();
+  vtkPolyData* learned = network->GetOutput();
+  this->Filter->SetPolishedToAutomatic();
+  vtkNew<vtkPolyData> expected, unpolished;
+  expected->DeepCopy(this->Run(learned));
+  EXPECT_EQ(expected->GetNumberOfPoints(), 2000); // k = 1
+  EXPECT_FALSE(this->Seen.Warning());
+  vtkNew<vtkPolyData> lost;
+  lost->ShallowCopy(learned);
+  lost->SetFieldData(vtkNew<vtkFieldData>());
+  unpolished->DeepCopy(this->Run(lost));
+  this->Seen.ExpectWarning("no field array \"Polished\"; it is taken as not polished");
+  this->Seen.Clear();
+  EXPECT_GT(LargestDifference(unpolished, expected), 1e-4);
+  this->Filter->SetPolishedToOn();
+  EXPECT_EQ(LargestDifference(this->Run(lost), expected), 0.0);
+  EXPECT_FALSE(this->Seen.Warning());
 }
 
 TEST_F(CurvedSeamlessSurface, NormalsLookOutwardsWhateverTheDomes)
@@ -698,6 +896,7 @@ TEST_F(CurvedSeamlessSurface, QuadsAndStripsAreCutSilently)
   {
     quads->InsertNextCell(4, quad.data());
   }
+  this->Filter->SetSamplingToDirections();
   this->Filter->SetPolishedToAutomatic(); // no mesh of vtkConformalSOM has 8 points
   this->ExpectDone(Cube(quads), "");
   this->Filter->SetPolishedToOff();

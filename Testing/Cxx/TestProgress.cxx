@@ -461,6 +461,16 @@ TEST(Progress, OfTheCurvedSurface)
     ExpectEven(name, Of<CSS>(mesh, domes(250)));
     ExpectEven(name + " of a fine mesh", Of<CSS>(fine, domes(60)));
   }
+  const auto cut = [](int subdivisions)
+  {
+    return [=](CSS* css)
+    {
+      css->SetSamplingToNetwork();
+      css->SetSubdivisions(subdivisions);
+    };
+  };
+  ExpectEven("CurvedSeamlessSurface, Network", Of<CSS>(mesh, cut(5)));
+  ExpectEven("CurvedSeamlessSurface, Network of a fine mesh", Of<CSS>(fine, cut(1)));
   const auto fitted = [cloud](CSS* css)
   {
     css->SetFrequency(100);

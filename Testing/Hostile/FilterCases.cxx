@@ -203,6 +203,7 @@ std::vector<SetUp> CurvedSurfaces()
   };
   SetUp curvature = mode("Curvature", vtkCurvedSeamlessMap::CURVATURE, 1);
   curvature.Properties = { Integer("Frequency", &F::SetFrequency),
+    Integer("Sampling", &F::SetSampling), Integer("Subdivisions", &F::SetSubdivisions),
     Integer("SeamMode", &F::SetSeamMode), Integer("DomeHeight", &F::SetDomeHeight),
     Number("VertexShift", &F::SetVertexShift), Integer("Polished", &F::SetPolished) };
   SetUp fitted = { "vtkCurvedSeamlessSurface", "Fitted", true,
@@ -217,10 +218,18 @@ std::vector<SetUp> CurvedSurfaces()
     reads, true, true };
   fitted.Properties = { Integer("NumberOfFitRounds", &F::SetNumberOfFitRounds),
     Number("FitSmoothness", &F::SetFitSmoothness) };
+  SetUp network = { "vtkCurvedSeamlessSurface", "Network", true,
+    On<F>(
+      [](F* f, vtkPolyData*)
+      {
+        f->SetSamplingToNetwork();
+        f->SetSubdivisions(2);
+      }),
+    reads, true };
   return { curvature, mode("flat", vtkCurvedSeamlessMap::NONE, 1),
     mode("Published", vtkCurvedSeamlessMap::PUBLISHED, 0),
     mode("Scaled", vtkCurvedSeamlessMap::SCALED, 1),
-    mode("Curvature, per triangle", vtkCurvedSeamlessMap::CURVATURE, 0), fitted,
+    mode("Curvature, per triangle", vtkCurvedSeamlessMap::CURVATURE, 0), fitted, network,
     { "vtkCurvedSeamlessSurface", "Fitted to the cloud", true,
       OnPort<F>(2,
         [](F* f)

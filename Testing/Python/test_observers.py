@@ -87,6 +87,8 @@ FILTERS = {
         vtkConformalSOM, cloud(), Frequency=3, TrainingMode=0, NumberOfEpochs=1),
     "curved surface": lambda: with_inputs(
         vtkCurvedSeamlessSurface, surface(6), Frequency=30, Polished=0),
+    "curved surface, network": lambda: with_inputs(
+        vtkCurvedSeamlessSurface, surface(6), Sampling=2, Subdivisions=6, Polished=0),
     "curved surface, fitted": lambda: with_inputs(
         vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, Polished=0),
     "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),

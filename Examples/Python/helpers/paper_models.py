@@ -137,5 +137,6 @@ def smooth(mesh, frequency=SURFACE_FREQUENCY):
     """The curved seamless surface of a mapped mesh."""
     surface = vtkCurvedSeamlessSurface()
     surface.SetInputData(mesh)
+    surface.SetSamplingToDirections()  # as the paper does, whatever the map
     surface.SetFrequency(frequency)
     return run(surface)

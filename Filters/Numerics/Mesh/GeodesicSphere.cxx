@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -168,5 +169,25 @@ bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices)
   }
   return std::count(valences.begin(), valences.end(), 5) == 12 &&
     std::count(valences.begin(), valences.end(), 6) == numberOfVertices - 12;
+}
+
+//------------------------------------------------------------------------------
+bool isGeodesicSphere(const Points& positions, const Triangles& triangles)
+{
+  if (!hasGeodesicConnectivity(triangles, positions.rows()))
+  {
+    return false;
+  }
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                  c = positions.row(triangles(r, 2));
+    const double area = (b - a).cross(c - a).norm();
+    smallest = std::min(smallest, area);
+    largest = std::max(largest, area);
+  }
+  constexpr double even = 4.0;
+  return largest <= even * smallest;
 }
 }

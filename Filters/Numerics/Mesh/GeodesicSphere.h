@@ -25,6 +25,12 @@ Mesh makeGeodesicSphere(
 /// Whether a closed mesh has the connectivity of a geodesic sphere of some frequency: 10 f^2 + 2
 /// vertices, 12 of them with 5 triangles and all others with 6.
 bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices);
+
+/// Whether a mesh on the sphere is a geodesic one: that connectivity, and triangles that differ in
+/// area by a factor of 4 at most. Those of makeGeodesicSphere() differ by less than 2; a map of a
+/// mesh of that connectivity that makes the sphere of it again need not be even.
+/// @param[in] positions  #V by 3 unit vectors
+bool isGeodesicSphere(const Points& positions, const Triangles& triangles);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/TriangleSubdivision.h"
 #include "Mesh/VertexNormals.h"
 #include "Sphere/SphereCoverage.h"
 
@@ -403,6 +404,21 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  Mesh network;
+  network.Positions = surface.sphere();
+  network.Triangles = surface.triangles();
+  const Index numberOfVertices = network.Positions.rows();
+  Mesh fine = subdivide(network, subdivisions, parallelFor, progress);
+  forBlocks(parallelFor, fine.Positions.rows() - numberOfVertices, BlockSize,
+    [&](Index begin, Index end)
+    { fine.Positions.middleRows(numberOfVertices + begin, end - begin).rowwise().normalize(); });
+  return fine;
 }
 
 //------------------------------------------------------------------------------

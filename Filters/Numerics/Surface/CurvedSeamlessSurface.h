@@ -84,6 +84,12 @@ public:
   /// The surface without its map to the sphere. Empty unless differentiable.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
+  /// The network: #V by 3, n_i as unit vectors
+  const Points& sphere() const { return this->Sphere; }
+
+  /// #F by 3, counter-clockwise on the sphere seen from outside
+  const conformal::Triangles& triangles() const { return this->Triangles; }
+
   /// triangleNeighbors of its triangles
   const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
@@ -199,6 +205,15 @@ struct SurfaceSamples
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const ParallelFor& parallelFor = {},
   const Progress& progress = {});
+
+/// The network with each triangle cut into k x k, see subdivide(): where to evaluate a surface so
+/// that every triangle gets its points, however small it is on the sphere, and none lies across an
+/// edge of the network.
+///
+/// @return unit vectors, n_i first; triangles counter-clockwise on the sphere
+/// @throws as subdivide()
+Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
 
 /// Directions of many points on a surface or near it.
 ///

@@ -44,6 +44,25 @@ TEST(GeodesicSphere, IsKnownByItsConnectivity)
   }
 }
 
+// Turned it is still one, with one end blown up it is not.
+TEST(GeodesicSphere, IsKnownByItsConnectivityAndAreas)
+{
+  for (int f : Frequencies)
+  {
+    conformal::Mesh sphere = makeGeodesicSphere(f);
+    EXPECT_TRUE(conformal::isGeodesicSphere(sphere.Positions, sphere.Triangles));
+    const Eigen::AngleAxisd turn(1.0, Vector3(1.0, 2.0, 3.0).normalized());
+    sphere.Positions = sphere.Positions * turn.toRotationMatrix();
+    EXPECT_TRUE(conformal::isGeodesicSphere(sphere.Positions, sphere.Triangles));
+    sphere.Positions.col(2).array() += 0.7;
+    sphere.Positions.rowwise().normalize();
+    EXPECT_FALSE(conformal::isGeodesicSphere(sphere.Positions, sphere.Triangles));
+    sphere = makeGeodesicSphere(f);
+    sphere.Triangles(0, 0) = sphere.Triangles(sphere.Triangles.rows() - 1, 0);
+    EXPECT_FALSE(conformal::isGeodesicSphere(sphere.Positions, sphere.Triangles));
+  }
+}
+
 TEST(GeodesicSphere, IsClosedAndOfEulerNumberTwo)
 {
   for (int f : Frequencies)
