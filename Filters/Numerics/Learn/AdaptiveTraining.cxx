@@ -7,6 +7,7 @@
 #include "Learn/SurfaceSupport.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/Remeshing.h"
+#include "Mesh/SharpEdges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -160,7 +161,8 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
     {
       work.insert(work.end(), { ofPolish, ofRemeshing });
     }
-    work.insert(work.end(), { (ofPolish + ofRemeshing) / Coarser, ofLast, 0.01 * ofLast });
+    work.insert(work.end(),
+      { (ofPolish + ofRemeshing) / Coarser, ofLast, workOfSharpEdges(neurons), 0.01 * ofLast });
     return work;
   };
   const double spacing = spacingFor(samples, neurons);
@@ -187,6 +189,7 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   last.FirstSmoothness = last.LastSmoothness;
   last.AutomaticPriority = options.AutomaticPriority && noise.ToDetail < LittleNoise;
   const std::vector<double> masses = polish(samples, last, parallelFor, steps.next(), result);
+  sharpenEdges(result, parallelFor, steps.next());
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);

@@ -19,6 +19,8 @@ namespace conformal
 /// polished (LeastSquaresPolish.h) in turns, from smooth to fine; the last polish leaves the
 /// connectivity alone.
 ///
+/// In the end vertices move onto sharp edges that the triangles cut off (SharpEdges.h).
+///
 /// Noise is estimated from how much closer the surface comes to the samples than one of a quarter
 /// of the vertices does, and sets the smoothness of the last polish.
 ///

@@ -8,6 +8,7 @@
 #include "Ranks.h"
 #include "Search/TriangleTree.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -220,6 +221,39 @@ TEST(AdaptiveTraining, FitsLimbsCloser)
   }
   EXPECT_LT(farthest, 0.02);
   EXPECT_EQ(own.UnsupportedFraction, 0.0);
+}
+
+// A cube, turned: neurons lie on its edges and in its corners, and no triangle cuts these off.
+TEST(AdaptiveTraining, MeetsSharpEdges)
+{
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, 4.0).normalized()).toRotationMatrix();
+  conformal::Random random(3);
+  const auto onCube = [&](int dimensions) // of a face, or an edge
+  {
+    Vector3 x;
+    const int axis = std::min(2, static_cast<int>(3.0 * random.uniform()));
+    for (int i = 0; i < 3; ++i)
+    {
+      const double free = random.uniform() - 0.5;
+      x[(axis + i) % 3] = i < dimensions ? free : free < 0.0 ? -0.5 : 0.5;
+    }
+    return Vector3(turn * x);
+  };
+  Points points(20000, 3), edges(2000, 3);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = onCube(2);
+  }
+  for (Index i = 0; i < edges.rows(); ++i)
+  {
+    edges.row(i) = onCube(1);
+  }
+  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), adaptive(3000));
+  expectWhole(result, 3000);
+  const double error = std::sqrt(meanSquareDistance(edges, result));
+  RecordProperty("Error", std::to_string(error));
+  EXPECT_LT(error, 1e-3);
 }
 
 TEST(AdaptiveTraining, MapsConformallyOrInBalance)
