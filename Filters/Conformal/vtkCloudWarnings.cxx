@@ -20,6 +20,14 @@ void WarnOfCutHandles(vtkObject* self, double cutFraction)
 }
 
 //------------------------------------------------------------------------------
+void WarnOfUnusedNormals(vtkObject* self)
+{
+  vtkWarningWithObjectMacro(self,
+    << "the normals of the points do not agree on what is inside and are not used; others are "
+       "found from the points. If the normals are right but for their signs, orient them first");
+}
+
+//------------------------------------------------------------------------------
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total)
 {
   vtkWarningWithObjectMacro(

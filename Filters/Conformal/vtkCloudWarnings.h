@@ -11,6 +11,7 @@ namespace vtkConformalConversions
 /// One warning each. The filter decides what is worth one.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
+void WarnOfUnusedNormals(vtkObject* self);
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }

@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Learn/ConformalSOM.h"
+#include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
@@ -51,6 +52,7 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
   options.Smoothness = self->GetSmoothness();
   options.AutomaticPriority = self->GetAutomaticPriority();
   options.StartingShape = static_cast<conformal::StartingShape>(self->GetStartingShape());
+  options.HullIndicator = static_cast<conformal::HullIndicator>(self->GetHullIndicator());
   return options;
 }
 
@@ -245,8 +247,17 @@ int vtkConformalSOM::RequestData(
         { 40.0 * size,
           online ? 5000.0 * options.NumberOfEpochs * options.SamplesPerEpoch : 150000.0 * neurons,
           measuresErrors ? 450.0 * size : 0.0, 10.0 * neurons });
-      const conformal::TrainingSamples samples(points, priorities,
+      conformal::TrainingSamples samples(points, priorities,
         vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
+      vtkConformalConversions::CloudNormals normals;
+      if (!online && options.HullIndicator == conformal::HullIndicator::WindingNumbers)
+      {
+        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), normals);
+      }
+      if (normals.Known)
+      {
+        samples.setNormals(normals.View);
+      }
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
@@ -321,6 +332,8 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
             : this->StartingShape == HULL ? "Hull"
                                           : "Automatic")
      << "\n";
+  os << indent << "HullIndicator: "
+     << (this->HullIndicator == WINDING_NUMBERS ? "WindingNumbers" : "Distance") << "\n";
   os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

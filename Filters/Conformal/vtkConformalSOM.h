@@ -86,6 +86,12 @@ public:
     HULL = 2
   };
 
+  enum HullIndicators
+  {
+    DISTANCE = 0,
+    WINDING_NUMBERS = 1
+  };
+
   enum Lattices
   {
     GEODESIC = 0,
@@ -328,6 +334,19 @@ public:
 
   ///@{
   /**
+   * Batch: how the hull, if learning starts from one, tells inside from outside, as the property
+   * Indicator of vtkGenusZeroHull. DISTANCE (default) or WINDING_NUMBERS: for scans with large
+   * holes, hidden sides or noise; uses the normals of the input's polygons, else its active
+   * normals, else finds them.
+   */
+  vtkSetClampMacro(HullIndicator, int, DISTANCE, WINDING_NUMBERS);
+  vtkGetMacro(HullIndicator, int);
+  void SetHullIndicatorToDistance() { this->SetHullIndicator(DISTANCE); }
+  void SetHullIndicatorToWindingNumbers() { this->SetHullIndicator(WINDING_NUMBERS); }
+  ///@}
+
+  ///@{
+  /**
    * Whether to add the point array "QuantizationError". Default is off.
    */
   vtkSetMacro(GenerateErrorScalars, bool);
@@ -391,6 +410,7 @@ private:
   double Smoothness = 0.01;
   bool AutomaticPriority = true;
   int StartingShape = AUTOMATIC;
+  int HullIndicator = DISTANCE;
   bool GenerateErrorScalars = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Hull/GenusZeroHull.h"
+#include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
 #include "vtkProcessConversions.h"
@@ -62,6 +63,11 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
     vtkWarningWithObjectMacro(
       self, << "the points enclose nothing, the hull is a shell around them");
   }
+  if (samples.oriented() && hull.Indicator == conformal::HullIndicator::WindingNumbers &&
+    !hull.NormalsUsed)
+  {
+    vtkConformalConversions::WarnOfUnusedNormals(self);
+  }
   if (conformal::hasHandles(hull))
   {
     vtkConformalConversions::WarnOfCutHandles(self, conformal::cutFraction(hull));
@@ -87,6 +93,9 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   const auto addLength = [&](const char* name, double length)
   { vtkConformalConversions::AddLengths(data, name, { length * samples.scale() }, frame); };
   AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
+  AddNumber(data, "Indicator", static_cast<long long>(hull.Indicator));
+  AddNumber(data, "NormalsUsed", static_cast<long long>(hull.NormalsUsed));
+  addLength("KernelWidth", hull.Width);
   addLength("LatticeSpacing", hull.Spacing);
   AddNumber(data, "NumberOfInsideNodes", static_cast<long long>(hull.NumberOfInsideNodes));
   AddNumber(data, "SolidEulerNumber", static_cast<long long>(hull.EulerNumber));
@@ -134,6 +143,7 @@ int vtkGenusZeroHull::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
   conformal::GenusZeroHullOptions options;
+  options.Indicator = static_cast<conformal::HullIndicator>(this->Indicator);
   options.Spacing = this->Spacing;
   options.Offset = this->Offset;
   options.Persistence = this->Persistence;
@@ -148,6 +158,7 @@ int vtkGenusZeroHull::RequestData(
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const double perSquare = 1.0 / (options.Spacing * options.Spacing);
       const double nodes = 4.7 * perSquare / options.Spacing;
+      const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
       conformal::Steps steps(processes.progress(),
         { 40.0 * size, 220.0 * nodes + 40.0 * size + 1900.0 * std::min(size, 32.0 * perSquare),
           3.0 * nodes });
@@ -155,9 +166,23 @@ int vtkGenusZeroHull::RequestData(
         vtkConformalConversions::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
       const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
-      const conformal::TrainingSamples samples(
+      conformal::TrainingSamples samples(
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
         vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
+      vtkConformalConversions::CloudNormals normals;
+      if (winding)
+      {
+        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), normals);
+      }
+      if (normals.Known)
+      {
+        samples.setNormals(normals.View);
+      }
+      if (winding && !samples.empty())
+      {
+        steps.replan(
+          { conformal::workOfHullByWindingNumbers(samples, options.Spacing), 3.0 * nodes });
+      }
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {
@@ -182,6 +207,9 @@ int vtkGenusZeroHull::RequestData(
 void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "Indicator: " << (this->Indicator == WINDING_NUMBERS ? "WindingNumbers" : "Distance")
+     << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "Persistence: " << this->Persistence << "\n";

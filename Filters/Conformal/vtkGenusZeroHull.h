@@ -2,23 +2,30 @@
  * @class   vtkGenusZeroHull
  * @brief   wrap scattered points into one closed surface without handles
  *
- * Input port 0: vtkPointSet, any points in any order; cells are ignored. Points that are not
- * finite are left out with a warning, hidden or duplicate ghost points silently.
+ * Input port 0: vtkPointSet, any points in any order. Points that are not finite are left out with
+ * a warning, hidden or duplicate ghost points silently. Cells and normals are used by
+ * WINDING_NUMBERS only, see Indicator.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of genus zero around the points, in their
  * coordinates, double precision; triangles are counter-clockwise seen from outside. With
  * DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType), the
  * active global ids. Field data, one value each, lengths in units of the coordinates:
  * - "Rank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for equal points.
+ * - "Indicator" (idtype): what told inside from outside, as the property; DISTANCE also where
+ *   winding numbers cannot tell: points in a plane, fewer than 20, or nothing found inside.
+ * - "NormalsUsed" (idtype): 1 if normals were given and told what is outside.
+ * - "KernelWidth" (double): the radius over which winding numbers were averaged; wider with noise.
+ * 0 for DISTANCE.
  * - "LatticeSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
- * - "NumberOfInsideNodes" (idtype): lattice nodes inside, farther from the points than the offset.
- *   0 means that the points enclose nothing.
+ * - "NumberOfInsideNodes" (idtype): lattice nodes inside; for DISTANCE those farther from the
+ * points than the offset. 0 means that the points enclose nothing.
  * - "SolidEulerNumber" (idtype): of what the hull is the surface of, before handles were cut: 1
  *   minus the number of handles.
- * - "NumberOfCutNodes" (idtype): lattice nodes taken away to open the handles.
+ * - "NumberOfCutNodes" (idtype): lattice nodes taken away, or added, to open the handles.
  * - "HoleWidth", "HoleDepth" (double): of the largest hole in the data that was closed, the
  * distance from its middle to the nearest point, and the largest such distance inside, behind the
- * hole. 0 where there is none. The nearer they are, the less certain is what is inside.
+ * hole. 0 where there is none, and for WINDING_NUMBERS. The nearer they are, the less certain is
+ * what is inside.
  * - "Leaks" (idtype): 1 if a hole was so wide that persistence did not tell inside from outside,
  * and the most likely part was taken for inside.
  * - "NumberOfPointsOutside" (idtype): points that the hull was not made around: outliers, and what
@@ -40,6 +47,11 @@
  * wider than the hole by the factor Persistence. Limbs closer than twice the offset are joined by
  * it, and parted again in the middle between them.
  *
+ * With WINDING_NUMBERS all points say at once what is inside, so that a hole in the data is closed
+ * by the smooth surface that the rest implies, and the surface goes through the points, amid noise.
+ * The normals it needs are those of the input or are found by steepest descent (S. Lin and others,
+ * 2022 and 2024; see Documentation/references.bib).
+ *
  * @sa
  * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
  */
@@ -59,6 +71,27 @@ public:
   vtkTypeMacro(vtkGenusZeroHull, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Indicators
+  {
+    DISTANCE = 0,
+    WINDING_NUMBERS = 1
+  };
+
+  ///@{
+  /**
+   * How inside and outside are told apart. DISTANCE (default): by the distance to the points, which
+   * closes holes smaller than what is behind them. WINDING_NUMBERS: by winding numbers around all
+   * points, for scans with large holes, hidden sides or noise. They need normals: those of the
+   * input's polygons, else its active normals; inward ones are turned. Where there are none, or
+   * where they do not agree on what is inside (with a warning), normals are found from the points.
+   * Takes about a second of one thread more.
+   */
+  vtkSetClampMacro(Indicator, int, DISTANCE, WINDING_NUMBERS);
+  vtkGetMacro(Indicator, int);
+  void SetIndicatorToDistance() { this->SetIndicator(DISTANCE); }
+  void SetIndicatorToWindingNumbers() { this->SetIndicator(WINDING_NUMBERS); }
+  ///@}
+
   ///@{
   /**
    * Spacing of the lattice, as a fraction of the largest distance of a point from the centroid.
@@ -74,7 +107,7 @@ public:
 
   ///@{
   /**
-   * Distance of the surface from the points, in spacings. In [0.9, 10]. Default is 1.
+   * DISTANCE: distance of the surface from the points, in spacings. In [0.9, 10]. Default is 1.
    */
   vtkSetClampMacro(Offset, double, 0.9, 10.0);
   vtkGetMacro(Offset, double);
@@ -82,8 +115,8 @@ public:
 
   ///@{
   /**
-   * How many times wider than a hole in the data what lies behind it must be for the hole to be
-   * closed. In [1.1, 10]. Default is 1.5.
+   * DISTANCE: how many times wider than a hole in the data what lies behind it must be for the hole
+   * to be closed. In [1.1, 10]. Default is 1.5.
    */
   vtkSetClampMacro(Persistence, double, 1.1, 10.0);
   vtkGetMacro(Persistence, double);
@@ -131,6 +164,7 @@ private:
   vtkGenusZeroHull(const vtkGenusZeroHull&) = delete;
   void operator=(const vtkGenusZeroHull&) = delete;
 
+  int Indicator = DISTANCE;
   double Spacing = 0.016;
   double Offset = 1.0;
   double Persistence = 1.5;

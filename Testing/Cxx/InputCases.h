@@ -123,6 +123,14 @@ inline std::vector<Case> Filters()
     { "vtkGenusZeroCheck", Maker<vtkGenusZeroCheck>(), { s } },
     { "vtkGenusZeroHull",
       Maker<vtkGenusZeroHull>([](vtkGenusZeroHull* filter) { filter->SetSpacing(0.2); }), { s } },
+    { "vtkGenusZeroHull, winding numbers",
+      Maker<vtkGenusZeroHull>(
+        [](vtkGenusZeroHull* filter)
+        {
+          filter->SetIndicatorToWindingNumbers();
+          filter->SetSpacing(0.2);
+        }),
+      { s } },
     { "vtkGlobalConformalMap", Maker<vtkGlobalConformalMap>(), { s } },
     { "vtkSphericalAlignment", Maker<vtkSphericalAlignment>(), { s, s } },
     { "vtkSphericalAlignment, landmarks",

@@ -289,7 +289,7 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
       "PriorityArrayName", "RandomSeed", "ReferencePoint", "NumberOfEpochs", "SamplesPerEpoch",
       "InitialNeighborhoodRadius", "NeighborhoodTimeConstant", "InitialLearningRate",
       "LearningRateTimeConstant", "PassesPerLevel", "SamplesPerNeuron", "NumberOfPolishRounds",
-      "Smoothness", "AutomaticPriority", "StartingShape", "GenerateErrorScalars",
+      "Smoothness", "AutomaticPriority", "StartingShape", "HullIndicator", "GenerateErrorScalars",
       "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(filter, property);

@@ -181,8 +181,8 @@ void Gather(Results& results, const std::string& name, vtkDataArray* array,
 Results Run(
   vtkAlgorithm* filter, std::set<std::string> lengths = {}, const std::set<std::string>& areas = {})
 {
-  lengths.insert(
-    { "Points", "QuantizationError", "LatticeSpacing", "HoleWidth", "HoleDepth", "Distance" });
+  lengths.insert({ "Points", "QuantizationError", "KernelWidth", "LatticeSpacing", "HoleWidth",
+    "HoleDepth", "Distance" });
   Results results;
   const contract::Observed observed(filter);
   filter->Update();
@@ -325,6 +325,15 @@ std::vector<Case> Cases()
     {
       vtkNew<vtkGenusZeroHull> filter;
       filter->SetInputData(Cloud(scale));
+      filter->SetSpacing(0.1);
+      return Run(filter);
+    } });
+  cases.push_back({ "WrapsByWindingNumbers",
+    [](double scale)
+    {
+      vtkNew<vtkGenusZeroHull> filter;
+      filter->SetInputData(Cloud(scale));
+      filter->SetIndicatorToWindingNumbers();
       filter->SetSpacing(0.1);
       return Run(filter);
     } });

@@ -6,8 +6,12 @@
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkMassProperties.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -24,9 +28,10 @@
 
 namespace
 {
-const char* const Counts[] = { "Rank", "NumberOfInsideNodes", "SolidEulerNumber",
-  "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside", "NumberOfPointsInside" };
-const char* const Lengths[] = { "LatticeSpacing", "HoleWidth", "HoleDepth" };
+const char* const Counts[] = { "Rank", "Indicator", "NormalsUsed", "NumberOfInsideNodes",
+  "SolidEulerNumber", "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside",
+  "NumberOfPointsInside" };
+const char* const Lengths[] = { "KernelWidth", "LatticeSpacing", "HoleWidth", "HoleDepth" };
 constexpr double Pi = 3.14159265358979323846;
 
 // A sphere's points, evenly spread.
@@ -461,12 +466,178 @@ TEST_F(GenusZeroHull, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetSpacing(0.08); });
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetOffset(1.5); });
+  contract::ExpectRunsOnlyWhenModified(
+    this->Filter, [&]() { this->Filter->SetIndicatorToWindingNumbers(); });
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetPersistence(2.0); });
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->SetSmoothingPasses(5); });
-  for (const char* property :
-    { "Spacing", "Offset", "Persistence", "SmoothingPasses", "DistributeOutput", "Controller" })
+  for (const char* property : { "Indicator", "Spacing", "Offset", "Persistence", "SmoothingPasses",
+         "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(this->Filter, property);
   }
+}
+
+// Half of the data is missing above a height; the distance leaks there or closes it flat.
+TEST_F(GenusZeroHull, ClosesALargeHoleByWindingNumbers)
+{
+  vtkNew<vtkPoints> points;
+  AddSphere(points, 5000, 2.0, 5.0, -0.5);
+  this->Cloud->SetPoints(points);
+  this->Filter->SetIndicatorToWindingNumbers();
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::WINDING_NUMBERS);
+  EXPECT_EQ(this->Figure("NormalsUsed"), 0);
+  EXPECT_GT(this->Figure("KernelWidth"), 0.0);
+  EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
+  EXPECT_TRUE(this->IsGenusZero());
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputConnection(this->Filter->GetOutputPort());
+  // A flat lid would leave 0.84 of the ball.
+  EXPECT_NEAR(mass->GetVolume() / (4.0 / 3.0 * Pi * 8.0), 0.97, 0.06);
+}
+
+// Given by an array or by triangles, outward or inward.
+TEST_F(GenusZeroHull, UsesTheNormalsOfTheInput)
+{
+  vtkNew<vtkGeodesicSphereSource> sphere;
+  sphere->SetFrequency(36);
+  sphere->Update();
+  const vtkSmartPointer<vtkPoints> places = this->Cloud->GetPoints();
+  for (const double sign : { 1.0, -1.0 })
+  {
+    for (const bool triangles : { false, true })
+    {
+      this->Cloud->Initialize();
+      this->Cloud->SetPoints(places);
+      if (triangles)
+      {
+        vtkNew<vtkCellArray> polygons;
+        vtkCellArray* all = sphere->GetOutput()->GetPolys();
+        for (vtkIdType i = 0; i < all->GetNumberOfCells(); ++i)
+        {
+          vtkNew<vtkIdList> ids;
+          all->GetCellAtId(i, ids);
+          if (sign < 0.0)
+          {
+            const vtkIdType first = ids->GetId(0);
+            ids->SetId(0, ids->GetId(1));
+            ids->SetId(1, first);
+          }
+          polygons->InsertNextCell(ids);
+        }
+        this->Cloud->SetPolys(polygons);
+      }
+      else
+      {
+        vtkNew<vtkFloatArray> normals;
+        normals->SetNumberOfComponents(3);
+        for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+        {
+          const double* n = sphere->GetOutput()->GetPoint(i);
+          normals->InsertNextTuple3(sign * n[0], sign * n[1], sign * n[2]);
+        }
+        this->Cloud->GetPointData()->SetNormals(normals);
+      }
+      this->Filter->SetIndicatorToWindingNumbers();
+      contract::Observed observed(this->Filter);
+      this->Filter->Update();
+      EXPECT_FALSE(observed.Error() || observed.Warning());
+      EXPECT_EQ(this->Figure("NormalsUsed"), 1);
+      vtkNew<vtkMassProperties> mass;
+      mass->SetInputConnection(this->Filter->GetOutputPort());
+      EXPECT_NEAR(mass->GetVolume() / (4.0 / 3.0 * Pi * 8.0), 1.0, 0.01);
+    }
+  }
+}
+
+TEST_F(GenusZeroHull, WarnsOfNormalsThatDisagree)
+{
+  vtkPoints* places = this->Cloud->GetPoints();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+  {
+    const double* x = places->GetPoint(i);
+    const double sign = i * 2654435761U % 256 < 128 ? 1.0 : -1.0;
+    normals->InsertNextTuple3(sign * (x[0] - 5.0), sign * x[1], sign * x[2]);
+  }
+  this->Cloud->GetPointData()->SetNormals(normals);
+  contract::Observed observed(this->Filter);
+  this->Filter->Update(); // by the distance they do not matter
+  EXPECT_FALSE(observed.Warning());
+  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->Update();
+  EXPECT_NE(observed.WarningMessage().find("do not agree on what is inside"), std::string::npos);
+  EXPECT_EQ(this->Figure("NormalsUsed"), 0);
+  EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::WINDING_NUMBERS);
+  EXPECT_TRUE(this->IsGenusZero());
+}
+
+// Where winding numbers cannot tell, the hull is the other one, to the bit.
+TEST_F(GenusZeroHull, TakesTheDistanceForFlatAndSmallClouds)
+{
+  for (const int size : { 400, 12 })
+  {
+    vtkNew<vtkPoints> points;
+    if (size == 12)
+    {
+      AddSphere(points, 12, 1.0, 0.0);
+    }
+    for (int i = 0; i < 400 && size == 400; ++i)
+    {
+      points->InsertNextPoint(i % 20, i / 20, 0.0);
+    }
+    this->Cloud->SetPoints(points);
+    this->Filter->SetIndicatorToDistance();
+    this->Filter->Update();
+    vtkNew<vtkPolyData> expected;
+    expected->DeepCopy(this->Filter->GetOutput());
+    this->Filter->SetIndicatorToWindingNumbers();
+    this->Filter->Update();
+    EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::DISTANCE);
+    ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), expected->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_EQ(this->Filter->GetOutput()->GetPoint(i)[c], expected->GetPoint(i)[c]);
+      }
+    }
+  }
+}
+
+TEST_F(GenusZeroHull, RefusesCellsWithoutPointsOnlyWhereItReadsThem)
+{
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 1 << 20 });
+  this->Cloud->SetPolys(polygons);
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_FALSE(observed.Error());
+  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->Update();
+  EXPECT_TRUE(observed.Error());
+  this->ExpectEmpty();
+}
+
+TEST_F(GenusZeroHull, ByWindingNumbersIsTheSameOnAnyThreads)
+{
+  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->Update();
+  vtkNew<vtkPolyData> expected;
+  expected->DeepCopy(this->Filter->GetOutput());
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(1, "Sequential", false),
+    [&]()
+    {
+      this->Filter->Modified();
+      this->Filter->Update();
+    });
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  EXPECT_EQ(
+    std::memcmp(this->Filter->GetOutput()->GetPoints()->GetVoidPointer(0),
+      expected->GetPoints()->GetVoidPointer(0), 3 * sizeof(double) * expected->GetNumberOfPoints()),
+    0);
 }

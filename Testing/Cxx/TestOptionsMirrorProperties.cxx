@@ -52,7 +52,9 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(filter->GetSmoothness(), options.Smoothness);
   EXPECT_EQ(filter->GetAutomaticPriority(), options.AutomaticPriority);
   EXPECT_EQ(filter->GetStartingShape(), static_cast<int>(options.StartingShape));
+  EXPECT_EQ(filter->GetHullIndicator(), static_cast<int>(options.HullIndicator));
   EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
+  using conformal::HullIndicator;
   using conformal::Lattice;
   using conformal::ReferencePoint;
   using conformal::SphereMap;
@@ -70,6 +72,8 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(vtkConformalSOM::AUTOMATIC, static_cast<int>(StartingShape::Automatic));
   EXPECT_EQ(vtkConformalSOM::SPHERE, static_cast<int>(StartingShape::Sphere));
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
+  EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullIndicator::Distance));
+  EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullIndicator::WindingNumbers));
 }
 
 TEST(OptionsMirrorProperties, ConformalPLYReader)
@@ -119,6 +123,10 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
 {
   const conformal::GenusZeroHullOptions options;
   vtkNew<vtkGenusZeroHull> filter;
+  EXPECT_EQ(filter->GetIndicator(), static_cast<int>(options.Indicator));
+  EXPECT_EQ(vtkGenusZeroHull::DISTANCE, static_cast<int>(conformal::HullIndicator::Distance));
+  EXPECT_EQ(
+    vtkGenusZeroHull::WINDING_NUMBERS, static_cast<int>(conformal::HullIndicator::WindingNumbers));
   EXPECT_EQ(filter->GetSpacing(), options.Spacing);
   EXPECT_EQ(filter->GetOffset(), options.Offset);
   EXPECT_EQ(filter->GetPersistence(), options.Persistence);

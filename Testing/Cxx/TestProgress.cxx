@@ -489,6 +489,17 @@ TEST(Progress, OfTheHull)
     "GenusZeroHull large head", Of<Hull>(Head(300), [](Hull* hull) { hull->SetSpacing(0.05); }));
 }
 
+TEST(Progress, OfTheHullByWindingNumbers)
+{
+  using Hull = vtkGenusZeroHull;
+  const auto byWindingNumbers = [](Hull* hull) { hull->SetIndicatorToWindingNumbers(); };
+  vtkNew<vtkPolyData> cloud; // without triangles, so that normals must be found
+  cloud->SetPoints(Head(60)->GetPoints());
+  ExpectEven("GenusZeroHull head, winding numbers", Of<Hull>(cloud, byWindingNumbers));
+  ExpectEven(
+    "GenusZeroHull limbs, winding numbers and triangles", Of<Hull>(Limbs(60), byWindingNumbers));
+}
+
 TEST(Progress, OfTheHullOnScans)
 {
   ExpectEvenOnScans<vtkGenusZeroHull>(

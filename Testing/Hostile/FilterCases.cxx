@@ -97,8 +97,8 @@ std::vector<SetUp> Learners()
     Integer("SamplesPerNeuron", &F::SetSamplesPerNeuron),
     Integer("NumberOfPolishRounds", &F::SetNumberOfPolishRounds),
     Number("Smoothness", &F::SetSmoothness), Switch("AutomaticPriority", &F::SetAutomaticPriority),
-    Integer("StartingShape", &F::SetStartingShape), Integer("Lattice", &F::SetLattice),
-    Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
+    Integer("StartingShape", &F::SetStartingShape), Integer("HullIndicator", &F::SetHullIndicator),
+    Integer("Lattice", &F::SetLattice), Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
   SetUp adaptive = { "vtkConformalSOM", "Adaptive", true,
     make(
@@ -146,8 +146,9 @@ std::vector<SetUp> Hulls()
   using F = vtkGenusZeroHull;
   SetUp hull = { "vtkGenusZeroHull", "", true,
     On<F>([](F* f, vtkPolyData*) { f->SetSpacing(0.08); }), BadPoints, true };
-  hull.Properties = { Number("Spacing", &F::SetSpacing), Number("Offset", &F::SetOffset),
-    Number("Persistence", &F::SetPersistence), Integer("SmoothingPasses", &F::SetSmoothingPasses),
+  hull.Properties = { Integer("Indicator", &F::SetIndicator), Number("Spacing", &F::SetSpacing),
+    Number("Offset", &F::SetOffset), Number("Persistence", &F::SetPersistence),
+    Integer("SmoothingPasses", &F::SetSmoothingPasses),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
   return { hull,
     { "vtkGenusZeroHull", "wide", true,
@@ -159,7 +160,15 @@ std::vector<SetUp> Hulls()
           f->SetPersistence(1.1);
           f->SetSmoothingPasses(0);
         }),
-      BadPoints, true } };
+      BadPoints, true },
+    { "vtkGenusZeroHull", "winding numbers", true,
+      On<F>(
+        [](F* f, vtkPolyData*)
+        {
+          f->SetIndicatorToWindingNumbers();
+          f->SetSpacing(0.08);
+        }),
+      BadPoints | BadIds, true } };
 }
 
 std::vector<SetUp> Maps()

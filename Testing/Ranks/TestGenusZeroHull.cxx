@@ -37,6 +37,22 @@ TEST(GenusZeroHull, IsThatOfOneProcessAlone)
   }
 }
 
+TEST(GenusZeroHull, ByWindingNumbersIsThatOfOneProcessAlone)
+{
+  auto cloud = clouds::Horseshoe(6000);
+  auto alone = MakeFilter(cloud);
+  alone->SetIndicatorToWindingNumbers();
+  alone->SetController(nullptr);
+  alone->Update();
+  for (const std::vector<vtkIdType>& cuts : { clouds::EvenCuts(6000), clouds::UnevenCuts(6000) })
+  {
+    auto filter = MakeFilter(clouds::OwnPart(cloud, cuts));
+    filter->SetIndicatorToWindingNumbers();
+    filter->Update();
+    clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
+  }
+}
+
 TEST(GenusZeroHull, AbortOnOneRankStopsAll)
 {
   auto filter = MakeFilter(clouds::OwnPart(clouds::Horseshoe(6000), clouds::EvenCuts(6000)));

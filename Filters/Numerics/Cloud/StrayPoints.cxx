@@ -5,6 +5,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <array>
+
 namespace conformal
 {
 std::vector<std::uint8_t> strayPoints(
@@ -44,5 +47,54 @@ std::vector<std::uint8_t> strayPoints(
       }
     });
   return stray;
+}
+
+std::vector<std::uint8_t> isolatedPoints(
+  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr int Neighbors = 8;
+  constexpr double FromNeighbors = 3.0, FromAll = 8.0;
+  constexpr Index BlockSize = 256;
+  const Index size = points.rows();
+  std::vector<std::uint8_t> isolated(size, 0);
+  if (size <= Neighbors)
+  {
+    return isolated;
+  }
+  Steps steps(progress, { 160.0, 1400.0, 60.0 }); // for each point
+  const PointTree tree(points, steps.next());
+  std::vector<double> squares(size);
+  std::vector<std::array<int, Neighbors>> around(size);
+  forBlocks(parallelFor, size, BlockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      for (Index i = begin; i < end; ++i)
+      {
+        tree.nearest(points.row(i), Neighbors + 1, nearest);
+        squares[i] = nearest.back().SquareDistance;
+        for (int k = 0; k < Neighbors; ++k)
+        {
+          around[i][k] = nearest[k + 1].Id;
+        }
+      }
+    });
+  std::vector<double> sorted = squares;
+  std::nth_element(sorted.begin(), sorted.begin() + size / 2, sorted.end());
+  const double typical = sorted[size / 2];
+  forBlocks(parallelFor, size, BlockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::array<double, Neighbors> theirs;
+      for (Index i = begin; i < end; ++i)
+      {
+        std::transform(around[i].begin(), around[i].end(), theirs.begin(),
+          [&](int neighbor) { return squares[neighbor]; });
+        std::nth_element(theirs.begin(), theirs.begin() + Neighbors / 2, theirs.end());
+        isolated[i] = squares[i] > FromNeighbors * FromNeighbors * theirs[Neighbors / 2] ||
+          squares[i] > FromAll * FromAll * typical;
+      }
+    });
+  return isolated;
 }
 }

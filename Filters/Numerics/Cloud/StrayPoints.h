@@ -1,4 +1,4 @@
-/// Detects stray points that lie off the surface sampled by the others.
+/// Detects stray points: off the surface sampled by the others, or far from all of them.
 
 #ifndef ConformalStrayPoints_h
 #define ConformalStrayPoints_h
@@ -19,6 +19,16 @@ namespace conformal
 /// @return #P, 1 for a stray point, else 0; all 0 for up to eight points
 /// @throws Aborted
 std::vector<std::uint8_t> strayPoints(
+  const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// Mark points that are far from all others: whose eighth neighbor is more than 3 times as far as
+/// those of its eight neighbors typically are, or more than 8 times as far as the typical point's.
+/// Noise is kept, and so is every part of a cloud whose density changes slowly.
+///
+/// @param[in] points  #P by 3, finite
+/// @return #P, 1 for an isolated point, else 0; all 0 for up to eight points
+/// @throws Aborted
+std::vector<std::uint8_t> isolatedPoints(
   const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
 }
 

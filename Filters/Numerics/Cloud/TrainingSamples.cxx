@@ -142,6 +142,16 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   }
 }
 
+void TrainingSamples::setNormals(const PointView& normals)
+{
+  if (normals.size() != this->View.size())
+  {
+    throw std::invalid_argument("there must be as many normals as points");
+  }
+  this->Normals = normals;
+  this->Oriented = true;
+}
+
 void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& progress)
 {
   std::vector<double> extremes(7, -std::numeric_limits<double>::infinity());

@@ -50,6 +50,13 @@ public:
   /// Whether there are weights, on any process: one without points has none.
   bool weighted() const { return this->Weighted; }
 
+  /// Give the patterns normals, #P by 3 of any length, not copied either: zero or not finite where
+  /// unknown. On all processes or on none of them.
+  /// @throws std::invalid_argument if there are not as many as points
+  void setNormals(const PointView& normals);
+  bool oriented() const { return this->Oriented; }
+  Vector3 normal(Index i) const { return this->Normals[this->id(i)]; }
+
   /// From the points' own unit to that of training, and back.
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
   Vector3 restore(const Vector3& x) const { return x * this->Scale + this->Center; }
@@ -70,12 +77,14 @@ private:
 
   PointView View;
   NumberView Weights;
+  PointView Normals;
   KeptIds Kept; ///< empty where all points are patterns
   conformal::Reduce Sums;
   Index Size = 0;
   Share OfAll;
   Index NonFinite = 0;
   bool Weighted = false;
+  bool Oriented = false;
   double LargestWeight = 1.0;
   Vector3 Center = Vector3::Zero();
   double Scale = 1.0;

@@ -1,6 +1,7 @@
 #include "Hull/CloudDistance.h"
 
 #include "Base/Steps.h"
+#include "Cloud/CloudThinning.h"
 #include "Cloud/StrayPoints.h"
 #include "Search/BoxTree.h"
 
@@ -52,30 +53,6 @@ float squareDistanceOf(Entry entry)
   return squareDistance;
 }
 
-// Samples of a cloud, spread over its order: one of each stretch, not always the same, since scans
-// have rhythms of their own. All processes get the same ones.
-Points select(const TrainingSamples& samples, double spacing)
-{
-  const double most = SamplesPerSquare / (spacing * spacing);
-  const Index stretch =
-    std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / most));
-  const Index first = samples.firstOfTotal(), last = first + samples.size();
-  std::vector<double> own;
-  for (Index i = first / stretch; i < std::min(samples.totalSize() / stretch, last); ++i)
-  {
-    const std::uint64_t mixed = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U;
-    const Index id =
-      i * stretch + static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(stretch));
-    if (id >= first && id < last)
-    {
-      const Vector3 x = samples[id - first];
-      own.insert(own.end(), x.data(), x.data() + 3);
-    }
-  }
-  const std::vector<double> all = gather(samples.reduce(), own);
-  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
-}
-
 // Nodes along the axes that a lattice needs to hold a box, without a margin.
 Vector3 stepsOver(const Box& bounds, double spacing)
 {
@@ -111,7 +88,8 @@ public:
   NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples,
     const ParallelFor& parallelFor)
     : Lattice(lattice)
-    , Taken(select(samples, lattice.Spacing))
+    , Taken(
+        selectSamples(samples, SamplesPerSquare / (lattice.Spacing * lattice.Spacing)).Positions)
     , Threads(parallelFor)
     , Entries(lattice.numberOfNodes())
   {
@@ -396,6 +374,12 @@ FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing,
     bounds.Lower = bounds.Lower.cwiseMin(Eigen::Map<const Vector3>(corners.data() + i));
     bounds.Upper = bounds.Upper.cwiseMax(Eigen::Map<const Vector3>(corners.data() + i + 3));
   }
+  return latticeAround(bounds, spacing, margin);
+}
+
+//------------------------------------------------------------------------------
+FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin)
+{
   const Vector3 steps = stepsOver(bounds, spacing);
   const double nodes = (steps.array() + 2.0 * margin).prod();
   if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))

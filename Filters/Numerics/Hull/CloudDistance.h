@@ -7,6 +7,7 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/FreudenthalLattice.h"
+#include "Search/BoxTree.h"
 
 #include <vector>
 
@@ -17,6 +18,9 @@ namespace conformal
 ///   would do
 FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
   const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// A lattice around a box likewise.
+FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin);
 
 constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 

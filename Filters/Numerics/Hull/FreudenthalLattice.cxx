@@ -1,5 +1,7 @@
 #include "Hull/FreudenthalLattice.h"
 
+#include <algorithm>
+
 namespace conformal
 {
 namespace
@@ -68,6 +70,39 @@ int eulerShare(unsigned int corners, unsigned int from)
   }
   return sum;
 }
+
+class EulerShares
+{
+public:
+  EulerShares(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
+    : Steps(lattice.cornerSteps())
+    , Inside(inside)
+  {
+    for (unsigned int corners = 0; corners < 256; ++corners)
+    {
+      this->Shares[corners] = (corners & 1U) ? eulerShare(corners, 0) : 0;
+    }
+  }
+  // That of the cube above a node.
+  int of(int node) const
+  {
+    if (!this->Inside[node])
+    {
+      return 0;
+    }
+    unsigned int corners = 1;
+    for (int s = 1; s < 8; ++s)
+    {
+      corners |= static_cast<unsigned int>(this->Inside[node + this->Steps[s]]) << s;
+    }
+    return this->Shares[corners];
+  }
+
+private:
+  const std::array<int, 8> Steps;
+  const std::vector<std::uint8_t>& Inside;
+  std::array<int, 256> Shares;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -143,29 +178,40 @@ void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& mar
 Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
   const Progress& progress)
 {
-  std::array<int, 256> share;
-  for (unsigned int corners = 0; corners < 256; ++corners)
-  {
-    share[corners] = (corners & 1U) ? eulerShare(corners, 0) : 0;
-  }
-  const std::array<int, 8> steps = lattice.cornerSteps();
+  const EulerShares shares(lattice, inside);
   Index sum = 0;
   forInnerRows(lattice, {}, progress,
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
       {
-        if (inside[node])
-        {
-          unsigned int corners = 1;
-          for (int s = 1; s < 8; ++s)
-          {
-            corners |= static_cast<unsigned int>(inside[node + steps[s]]) << s;
-          }
-          sum += share[corners];
-        }
+        sum += shares.of(node);
       }
     });
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+Index eulerNumberAround(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const std::vector<int>& nodes)
+{
+  // A node counts with the lowest corners of all cubes it is in.
+  std::vector<int> corners;
+  for (const int node : nodes)
+  {
+    for (const int step : lattice.cornerSteps())
+    {
+      corners.push_back(node - step);
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  const EulerShares shares(lattice, inside);
+  Index sum = 0;
+  for (const int corner : corners)
+  {
+    sum += shares.of(corner);
+  }
   return sum;
 }
 

@@ -67,6 +67,12 @@ void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& mar
 Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
   const Progress& progress = {});
 
+/// The part in the Euler number of a set of nodes that nodes have in it together with those around
+/// them: what a change of these nodes changes in it.
+/// @param[in] nodes  none of the lattice's faces
+Index eulerNumberAround(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const std::vector<int>& nodes);
+
 /// Whether a node can join or leave a set without changing the topology of either the set or its
 /// complement: the node's neighbors in the set hang together, and so do the others.
 ///

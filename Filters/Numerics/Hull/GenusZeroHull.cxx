@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Hull/CloudDistance.h"
+#include "Hull/IndicatorSolid.h"
 #include "Hull/LatticeSolid.h"
 #include "Hull/LevelSetSurface.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -95,6 +96,20 @@ Index countCutData(const FreudenthalLattice& lattice, const std::vector<std::uin
   return largestCutNearData(lattice, solid, opened, distances, nearness * offset);
 }
 
+void addSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+  const std::vector<float>& values, double level, int smoothingPasses,
+  const ParallelFor& parallelFor, const Progress& progress, GenusZeroHullResult& result)
+{
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
+  Steps steps(
+    progress, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
+  Mesh surface = makeLevelSetSurface(lattice, inside, values, level, steps.next());
+  smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, parallelFor, steps.next());
+  result.Positions.swap(surface.Positions);
+  result.Triangles.swap(surface.Triangles);
+}
+
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -108,8 +123,8 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
   // samples outside, data hidden inside, the surface and its smoothing.
   steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
-    22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes, 12.0 * nodes + 1800.0 * surfaceNodes,
-    options.SmoothingPasses * 450.0 * surfaceNodes });
+    22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes,
+    12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
   std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, steps.next());
 
   GenusZeroHullResult result;
@@ -163,11 +178,100 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   {
     return result; // too coarse a cloud: no surface is asked for
   }
-  Mesh surface = makeLevelSetSurface(lattice, inside, distances, options.Offset, steps.next());
-  smoothSurface(
-    surface.Positions, surface.Triangles, options.SmoothingPasses, parallelFor, steps.next());
-  result.Positions.swap(surface.Positions);
-  result.Triangles.swap(surface.Triangles);
+  addSurface(lattice, inside, distances, options.Offset, options.SmoothingPasses, parallelFor,
+    steps.next(), result);
+  return result;
+}
+
+// Nodes at most so many steps from the surface of a solid, on both sides.
+std::vector<std::uint8_t> nodesAlongSurface(
+  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside, int layers)
+{
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  std::vector<std::uint8_t> near(inside.size(), 0);
+  std::vector<int> front, next;
+  forInnerRows(lattice, {}, {},
+    [&](int first, int last)
+    {
+      for (int node = first; node < last; ++node)
+      {
+        near[node] = std::any_of(steps.begin(), steps.end(),
+          [&](int step) { return inside[node + step] != inside[node]; });
+        if (near[node])
+        {
+          front.push_back(node);
+        }
+      }
+    });
+  const auto size = static_cast<int>(near.size());
+  for (int layer = 1; layer < layers; ++layer)
+  {
+    next.clear();
+    for (const int node : front)
+    {
+      for (const int step : steps)
+      {
+        const int other = node + step;
+        if (other >= 0 && other < size && !near[other])
+        {
+          near[other] = 1;
+          next.push_back(other);
+        }
+      }
+    }
+    front.swap(next);
+  }
+  return near;
+}
+
+// No triangles where winding numbers do not tell inside from outside.
+GenusZeroHullResult makeHullByWindingNumbers(const TrainingSamples& samples,
+  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const auto size = static_cast<double>(samples.size());
+  const double nodes = 6.0 / std::pow(options.Spacing, 3);
+  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
+  Steps steps(progress,
+    { workOfIndicatorSolid(samples, options.Spacing), 44.0 * size,
+      12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
+  IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, parallelFor, steps.next());
+  GenusZeroHullResult result;
+  if (solid.Inside.empty())
+  {
+    return result;
+  }
+  result.Indicator = HullIndicator::WindingNumbers;
+  result.NormalsUsed = solid.NormalsUsed;
+  result.Width = solid.Width;
+  result.Spacing = options.Spacing;
+  result.NumberOfInsideNodes = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
+  result.EulerNumber = solid.EulerNumber;
+  result.NumberOfCutNodes = solid.Repair.NumberOfCutNodes + solid.Repair.NumberOfFilledNodes;
+  result.NumberOfCutInsideNodes = solid.Repair.NumberOfDefiniteNodes;
+
+  // Noise goes as far as the width that was needed for it.
+  constexpr double reach = 1.5;
+  const int layers = std::max(1, static_cast<int>(reach * solid.Width / options.Spacing));
+  const Progress counting = steps.next();
+  std::vector<std::uint8_t> near = nodesAlongSurface(solid.Lattice, solid.Inside, layers);
+  result.Data = HullData(solid.Lattice, near);
+  const Index atSurface =
+    countSamples(samples, result.Data, parallelFor, partOf(counting, 0.0, 0.5));
+  for (std::size_t node = 0; node < near.size(); ++node)
+  {
+    near[node] = near[node] || solid.Inside[node];
+  }
+  const Index all =
+    countSamples(samples, HullData(solid.Lattice, near), parallelFor, partOf(counting, 0.5, 1.0));
+  result.NumberOfSamplesOutside = samples.totalSize() - all;
+  result.NumberOfSamplesInside = all - atSurface;
+
+  for (float& value : solid.Field.Values)
+  {
+    value = -value; // rising outward, as a distance
+  }
+  addSurface(solid.Lattice, solid.Inside, solid.Field.Values, -solid.Field.Level,
+    options.SmoothingPasses, parallelFor, steps.next(), result);
   return result;
 }
 }
@@ -223,6 +327,13 @@ double cutFraction(const GenusZeroHullResult& hull)
 }
 
 //------------------------------------------------------------------------------
+double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing)
+{
+  return workOfIndicatorSolid(samples, spacing) + 44.0 * static_cast<double>(samples.totalSize()) +
+    160000.0 / (spacing * spacing);
+}
+
+//------------------------------------------------------------------------------
 GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
@@ -252,6 +363,20 @@ GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
         return true;
       });
   };
+  if (options.Indicator == HullIndicator::WindingNumbers && samples.rank() == 3)
+  {
+    GenusZeroHullResult byAll = makeHullByWindingNumbers(samples, options, parallelFor,
+      [&](double fraction)
+      {
+        reached = fraction;
+        report(progress, fraction);
+        return true;
+      });
+    if (byAll.Triangles.rows() > 0)
+    {
+      return byAll;
+    }
+  }
   double spacing = options.Spacing;
   GenusZeroHullResult result = attempt(spacing);
   while (result.Triangles.rows() == 0)

@@ -14,11 +14,19 @@
 
 namespace conformal
 {
+/// How the inside of a hull is told from the outside.
+enum class HullIndicator
+{
+  Distance,      ///< by the distance to the data: what is enclosed but for small holes
+  WindingNumbers ///< by all points at once: holes are closed as the rest of the points implies
+};
+
 struct GenusZeroHullOptions
 {
+  HullIndicator Indicator = HullIndicator::Distance;
   double Spacing = 0.016;   ///< of the lattice, in units of the largest radius
-  double Offset = 1.0;      ///< of the surface from the data, in spacings
-  double Persistence = 1.5; ///< see DistanceBasins.h
+  double Offset = 1.0;      ///< Distance: of the surface from the data, in spacings
+  double Persistence = 1.5; ///< Distance: see DistanceBasins.h
   int SmoothingPasses = 10; ///< of the surface
 };
 
@@ -41,7 +49,8 @@ public:
   HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes);
 
   /// Whether a sample, in the normalized frame, is data of the hull, or within a spacing or two of
-  /// such. False for outliers and for what lies apart from the largest piece.
+  /// such. False for outliers and for what lies apart from the largest piece; where winding numbers
+  /// told the inside, also for what lies inside apart from the surface.
   bool contains(const Vector3& sample) const;
 
 private:
@@ -54,6 +63,9 @@ struct GenusZeroHullResult : Mesh
 {
   HullData Data;
 
+  HullIndicator Indicator = HullIndicator::Distance; ///< what was used
+  bool NormalsUsed = false;         ///< WindingNumbers: whether those of the samples were of use
+  double Width = 0.0;               ///< WindingNumbers: of their kernel; more than usual with noise
   double Spacing = 0.0;             ///< of the lattice: that of the options, or a multiple
   Index NumberOfInsideNodes = 0;    ///< farther inside than the offset; 0 where nothing is enclosed
   Index EulerNumber = 1;            ///< of the solid before its handles were cut: 1 - handles
@@ -62,8 +74,8 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfCutDataNodes = 0;   ///< where data must be cut to open a handle: nodes near them
   DataHole LargestHole;             ///< closed in the data, in the normalized frame
   bool Leaks = false;               ///< see OutsideNodes
-  Index NumberOfSamplesOutside = 0; ///< samples that are not of Data
-  Index NumberOfSamplesInside = 0;  ///< samples of Data apart from the surface: inner parts
+  Index NumberOfSamplesOutside = 0; ///< samples apart from the surface that are not inside
+  Index NumberOfSamplesInside = 0;  ///< samples inside, apart from the surface: inner parts
 };
 
 /// Whether the object itself seems to have handles, or parts that touch: then a cut goes through
@@ -84,6 +96,10 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// 3. Handles are cut open (LatticeSolid.h), so that the solid is a ball.
 /// 4. Its surface is taken by marching tetrahedra and smoothed (LevelSetSurface.h).
 ///
+/// With WindingNumbers, the solid is that of IndicatorSolid.h and its surface goes through the
+/// data; where a cloud is flat or has too few points for it, and where it finds nothing inside, the
+/// hull is made by the distance.
+///
 /// It is closed and of genus zero by construction, whatever the data. If the samples are too far
 /// apart for the lattice, nothing is inside and they fall to pieces; then, that is where the
 /// largest piece holds less than half of the samples, all is done again with twice the spacing.
@@ -99,6 +115,9 @@ double cutFraction(const GenusZeroHullResult& hull);
 GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   const GenusZeroHullOptions& options = {}, const ParallelFor& parallelFor = {},
   const Progress& progress = {});
+
+/// What makeGenusZeroHull() takes with WindingNumbers, in nanoseconds as in Steps.
+double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing);
 }
 
 #endif

@@ -20,6 +20,164 @@ struct Waiting
     return this->Key > other.Key || (this->Key == other.Key && this->Node > other.Node);
   }
 };
+
+// Below the steps between layers.
+constexpr float LargestValue = 0.99F;
+
+// How many steps each node is away from a set, 0 within it and on the lattice's faces.
+std::vector<int> layersAround(
+  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
+{
+  const std::array<int, 14> steps = lattice.neighborSteps();
+  std::vector<int> layers(inside.size(), 0);
+  forInnerRows(lattice, {}, {},
+    [&](int first, int last)
+    {
+      for (int node = first; node < last; ++node)
+      {
+        layers[node] = inside[node] ? 0 : -1; // not known yet
+      }
+    });
+  std::vector<int> front, next;
+  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
+  {
+    if (inside[node])
+    {
+      front.push_back(node);
+    }
+  }
+  for (int layer = 1; !front.empty(); ++layer)
+  {
+    next.clear();
+    for (const int node : front)
+    {
+      for (const int step : steps)
+      {
+        if (layers[node + step] < 0)
+        {
+          layers[node + step] = layer;
+          next.push_back(node + step);
+        }
+      }
+    }
+    front.swap(next);
+  }
+  return layers;
+}
+
+// Grows a set of nodes within another one by nodes that change nothing in its topology, the lowest
+// key first. The key of a node may depend on the way to it.
+template <typename KeyOf>
+class Growth
+{
+public:
+  Growth(
+    const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& within, const KeyOf& keyOf)
+    : Lattice(lattice)
+    , Within(within)
+    , Key(keyOf)
+    , Grown(within.size(), 0)
+    , Waits(within.size(), 0)
+  {
+    for (int i = 0; i < 14; ++i)
+    {
+      const int corner = i % 7 + 1;
+      this->Lengths[i] =
+        std::sqrt(static_cast<float>((corner & 1) + (corner >> 1 & 1) + (corner >> 2)));
+    }
+  }
+
+  void begin(int node)
+  {
+    this->Grown[node] = 1;
+    this->Count = 1;
+    this->pushAround(node, this->Key(node, 0.0F));
+  }
+
+  // All nodes of the lattice's faces. Returns how many they are.
+  Index beginAtFaces()
+  {
+    const std::array<int, 3>& size = this->Lattice.Size;
+    Index count = 0;
+    const auto layer = [&](int x, int y, int z) {
+      return std::min({ x, y, z, size[0] - 1 - x, size[1] - 1 - y, size[2] - 1 - z });
+    };
+    for (int node = 0; node < static_cast<int>(this->Within.size()); ++node)
+    {
+      const Eigen::Vector3i x = this->Lattice.coordinates(node);
+      const int depth = layer(x[0], x[1], x[2]);
+      if (depth == 0)
+      {
+        this->Grown[node] = 1;
+        ++count;
+      }
+      else if (depth == 1 && this->Within[node])
+      {
+        this->push(node, 0.0F);
+      }
+    }
+    return count;
+  }
+
+  // Returns how many nodes there are then, those of begin() among them.
+  Index grow(Index total, const Progress& progress)
+  {
+    Index looks = 0;
+    while (!this->Queue.empty())
+    {
+      const Waiting next = this->Queue.top();
+      this->Queue.pop();
+      this->Waits[next.Node] = 0;
+      if (++looks % NodesPerReport == 0)
+      {
+        report(
+          progress, std::min(1.0, static_cast<double>(this->Count) / static_cast<double>(total)));
+      }
+      unsigned int neighbors = 0;
+      for (int i = 0; i < 14; ++i)
+      {
+        neighbors |= static_cast<unsigned int>(this->Grown[next.Node + this->Steps[i]]) << i;
+      }
+      if (isSimpleNode(neighbors)) // else a neighbor added later brings it back
+      {
+        this->Grown[next.Node] = 1;
+        ++this->Count;
+        this->pushAround(next.Node, next.Key);
+      }
+    }
+    return this->Count;
+  }
+
+  std::vector<std::uint8_t>& grown() { return this->Grown; }
+
+private:
+  void push(int node, float way)
+  {
+    this->Waits[node] = 1;
+    this->Queue.push({ this->Key(node, way), node });
+  }
+
+  void pushAround(int node, float key)
+  {
+    for (int i = 0; i < 14; ++i)
+    {
+      const int other = node + this->Steps[i];
+      if (this->Within[other] && !this->Grown[other] && !this->Waits[other])
+      {
+        this->push(other, std::max(0.0F, key) + this->Lengths[i]);
+      }
+    }
+  }
+
+  const FreudenthalLattice& Lattice;
+  const std::vector<std::uint8_t>& Within;
+  const KeyOf Key;
+  const std::array<int, 14> Steps = Lattice.neighborSteps();
+  std::array<float, 14> Lengths;
+  std::vector<std::uint8_t> Grown, Waits;
+  std::priority_queue<Waiting> Queue;
+  Index Count = 0;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -54,13 +212,6 @@ Index keepLargestPiece(
 Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, HandleCut place, const Progress& progress)
 {
-  const std::array<int, 14> steps = lattice.neighborSteps();
-  std::array<float, 14> lengths;
-  for (int i = 0; i < 14; ++i)
-  {
-    const int corner = i % 7 + 1;
-    lengths[i] = std::sqrt(static_cast<float>((corner & 1) + (corner >> 1 & 1) + (corner >> 2)));
-  }
   int deepest = -1;
   Index total = 0;
   for (int node = 0; node < static_cast<int>(inside.size()); ++node)
@@ -75,49 +226,39 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
   {
     return 0;
   }
-  std::vector<std::uint8_t> grown(inside.size(), 0);
-  std::vector<std::uint8_t> waits(inside.size(), 0);
-  std::priority_queue<Waiting> queue;
   // Below 0 beyond the offset, by depth; above, the way from there or the distance to the data.
-  const auto push = [&](int node, float way)
+  const auto keyOf = [&](int node, float way)
   {
     const float later = place == HandleCut::HalfWay ? std::max(0.0F, way) : distances[node];
-    const float key = distances[node] > offset ? -distances[node] : later;
-    waits[node] = 1;
-    queue.push({ key, node });
+    return distances[node] > offset ? -distances[node] : later;
   };
-  Index count = 0, looks = 0;
-  push(deepest, 0.0F);
-  while (!queue.empty())
+  Growth growth(lattice, inside, keyOf);
+  growth.begin(deepest);
+  const Index count = growth.grow(total, progress);
+  inside.swap(growth.grown());
+  return total - count;
+}
+
+//------------------------------------------------------------------------------
+Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+  const std::vector<float>& values, const Progress& progress)
+{
+  std::vector<std::uint8_t> outside(inside.size());
+  Index total = 0;
+  for (std::size_t node = 0; node < inside.size(); ++node)
   {
-    const Waiting next = queue.top();
-    queue.pop();
-    waits[next.Node] = 0;
-    if (++looks % NodesPerReport == 0)
-    {
-      report(progress, std::min(1.0, count / static_cast<double>(total)));
-    }
-    unsigned int neighbors = 0;
-    for (int i = 0; i < 14; ++i)
-    {
-      neighbors |= static_cast<unsigned int>(grown[next.Node + steps[i]]) << i;
-    }
-    if (count > 0 && !isSimpleNode(neighbors))
-    {
-      continue; // a neighbor added later brings it back
-    }
-    grown[next.Node] = 1;
-    ++count;
-    for (int i = 0; i < 14; ++i)
-    {
-      const int node = next.Node + steps[i];
-      if (inside[node] && !grown[node] && !waits[node])
-      {
-        push(node, std::max(0.0F, next.Key) + lengths[i]);
-      }
-    }
+    outside[node] = !inside[node];
+    total += outside[node];
   }
-  inside.swap(grown);
+  const std::vector<int> layers = layersAround(lattice, inside);
+  const auto keyOf = [&](int node, float)
+  { return std::clamp(values[node], 0.0F, LargestValue) - static_cast<float>(layers[node]); };
+  Growth growth(lattice, outside, keyOf);
+  const Index count = growth.beginAtFaces() + growth.grow(total, progress);
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    inside[node] = !growth.grown()[node];
+  }
   return total - count;
 }
 

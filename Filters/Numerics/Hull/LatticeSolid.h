@@ -39,6 +39,18 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
   const std::vector<float>& distances, double offset, HandleCut place = HandleCut::HalfWay,
   const Progress& progress = {});
 
+/// Fill a solid up until it has no handles: what is outside is carved away from the lattice's faces
+/// on, by nodes that change nothing in the topology, the farthest from the solid first and of those
+/// equally far the lowest values; what cannot be carved is added to the solid. So a handle is filled
+/// where the way through it is narrowest.
+///
+/// @param[in,out] inside  a connected set without cavities, as keepLargestPiece leaves it; 0 on the
+///                        lattice's faces
+/// @param[in] values      of each node, in [0, 1), larger toward the inside
+/// @return the number of nodes added
+Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+  const std::vector<float>& values, const Progress& progress = {});
+
 /// Of the nodes that were cut from a solid, those of one connected piece that are near the data:
 /// the most of any piece.
 /// @param[in] uncut, cut  the solid before and after

@@ -61,7 +61,8 @@ double spacingFor(const TrainingSamples& samples, Index neurons)
 
 /// The surface to begin with, in the samples' unit.
 ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* start, double spacing,
-  PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress)
+  HullIndicator indicator, PolishOptions& polishing, const ParallelFor& parallelFor,
+  const Progress& progress)
 {
   ConformalSOMResult result;
   if (start)
@@ -74,12 +75,15 @@ ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* star
     }
     return result;
   }
-  GenusZeroHullResult hull = makeHull(samples, spacing, parallelFor, progress);
+  GenusZeroHullResult hull = makeHull(samples, spacing, indicator, parallelFor, progress);
   static_cast<Mesh&>(result) = hull;
   result.Hulled = true;
   result.HullLeaks = hull.Leaks;
   result.CutFraction = cutFraction(hull);
   result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
+  // Over what nobody has seen, winding numbers know better where the surface is than the points
+  // across from there.
+  polishing.DrawsIdle = hull.Indicator == HullIndicator::Distance;
   const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
   if (strays > ManyStrays * static_cast<double>(samples.totalSize()))
   {
@@ -167,12 +171,14 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   };
   const double spacing = spacingFor(samples, neurons);
   std::vector<double> work = workFrom(verticesOfHull(spacing));
-  work.insert(work.begin(), start ? 300.0 * start->Positions.rows() : workOfHull(samples, spacing));
+  work.insert(work.begin(),
+    start ? 300.0 * start->Positions.rows() : workOfHull(samples, spacing, options.HullIndicator));
   Steps steps(progress, work);
-  ConformalSOMResult result =
-    firstSurface(samples, start, spacing, polishing, parallelFor, steps.next());
+  ConformalSOMResult result = firstSurface(
+    samples, start, spacing, options.HullIndicator, polishing, parallelFor, steps.next());
   last.OutlierRatio = polishing.OutlierRatio;
   last.Belongs = polishing.Belongs;
+  last.DrawsIdle = polishing.DrawsIdle;
   steps.replan(workFrom(static_cast<double>(result.Positions.rows())));
 
   remesh(result, remeshingTo(neurons, FirstIterations), parallelFor, steps.next());

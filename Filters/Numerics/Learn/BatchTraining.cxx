@@ -317,9 +317,10 @@ double hullReserve(const ConformalSOMResult& result, const std::vector<double>& 
 }
 
 /// From a start that is rough, from smooth to fine.
-ConformalSOMResult polishFrom(Points weights, double noise,
-  const std::function<bool(const Vector3&)>& belongs, const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+/// @param[in] hull  what the weights come from; may be null
+ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hull,
+  const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
 {
   ConformalSOMResult result;
   Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
@@ -332,7 +333,11 @@ ConformalSOMResult polishFrom(Points weights, double noise,
   polish.Evenness = 1.0;
   polish.OutlierRatio = 4.0; // the hull is near all of the surface, and at first at one distance
   polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.2);
-  polish.Belongs = belongs;
+  if (hull)
+  {
+    polish.Belongs = [=](const Vector3& x) { return hull->Data.contains(x); };
+    polish.DrawsIdle = hull->Indicator == HullIndicator::Distance;
+  }
   polishAndCheck(samples, polish, parallelFor, progress, result);
   return result;
 }
@@ -341,7 +346,7 @@ ConformalSOMResult polishFrom(Points weights, double noise,
 ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
-  return polishFrom(std::move(weights), 0.0, {}, samples, options, parallelFor, progress);
+  return polishFrom(std::move(weights), 0.0, nullptr, samples, options, parallelFor, progress);
 }
 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
@@ -353,7 +358,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   const auto neurons = static_cast<Index>(numberOfNeurons(options.Frequency));
   const double ownPolish = workOfPolish(samples, polishing, neurons);
   polishing.NumberOfRounds *= 2;
-  const double ofHull = workOfHullStart(samples);
+  const double ofHull = workOfHullStart(samples, options.HullIndicator);
   const double hullPolish = workOfPolish(samples, polishing, neurons);
   ConformalSOMResult fromSphere;
   Steps steps(progress, {});
@@ -381,8 +386,9 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     return fromSphere;
   }
   steps.replan({ ofHull, hullPolish });
-  const std::optional<HullStart> start = startFromHull(samples,
-    makeGeodesicSphere(options.Frequency, parallelFor).Positions, parallelFor, steps.next());
+  const std::optional<HullStart> start =
+    startFromHull(samples, makeGeodesicSphere(options.Frequency, parallelFor).Positions,
+      options.HullIndicator, parallelFor, steps.next());
   if (!start && mustHull)
   {
     throw std::runtime_error(
@@ -393,10 +399,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   {
     return fromSphere;
   }
-  ConformalSOMResult fromHull = polishFrom(
-    start->Positions, fromSphere.NoiseToDetail,
-    [&](const Vector3& x) { return start->Data.contains(x); }, samples, options, parallelFor,
-    steps.next());
+  ConformalSOMResult fromHull = polishFrom(start->Positions, fromSphere.NoiseToDetail, &*start,
+    samples, options, parallelFor, steps.next());
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;

@@ -36,8 +36,12 @@ double hullSpacing(const TrainingSamples& samples)
     0.6 * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
 }
 
-double workOfHull(const TrainingSamples& samples, double spacing)
+double workOfHull(const TrainingSamples& samples, double spacing, HullIndicator indicator)
 {
+  if (indicator == HullIndicator::WindingNumbers)
+  {
+    return workOfHullByWindingNumbers(samples, spacing);
+  }
   const double nodes = 4.7 / (spacing * spacing * spacing);
   return 220.0 * nodes +
     1900.0 * std::min(static_cast<double>(samples.totalSize()), 32.0 / (spacing * spacing));
@@ -49,26 +53,28 @@ double verticesOfHull(double spacing)
 }
 
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
-  const ParallelFor& parallelFor, const Progress& progress)
+  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress)
 {
   GenusZeroHullOptions options;
+  options.Indicator = indicator;
   options.Spacing = spacing;
   return makeGenusZeroHull(samples, options, parallelFor, progress);
 }
 
-double workOfHullStart(const TrainingSamples& samples)
+double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
 {
   const double spacing = hullSpacing(samples);
-  return workOfHull(samples, spacing) + WorkOfThinning * verticesOfHull(spacing) + WorkOfMap;
+  return workOfHull(samples, spacing, indicator) + WorkOfThinning * verticesOfHull(spacing) +
+    WorkOfMap;
 }
 
 std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
-  const ParallelFor& parallelFor, const Progress& progress)
+  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress)
 {
   const double spacing = hullSpacing(samples);
-  const double ofHull = workOfHull(samples, spacing);
-  Steps steps(progress, { ofHull, workOfHullStart(samples) - ofHull });
-  const GenusZeroHullResult hull = makeHull(samples, spacing, parallelFor, steps.next());
+  const double ofHull = workOfHull(samples, spacing, indicator);
+  Steps steps(progress, { ofHull, workOfHullStart(samples, indicator) - ofHull });
+  const GenusZeroHullResult hull = makeHull(samples, spacing, indicator, parallelFor, steps.next());
   const auto size = static_cast<double>(hull.Positions.rows());
   steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
   const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
@@ -89,6 +95,7 @@ std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Poi
   start.Positions =
     resample(map.Positions, thinned.Positions, thinned.Triangles, directions, parallelFor);
   start.Data = hull.Data;
+  start.Indicator = hull.Indicator;
   start.Leaks = hull.Leaks;
   start.CutFraction = cutFraction(hull);
   start.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;

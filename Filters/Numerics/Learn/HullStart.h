@@ -16,19 +16,21 @@ namespace conformal
 double hullSpacing(const TrainingSamples& samples);
 
 /// A genus-zero hull of the samples.
+/// @param[in] indicator  how its inside is told from the outside
 /// @throws Aborted
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
-  const ParallelFor& parallelFor, const Progress& progress);
+  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress);
 
 /// What makeHull() takes, in nanoseconds as in Steps, and how many vertices it makes of a usual
 /// object.
-double workOfHull(const TrainingSamples& samples, double spacing);
+double workOfHull(const TrainingSamples& samples, double spacing, HullIndicator indicator);
 double verticesOfHull(double spacing);
 
 struct HullStart
 {
   Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
   HullData Data;    ///< tells samples of the object from those apart from it
+  HullIndicator Indicator = HullIndicator::Distance; ///< that of the hull
   bool Leaks = false;
   double CutFraction = 0.0; ///< see cutFraction()
   Index NumberOfSamplesOutside = 0;
@@ -41,10 +43,10 @@ struct HullStart
 /// it
 /// @throws Aborted
 std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
-  const ParallelFor& parallelFor, const Progress& progress);
+  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress);
 
 /// What startFromHull() takes, in nanoseconds as in Steps.
-double workOfHullStart(const TrainingSamples& samples);
+double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator);
 }
 
 #endif

@@ -90,7 +90,7 @@ public:
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
     this->draw(number + 1 == firstIdle, steps.next());
     steps.next();
-    if (this->Options.AutomaticPriority && number >= firstIdle)
+    if (this->Options.AutomaticPriority && this->Options.DrawsIdle && number >= firstIdle)
     {
       this->drawIdle();
     }

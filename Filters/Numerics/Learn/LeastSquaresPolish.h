@@ -22,6 +22,7 @@ struct PolishOptions
   double Evenness = 1.0;                       ///< of triangles, see SurfaceEquations.h
   double OutlierRatio = 6.0;                   ///< see LocalScale.h
   bool AutomaticPriority = true;               ///< see below
+  bool DrawsIdle = true;                       ///< see below
   Index SamplesPerRound = 1000000;             ///< others in each round, where there are more
   unsigned int RandomSeed = 1;                 ///< which these are
   std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts at all; may be empty
@@ -37,7 +38,8 @@ struct PolishOptions
 /// With AutomaticPriority
 /// - a sample counts in proportion to its distance in units of the root mean square, between 0.3
 ///   and 2.8: tips that a least-squares fit would cut off have a say;
-/// - a neuron without samples is drawn along its normal to the nearest one that lies there, and so
+/// - where DrawsIdle is true, a neuron without samples is drawn along its normal to the nearest one
+/// that lies there, and so
 ///   lids over hollows come down.
 ///
 /// @param[in,out] result  weights in the samples' unit, and the history, one record a round

@@ -3,6 +3,7 @@
 #ifndef ConformalTraining_h
 #define ConformalTraining_h
 
+#include "Hull/GenusZeroHull.h"
 #include "Mesh/Mesh.h"
 
 #include <vector>
@@ -74,6 +75,7 @@ struct ConformalSOMOptions
   double Smoothness = 0.01;      ///< weight of the polish's Laplacian, per pattern of a neuron
   bool AutomaticPriority = true; ///< far patterns weigh more in the polish, so that tips are met
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
+  conformal::HullIndicator HullIndicator = conformal::HullIndicator::Distance; ///< of a hull
 };
 
 /// What training saw in one epoch (Online) or pass (Batch).

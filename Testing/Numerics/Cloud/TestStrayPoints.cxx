@@ -7,6 +7,7 @@
 #include <algorithm>
 
 using conformal::Index;
+using conformal::isolatedPoints;
 using conformal::Points;
 using conformal::strayPoints;
 
@@ -33,4 +34,49 @@ TEST(StrayPoints, FewPointsAreNoSurface)
   const Points points = conformal::makeGeodesicSphere(1).Positions.topRows(8);
   const std::vector<std::uint8_t> marks = strayPoints(points);
   EXPECT_EQ(marks, std::vector<std::uint8_t>(8, 0));
+}
+
+TEST(IsolatedPoints, AreThoseFarFromAllOthers)
+{
+  Points points = conformal::makeGeodesicSphere(30).Positions;
+  const std::vector<std::uint8_t> none = isolatedPoints(points);
+  EXPECT_EQ(std::count(none.begin(), none.end(), 1), 0);
+  for (Index i : { 100, 2000, 7000 })
+  {
+    points.row(i) *= 1.5;
+  }
+  points.row(5000) *= 0.5;
+  const std::vector<std::uint8_t> some = isolatedPoints(points);
+  for (Index i : { 100, 2000, 5000, 7000 })
+  {
+    EXPECT_EQ(some[i], 1) << i;
+  }
+  EXPECT_EQ(std::count(some.begin(), some.end(), 1), 4);
+}
+
+// Half a sphere has a sixteenth of the points of the other.
+TEST(IsolatedPoints, AreNotThoseOfAThinPart)
+{
+  const Points dense = conformal::makeGeodesicSphere(40).Positions;
+  const Points thin = conformal::makeGeodesicSphere(10).Positions;
+  Points points(dense.rows() + thin.rows(), 3);
+  Index size = 0;
+  for (const Points* part : { &dense, &thin })
+  {
+    for (Index i = 0; i < part->rows(); ++i)
+    {
+      if (((*part)(i, 2) > 0.0) == (part == &dense))
+      {
+        points.row(size++) = part->row(i);
+      }
+    }
+  }
+  const std::vector<std::uint8_t> marks = isolatedPoints(points.topRows(size));
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 0);
+}
+
+TEST(IsolatedPoints, AreNotAmongFew)
+{
+  const Points points = conformal::makeGeodesicSphere(1).Positions.topRows(8);
+  EXPECT_EQ(isolatedPoints(points), std::vector<std::uint8_t>(8, 0));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 
@@ -187,4 +188,36 @@ TEST(FreudenthalLattice, CutsHandlesWhereTheyAreThinnest)
   EXPECT_EQ(marks[lattice.node(8, 4, 7)], 0);
   EXPECT_EQ(std::accumulate(before.begin(), before.end(), 0) - 1,
     std::accumulate(marks.begin(), marks.end(), 0));
+}
+
+// What a change of some nodes changes is told by these and those around them.
+TEST(FreudenthalLattice, CountsTheEulerNumberAroundNodes)
+{
+  const FreudenthalLattice lattice = cube(9);
+  std::mt19937 random(1);
+  Marks inside(lattice.numberOfNodes(), 0);
+  fill(lattice, inside, { 2, 2, 2 }, { 6, 6, 6 }, 1);
+  Index gain = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    std::vector<int> nodes;
+    for (int k = 0; k < 4; ++k)
+    {
+      const auto at = [&] { return 1 + static_cast<int>(random() % 7); };
+      const int x = at(), y = at(), z = at();
+      nodes.push_back(lattice.node(x, y, z));
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const Index whole = eulerNumber(lattice, inside);
+    const Index around = conformal::eulerNumberAround(lattice, inside, nodes);
+    for (const int node : nodes)
+    {
+      inside[node] = !inside[node];
+    }
+    const Index change = conformal::eulerNumberAround(lattice, inside, nodes) - around;
+    EXPECT_EQ(eulerNumber(lattice, inside) - whole, change);
+    gain += std::abs(change);
+  }
+  EXPECT_GT(gain, 20);
 }

@@ -1,0 +1,29 @@
+// The normals that a cloud of points brings along.
+#ifndef vtkCloudNormals_h
+#define vtkCloudNormals_h
+
+#include "Base/CoordinateFrame.h" // for points in a frame
+#include "Base/Parallel.h"        // for Reduce
+#include "Base/Types.h"           // for Points, PointView
+
+class vtkPointSet;
+
+namespace vtkConformalConversions
+{
+/// Normals of all points, seen where they lie or in the copy, which must outlive the view.
+struct CloudNormals
+{
+  bool Known = false;
+  conformal::PointView View; ///< of any length; zero or not finite where unknown
+  conformal::Points Copy;
+};
+
+/// Those of the input's polygons where it has some, else the active normals of its points; not
+/// known where it has neither. Of processes that share a cloud all with points must have the same.
+/// @param[in] normals  filled in place, since its view may be one of its copy
+/// @throws std::invalid_argument if a cell names a point that is not there
+void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+  const conformal::Reduce& reduce, CloudNormals& normals);
+}
+
+#endif

@@ -1,0 +1,176 @@
+#include "Cloud/Orientation.h"
+
+#include "Base/Steps.h"
+#include "Search/PointTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conformal
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr int NumberOfNeighbors = 8;
+
+// The area that each point has for itself, from how far its neighbors are.
+std::vector<double> areasOfPoints(
+  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr Index blockSize = 256;
+  std::vector<double> areas(points.rows(), 0.0);
+  const Index neighbors = std::min<Index>(NumberOfNeighbors, points.rows() - 1);
+  if (neighbors < 1)
+  {
+    return areas;
+  }
+  Steps steps(progress, { 160.0, 1400.0 }); // for each point
+  const PointTree tree(points, steps.next());
+  forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      for (Index i = begin; i < end; ++i)
+      {
+        tree.nearest(points.row(i), static_cast<int>(neighbors) + 1, nearest);
+        areas[i] = Pi * nearest.back().SquareDistance / static_cast<double>(neighbors);
+      }
+    });
+  return areas;
+}
+
+double middleOf(std::vector<double> numbers)
+{
+  const auto middle = numbers.begin() + static_cast<Index>(numbers.size()) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+}
+
+//------------------------------------------------------------------------------
+Points orient(const WindingNumbers& cloud, const OrientationOptions& options,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  const Index size = cloud.size();
+  Points areas = Points::Zero(size, 3);
+  for (int i = 0; i < options.NumberOfIterations; ++i)
+  {
+    const double way = i / std::max(1.0, options.NumberOfIterations - 1.0);
+    const double width = options.FirstWidth + way * (options.LastWidth - options.FirstWidth);
+    const Eigen::VectorXd missing =
+      Eigen::VectorXd::Constant(size, 0.5) - cloud.atPoints(areas, width, parallelFor);
+    const Points gradient = cloud.transposed(missing, width, parallelFor);
+    const double rise = cloud.atPoints(gradient, width, parallelFor).squaredNorm();
+    if (!(rise > 0.0))
+    {
+      break; // nothing is missing, or nothing can be done about it
+    }
+    areas += gradient.squaredNorm() / rise * gradient;
+    const Points descent = cloud.descentAtPoints(areas, width, parallelFor);
+    for (Index k = 0; k < size; ++k)
+    {
+      const double steepness = descent.row(k).norm();
+      if (steepness > 0.0)
+      {
+        areas.row(k) = areas.row(k).norm() / steepness * descent.row(k);
+      }
+    }
+    report(progress, (i + 1.0) / options.NumberOfIterations);
+  }
+  return areas;
+}
+
+//------------------------------------------------------------------------------
+Points areaVectors(const Points& points, const Points& normals, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  const std::vector<double> areas = areasOfPoints(points, parallelFor, progress);
+  return Eigen::Map<const Eigen::VectorXd>(areas.data(), points.rows()).asDiagonal() * normals;
+}
+
+//------------------------------------------------------------------------------
+bool turnOutward(
+  const WindingNumbers& cloud, Points& areas, double width, const ParallelFor& parallelFor)
+{
+  // 1/2 at the points of a whole surface; less beside large holes and where noise is stronger than
+  // the points are dense, about none where signs are anyhow.
+  constexpr double telling = 0.15, majority = 0.75;
+  if (cloud.size() == 0)
+  {
+    return false;
+  }
+  const Eigen::VectorXd numbers = cloud.atPoints(areas, width, parallelFor);
+  const double middle = middleOf({ numbers.data(), numbers.data() + numbers.size() });
+  if (middle < 0.0)
+  {
+    areas = -areas;
+  }
+  const auto agreeing = static_cast<double>((numbers.array() * middle > 0.0).count());
+  return std::abs(middle) > telling && agreeing > majority * static_cast<double>(cloud.size());
+}
+
+//------------------------------------------------------------------------------
+PointNoise noiseOf(const Points& points, const Points& areas, const ParallelFor& parallelFor,
+  const Progress& progress)
+{
+  constexpr int neighbors = 16;
+  constexpr Index blockSize = 256;
+  constexpr double toDeviation = 1.4826; // from the median of its size
+  const Index size = points.rows();
+  PointNoise noise;
+  noise.Offsets = Eigen::VectorXd::Zero(size);
+  if (size <= neighbors)
+  {
+    return noise;
+  }
+  Steps steps(progress, { 160.0, 2500.0 }); // for each point
+  const PointTree tree(points, steps.next());
+  std::vector<std::vector<int>> around(size);
+  forBlocks(parallelFor, size, blockSize, steps.next(),
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      for (Index i = begin; i < end; ++i)
+      {
+        const Vector3 x = points.row(i), n = Vector3(areas.row(i)).stableNormalized();
+        tree.nearest(x, neighbors + 1, nearest);
+        double sum = 0.0;
+        for (const Neighbor& neighbor : nearest)
+        {
+          if (neighbor.Id != i && n.dot(areas.row(neighbor.Id)) > 0.0)
+          {
+            around[i].push_back(neighbor.Id);
+            sum += n.dot(Vector3(points.row(neighbor.Id)) - x);
+          }
+        }
+        noise.Offsets[i] = around[i].empty() ? 0.0 : sum / static_cast<double>(around[i].size());
+      }
+    });
+  // A bend of the surface offsets neighbors alike.
+  std::vector<double> differences(size, 0.0);
+  for (Index i = 0; i < size; ++i)
+  {
+    double sum = 0.0;
+    for (const int neighbor : around[i])
+    {
+      sum += noise.Offsets[neighbor];
+    }
+    differences[i] = around[i].empty()
+      ? 0.0
+      : std::abs(noise.Offsets[i] - sum / static_cast<double>(around[i].size()));
+  }
+  noise.Deviation = toDeviation * middleOf(differences);
+  return noise;
+}
+
+//------------------------------------------------------------------------------
+double typicalSpacing(
+  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+{
+  if (points.rows() < 2)
+  {
+    return 0.0;
+  }
+  return std::sqrt(middleOf(areasOfPoints(points, parallelFor, progress)));
+}
+}

@@ -1,0 +1,359 @@
+#include "Hull/IndicatorLattice.h"
+
+#include "Base/Steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conformal
+{
+namespace
+{
+constexpr int Stride = 4; // between the nodes of the coarse grid
+constexpr int NodesPerCube = Stride * Stride * Stride;
+constexpr double Nearness = 1.5;       // spacings from a point
+constexpr double MarginOfLevel = 0.15; // a cube's corners may miss what is in it
+constexpr Index CubesPerChunk = 1 << 12, CoarsePerChunk = 1 << 16;
+
+// In nanoseconds as in Steps, and of the nodes near the surface, of which there are as on a cube.
+constexpr double WorkOfNode = 30.0;
+double workOfEvaluation(double nodes)
+{
+  return 5500.0 * std::pow(nodes, 2.0 / 3.0);
+}
+
+using Triple = std::array<int, 3>;
+
+// Every fourth node along each axis, up to one at or beyond the last.
+struct CoarseGrid
+{
+  explicit CoarseGrid(const FreudenthalLattice& lattice)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Size[axis] = (lattice.Size[axis] - 2) / Stride + 2;
+    }
+  }
+  Index numberOfNodes() const
+  {
+    return static_cast<Index>(this->Size[0]) * this->Size[1] * this->Size[2];
+  }
+  Index node(int x, int y, int z) const
+  {
+    return x + this->Size[0] * (y + static_cast<Index>(this->Size[1]) * z);
+  }
+  Triple coordinates(Index node) const
+  {
+    const Index row = node / this->Size[0];
+    return { static_cast<int>(node % this->Size[0]), static_cast<int>(row % this->Size[1]),
+      static_cast<int>(row / this->Size[1]) };
+  }
+
+  Triple Size;
+};
+
+double middleOf(const Eigen::VectorXd& values)
+{
+  std::vector<double> numbers(values.data(), values.data() + values.size());
+  const auto middle = numbers.begin() + static_cast<Index>(numbers.size()) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+// The winding numbers of the coarse grid, evaluated in cubes of nodes that are close together.
+std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+  const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  constexpr int side = 4;
+  std::vector<Index> order;
+  order.reserve(grid.numberOfNodes());
+  Triple low;
+  for (low[2] = 0; low[2] < grid.Size[2]; low[2] += side)
+  {
+    for (low[1] = 0; low[1] < grid.Size[1]; low[1] += side)
+    {
+      for (low[0] = 0; low[0] < grid.Size[0]; low[0] += side)
+      {
+        for (int z = low[2]; z < std::min(low[2] + side, grid.Size[2]); ++z)
+        {
+          for (int y = low[1]; y < std::min(low[1] + side, grid.Size[1]); ++y)
+          {
+            for (int x = low[0]; x < std::min(low[0] + side, grid.Size[0]); ++x)
+            {
+              order.push_back(grid.node(x, y, z));
+            }
+          }
+        }
+      }
+    }
+  }
+  std::vector<float> numbers(order.size());
+  const auto size = static_cast<Index>(order.size());
+  Points places;
+  for (Index start = 0; start < size; start += CoarsePerChunk)
+  {
+    const Index count = std::min(CoarsePerChunk, size - start);
+    places.resize(count, 3);
+    for (Index i = 0; i < count; ++i)
+    {
+      const Triple x = grid.coordinates(order[start + i]);
+      places.row(i) = lattice.Origin + lattice.Spacing * Stride * Vector3(x[0], x[1], x[2]);
+    }
+    const Eigen::VectorXd found = cloud.at(places, sources, width, parallelFor);
+    for (Index i = 0; i < count; ++i)
+    {
+      numbers[order[start + i]] = static_cast<float>(found[i]);
+    }
+    report(progress, static_cast<double>(start + count) / static_cast<double>(size));
+  }
+  return numbers;
+}
+
+// Cubes of the coarse grid, by their lowest nodes, that need more than their corners.
+std::vector<Index> cubesToEvaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+  const std::vector<float>& coarse, const Points& points, double level)
+{
+  std::vector<std::uint8_t> marks(coarse.size(), 0);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    const Vector3 x = lattice.toLattice(points.row(i));
+    Triple low, high;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::max(0, static_cast<int>(std::floor((x[axis] - Nearness) / Stride)));
+      high[axis] =
+        std::min(grid.Size[axis] - 2, static_cast<int>(std::floor((x[axis] + Nearness) / Stride)));
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+      for (int y = low[1]; y <= high[1]; ++y)
+      {
+        for (int cx = low[0]; cx <= high[0]; ++cx)
+        {
+          marks[grid.node(cx, y, z)] = 1;
+        }
+      }
+    }
+  }
+  std::vector<Index> cubes;
+  for (int z = 0; z + 1 < grid.Size[2]; ++z)
+  {
+    for (int y = 0; y + 1 < grid.Size[1]; ++y)
+    {
+      for (int x = 0; x + 1 < grid.Size[0]; ++x)
+      {
+        float least = coarse[grid.node(x, y, z)], most = least;
+        for (int s = 1; s < 8; ++s)
+        {
+          const float value = coarse[grid.node(x + (s & 1), y + (s >> 1 & 1), z + (s >> 2))];
+          least = std::min(least, value);
+          most = std::max(most, value);
+        }
+        const Index cube = grid.node(x, y, z);
+        if (marks[cube] || (least < level + MarginOfLevel && most > level - MarginOfLevel))
+        {
+          cubes.push_back(cube);
+        }
+      }
+    }
+  }
+  return cubes;
+}
+
+// All nodes between those of the coarse grid.
+std::vector<float> interpolate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+  const std::vector<float>& coarse, const ParallelFor& parallelFor)
+{
+  std::vector<float> values(lattice.numberOfNodes());
+  forBlocks(parallelFor, lattice.Size[2], 1,
+    [&](Index begin, Index)
+    {
+      const int z = static_cast<int>(begin), cz = std::min(z / Stride, grid.Size[2] - 2);
+      const float tz = static_cast<float>(z - Stride * cz) / Stride;
+      for (int y = 0; y < lattice.Size[1]; ++y)
+      {
+        const int cy = std::min(y / Stride, grid.Size[1] - 2);
+        const float ty = static_cast<float>(y - Stride * cy) / Stride;
+        const auto along = [&](int cx)
+        {
+          const auto at = [&](int s) { return coarse[grid.node(cx, cy + (s & 1), cz + (s >> 1))]; };
+          return (1.0F - tz) * ((1.0F - ty) * at(0) + ty * at(1)) +
+            tz * ((1.0F - ty) * at(2) + ty * at(3));
+        };
+        const int row = lattice.node(0, y, z);
+        for (int cx = 0; cx + 1 < grid.Size[0]; ++cx)
+        {
+          const float from = along(cx), to = along(cx + 1);
+          const int first = Stride * cx, last = std::min(first + Stride, lattice.Size[0]);
+          for (int x = first; x < last; ++x)
+          {
+            const float tx = static_cast<float>(x - first) / Stride;
+            values[row + x] = (1.0F - tx) * from + tx * to;
+          }
+        }
+        // The last node may be the coarse grid's own last.
+        const int last = Stride * (grid.Size[0] - 1);
+        if (last < lattice.Size[0])
+        {
+          values[row + last] = along(grid.Size[0] - 1);
+        }
+      }
+    });
+  return values;
+}
+
+void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+  const std::vector<Index>& cubes, const WindingNumbers& cloud,
+  const WindingNumbers::Sources& sources, double width, std::vector<float>& values,
+  const ParallelFor& parallelFor, const Progress& progress)
+{
+  const auto size = static_cast<Index>(cubes.size());
+  Points places;
+  for (Index start = 0; start < size; start += CubesPerChunk)
+  {
+    const Index count = std::min(CubesPerChunk, size - start);
+    places.resize(count * NodesPerCube, 3);
+    const auto nodeOf = [&](Index i, int k)
+    {
+      const Triple cube = grid.coordinates(cubes[start + i]);
+      return Triple{ Stride * cube[0] + k % Stride, Stride * cube[1] + k / Stride % Stride,
+        Stride * cube[2] + k / (Stride * Stride) };
+    };
+    forBlocks(parallelFor, count, 64,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          for (int k = 0; k < NodesPerCube; ++k)
+          {
+            const Triple x = nodeOf(i, k);
+            places.row(i * NodesPerCube + k) =
+              lattice.Origin + lattice.Spacing * Vector3(x[0], x[1], x[2]);
+          }
+        }
+      });
+    const Eigen::VectorXd found = cloud.at(places, sources, width, parallelFor);
+    for (Index i = 0; i < count; ++i)
+    {
+      for (int k = 0; k < NodesPerCube; ++k)
+      {
+        const Triple x = nodeOf(i, k);
+        if (x[0] < lattice.Size[0] && x[1] < lattice.Size[1] && x[2] < lattice.Size[2])
+        {
+          values[lattice.node(x[0], x[1], x[2])] = static_cast<float>(found[i * NodesPerCube + k]);
+        }
+      }
+    }
+    report(progress, static_cast<double>(start + count) / static_cast<double>(size));
+  }
+}
+
+// Each node with half its weight, its two neighbors along an axis with a quarter each; in place.
+void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& values,
+  const ParallelFor& parallelFor)
+{
+  const int across = axis == 2 ? 1 : 2; // planes that hold the lines
+  const int rows = axis == 0 ? lattice.Size[1] : lattice.Size[axis];
+  const int length = lattice.Size[0];
+  forBlocks(parallelFor, lattice.Size[across], 1,
+    [&](Index plane, Index)
+    {
+      Triple at = { 0, 0, 0 };
+      at[across] = static_cast<int>(plane);
+      const auto rowAt = [&](int i)
+      {
+        Triple place = at;
+        place[axis == 0 ? 1 : axis] = i;
+        return values.data() + lattice.node(0, place[1], place[2]);
+      };
+      std::vector<float> before(length), now(length);
+      for (int i = 0; i < rows; ++i)
+      {
+        float* row = rowAt(i);
+        now.assign(row, row + length);
+        if (axis == 0)
+        {
+          for (int x = 0; x < length; ++x)
+          {
+            row[x] =
+              0.5F * now[x] + 0.25F * (now[std::max(x - 1, 0)] + now[std::min(x + 1, length - 1)]);
+          }
+        }
+        else
+        {
+          const float* after = rowAt(std::min(i + 1, rows - 1));
+          const std::vector<float>& last = i > 0 ? before : now;
+          for (int x = 0; x < length; ++x)
+          {
+            row[x] = 0.5F * now[x] + 0.25F * (last[x] + after[x]);
+          }
+        }
+        before.swap(now);
+      }
+    });
+}
+
+// Of a place within the lattice.
+double interpolated(
+  const FreudenthalLattice& lattice, const std::vector<float>& values, const Vector3& place)
+{
+  const Vector3 x = lattice.toLattice(place);
+  Triple low;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = std::clamp(static_cast<int>(std::floor(x[axis])), 0, lattice.Size[axis] - 2);
+  }
+  double sum = 0.0;
+  for (int s = 0; s < 8; ++s)
+  {
+    double weight = 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double t = x[axis] - low[axis];
+      weight *= (s >> axis & 1) ? t : 1.0 - t;
+    }
+    sum +=
+      weight * values[lattice.node(low[0] + (s & 1), low[1] + (s >> 1 & 1), low[2] + (s >> 2))];
+  }
+  return sum;
+}
+}
+
+//------------------------------------------------------------------------------
+double workOfIndicator(double nodes)
+{
+  return WorkOfNode * nodes + workOfEvaluation(nodes);
+}
+
+//------------------------------------------------------------------------------
+Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
+  const Points& areas, double width, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const CoarseGrid grid(lattice);
+  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  Steps steps(
+    progress, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
+  const WindingNumbers::Sources sources = cloud.sources(areas);
+  const std::vector<float> coarse =
+    coarseNumbers(lattice, grid, cloud, sources, width, parallelFor, steps.next());
+  Indicator indicator;
+  indicator.Level = middleOf(cloud.atPoints(areas, width, parallelFor));
+  indicator.Values = interpolate(lattice, grid, coarse, parallelFor);
+  evaluate(lattice, grid, cubesToEvaluate(lattice, grid, coarse, cloud.points(), indicator.Level),
+    cloud, sources, width, indicator.Values, parallelFor, steps.next());
+  steps.next();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    blur(lattice, axis, indicator.Values, parallelFor);
+  }
+  Eigen::VectorXd ofPoints(cloud.size());
+  for (Index i = 0; i < cloud.size(); ++i)
+  {
+    ofPoints[i] = interpolated(lattice, indicator.Values, cloud.points().row(i));
+  }
+  indicator.Level = middleOf(ofPoints);
+  report(progress, 1.0);
+  return indicator;
+}
+}

@@ -1,0 +1,41 @@
+/// Winding numbers at the nodes of a grid around a cloud.
+
+#ifndef ConformalIndicatorLattice_h
+#define ConformalIndicatorLattice_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+#include "Cloud/WindingNumbers.h"
+#include "Hull/FreudenthalLattice.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// The winding number at each node: about 1 inside and 0 outside, and between where data are
+/// missing.
+struct Indicator
+{
+  std::vector<float> Values; ///< of each node
+  double Level = 0.5;        ///< that of the surface: half of the points are inside of it
+};
+
+/// Winding numbers at the nodes, blurred a little: over the next node in each direction.
+///
+/// Every fourth node along the axes is evaluated, and all nodes of the cubes between these that are
+/// near points, or in which the surface may be that the level tells. The other nodes are
+/// interpolated.
+///
+/// @param[in] cloud   its points within the lattice
+/// @param[in] areas   #P by 3, area vectors of the points
+/// @param[in] width   of the winding numbers
+/// @throws Aborted
+Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
+  const Points& areas, double width, const ParallelFor& parallelFor = {},
+  const Progress& progress = {});
+
+/// What indicatorOn() takes on so many nodes around a usual object, in nanoseconds as in Steps.
+double workOfIndicator(double nodes);
+}
+
+#endif

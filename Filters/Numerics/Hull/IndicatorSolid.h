@@ -1,0 +1,54 @@
+/// The inside of a point cloud by winding numbers, as a ball of grid nodes.
+
+#ifndef ConformalIndicatorSolid_h
+#define ConformalIndicatorSolid_h
+
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Hull/FreudenthalLattice.h"
+#include "Hull/IndicatorLattice.h"
+#include "Hull/SolidRepair.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace conformal
+{
+struct IndicatorSolid
+{
+  FreudenthalLattice Lattice;
+  Indicator Field;                  ///< at the nodes
+  std::vector<std::uint8_t> Inside; ///< 1 for the nodes of the solid, else 0; empty for no solid
+  double Width = 0.0;               ///< of the winding numbers
+  bool NormalsUsed = false;         ///< whether normals were given, and of use
+  Index EulerNumber = 1;            ///< before handles were opened: 1 - handles
+  HandleRepair Repair;
+};
+
+/// Tell inside from outside by all points at once.
+///
+/// 1. Some 50,000 samples are selected, isolated ones left out (StrayPoints.h) and the others
+///    thinned to 10,000 (CloudThinning.h).
+/// 2. Normals are those of the samples, if these have some that agree on what is inside, else they
+///    are found (Orientation.h).
+/// 3. The winding number is found on a lattice (IndicatorLattice.h); inside is what lies above its
+///    level. Where the points are noisy (Orientation.h), the width is that of the noise, and while
+///    what is inside has many handles and cavities, it is found anew with a larger width; what has
+///    the fewest is taken.
+/// 4. Pieces are joined, cavities filled and handles opened (SolidRepair.h), so that the solid is a
+///    ball.
+///
+/// @param[in] samples  of rank 3
+/// @return no solid where there are too few points to tell
+/// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
+/// @throws Aborted
+/// @post the result depends only on the arguments, not on threads or ranks
+IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing,
+  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+
+/// What solidByWindingNumbers() takes, in nanoseconds as in Steps.
+double workOfIndicatorSolid(const TrainingSamples& samples, double spacing);
+}
+
+#endif

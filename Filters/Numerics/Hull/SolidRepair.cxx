@@ -1,0 +1,344 @@
+#include "Hull/SolidRepair.h"
+
+#include "Base/Steps.h"
+#include "Hull/LatticeSolid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace conformal
+{
+namespace
+{
+/// What a node costs on a way or in a repair, besides how much the indicator is against it.
+constexpr double NodeCost = 0.02;
+
+constexpr double TinyPiece = 0.0005; ///< of all nodes inside
+constexpr double ReachOfPiece = 1.5; ///< in units of the side of a cube of as many nodes
+constexpr int NumberOfRounds = 3;
+constexpr double Definite = 0.25; ///< off the level
+
+/// A node and the cost of the way there; the lowest cost first, then the lowest node.
+struct Reached
+{
+  float Cost;
+  int Node;
+  bool operator<(const Reached& other) const
+  {
+    return this->Cost > other.Cost || (this->Cost == other.Cost && this->Node > other.Node);
+  }
+};
+
+/// Finds ways through the outside from a growing solid.
+class Ways
+{
+public:
+  Ways(const FreudenthalLattice& lattice, const Indicator& indicator)
+    : Steps(lattice.neighborSteps())
+    , Field(indicator)
+    , Costs(indicator.Values.size(), std::numeric_limits<float>::infinity())
+    , From(indicator.Values.size(), -1)
+    , Faces(lattice)
+  {
+  }
+
+  void start(const std::vector<int>& nodes)
+  {
+    for (const int node : nodes)
+    {
+      this->Costs[node] = 0.0F;
+      this->From[node] = -1;
+      this->Queue.push({ 0.0F, node });
+    }
+  }
+
+  /// The next node of the mark that is reached, or -1.
+  int next(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Progress& progress)
+  {
+    constexpr Index nodesPerReport = 1 << 16;
+    while (!this->Queue.empty())
+    {
+      const Reached at = this->Queue.top();
+      this->Queue.pop();
+      if (at.Cost > this->Costs[at.Node])
+      {
+        continue;
+      }
+      if (marks[at.Node] == mark)
+      {
+        return at.Node;
+      }
+      if (++this->Looks % nodesPerReport == 0)
+      {
+        report(progress,
+          std::min(1.0, static_cast<double>(this->Looks) / static_cast<double>(marks.size())));
+      }
+      for (const int step : this->Steps)
+      {
+        const int node = at.Node + step;
+        const double missing = std::max(0.0, this->Field.Level - this->Field.Values[node]);
+        const float cost = at.Cost + static_cast<float>(NodeCost + missing);
+        if (cost < this->Costs[node] && !this->Faces.near(node))
+        {
+          this->Costs[node] = cost;
+          this->From[node] = at.Node;
+          this->Queue.push({ cost, node });
+        }
+      }
+    }
+    return -1;
+  }
+
+  /// Back from a node to the solid, both ends included.
+  std::vector<int> way(int node) const
+  {
+    std::vector<int> nodes;
+    for (; node >= 0; node = this->From[node])
+    {
+      nodes.push_back(node);
+    }
+    return nodes;
+  }
+
+private:
+  /// Nodes of the lattice's three outer layers, which ways and what is around them keep off.
+  struct FaceTest
+  {
+    explicit FaceTest(const FreudenthalLattice& lattice)
+      : Lattice(lattice)
+    {
+    }
+    bool near(int node) const
+    {
+      const Eigen::Vector3i x = this->Lattice.coordinates(node);
+      const Eigen::Map<const Eigen::Vector3i> size(this->Lattice.Size.data());
+      return x.minCoeff() < 3 || (size - x).minCoeff() < 4;
+    }
+    const FreudenthalLattice& Lattice;
+  };
+
+  const std::array<int, 14> Steps;
+  const Indicator& Field;
+  std::vector<float> Costs;
+  std::vector<int> From;
+  FaceTest Faces;
+  std::priority_queue<Reached> Queue;
+  Index Looks = 0;
+};
+
+/// A change of some connected nodes that would open a handle.
+struct Repair
+{
+  std::vector<int> Nodes;
+  double Cost = 0.0;
+};
+
+/// The connected pieces of what differs between two sets.
+void addRepairs(const FreudenthalLattice& lattice, const Indicator& indicator,
+  const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after,
+  std::vector<Repair>& repairs)
+{
+  constexpr std::uint8_t unseen = 1, seen = 2;
+  std::vector<std::uint8_t> marks(before.size());
+  for (std::size_t node = 0; node < marks.size(); ++node)
+  {
+    marks[node] = before[node] != after[node] ? unseen : 0;
+  }
+  for (int node = 0; node < static_cast<int>(marks.size()); ++node)
+  {
+    if (marks[node] == unseen)
+    {
+      Repair repair;
+      markPiece(lattice, marks, node, seen, repair.Nodes);
+      for (const int changed : repair.Nodes)
+      {
+        repair.Cost += std::abs(indicator.Values[changed] - indicator.Level) + NodeCost;
+      }
+      repairs.push_back(std::move(repair));
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
+  std::vector<std::uint8_t>& inside, const Progress& progress)
+{
+  constexpr std::uint8_t outside = 0, unseen = 1, apart = 2, joined = 3;
+  std::vector<std::vector<int>> pieces;
+  std::size_t total = 0;
+  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
+  {
+    if (inside[node] == unseen)
+    {
+      pieces.emplace_back();
+      markPiece(lattice, inside, node, apart, pieces.back());
+      total += pieces.back().size();
+    }
+  }
+  const auto mark = [&](const std::vector<int>& nodes, std::uint8_t as)
+  {
+    for (const int node : nodes)
+    {
+      inside[node] = as;
+    }
+  };
+  // The largest first; of equals, that of the lowest node.
+  std::stable_sort(
+    pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  while (!pieces.empty() &&
+    static_cast<double>(pieces.back().size()) < TinyPiece * static_cast<double>(total))
+  {
+    mark(pieces.back(), outside);
+    pieces.pop_back();
+  }
+  Index count = 0;
+  if (!pieces.empty())
+  {
+    mark(pieces.front(), joined);
+  }
+  if (pieces.size() > 1)
+  {
+    const std::array<int, 14> steps = lattice.neighborSteps();
+    Ways ways(lattice, indicator);
+    ways.start(pieces.front());
+    for (std::size_t left = pieces.size() - 1; left > 0; --left)
+    {
+      const int end = ways.next(inside, apart, progress);
+      if (end < 0)
+      {
+        break;
+      }
+      std::vector<int> piece;
+      markPiece(lattice, inside, end, joined, piece);
+      const std::vector<int> way = ways.way(end);
+      Index open = 0;
+      for (const int node : way)
+      {
+        open += inside[node] == outside;
+      }
+      if (static_cast<double>(open) > ReachOfPiece * std::cbrt(static_cast<double>(piece.size())))
+      {
+        mark(piece, outside);
+        continue;
+      }
+      for (const int node : way)
+      {
+        count += inside[node] == outside;
+        inside[node] = joined;
+        for (const int step : steps)
+        {
+          count += inside[node + step] == outside;
+          inside[node + step] = inside[node + step] == outside ? joined : inside[node + step];
+        }
+      }
+      ways.start(piece);
+      ways.start(way);
+    }
+  }
+  for (std::uint8_t& node : inside)
+  {
+    node = node == joined;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+Index fillCavities(
+  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Progress& progress)
+{
+  constexpr std::uint8_t unseen = 0, solid = 1, face = 2, open = 3, cavity = 4;
+  for (int z = 0; z < lattice.Size[2]; ++z)
+  {
+    for (int y = 0; y < lattice.Size[1]; ++y)
+    {
+      const bool all = z == 0 || y == 0 || z + 1 == lattice.Size[2] || y + 1 == lattice.Size[1];
+      for (int x = 0; x < lattice.Size[0]; x += all ? 1 : lattice.Size[0] - 1)
+      {
+        inside[lattice.node(x, y, z)] = face;
+      }
+    }
+  }
+  std::vector<int> nodes;
+  markPiece(lattice, inside, lattice.node(1, 1, 1), open, nodes, progress);
+  Index count = 0;
+  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
+  {
+    if (inside[node] == unseen)
+    {
+      markPiece(lattice, inside, node, cavity, nodes);
+      ++count;
+    }
+  }
+  for (std::uint8_t& mark : inside)
+  {
+    mark = mark == solid || mark == cavity;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
+  std::vector<std::uint8_t>& inside, const Progress& progress)
+{
+  HandleRepair done;
+  const std::vector<std::uint8_t> before = inside;
+  Index euler = eulerNumber(lattice, inside);
+  for (int round = 0; round < NumberOfRounds && euler < 1; ++round)
+  {
+    constexpr double share = 1.0 / (NumberOfRounds + 1);
+    Steps steps(partOf(progress, round * share, (round + 1) * share), { 1.0, 1.0 });
+    std::vector<Repair> repairs;
+    std::vector<std::uint8_t> changed = inside;
+    cutHandles(
+      lattice, changed, indicator.Values, indicator.Level, HandleCut::HalfWay, steps.next());
+    addRepairs(lattice, indicator, inside, changed, repairs);
+    changed = inside;
+    fillHandles(lattice, changed, indicator.Values, steps.next());
+    addRepairs(lattice, indicator, inside, changed, repairs);
+    std::stable_sort(repairs.begin(), repairs.end(),
+      [](const Repair& a, const Repair& b) { return a.Cost < b.Cost; });
+    const auto change = [&](const Repair& repair)
+    {
+      for (const int node : repair.Nodes)
+      {
+        inside[node] = !inside[node];
+      }
+    };
+    for (const Repair& repair : repairs)
+    {
+      const Index around = eulerNumberAround(lattice, inside, repair.Nodes);
+      change(repair);
+      const Index gain = eulerNumberAround(lattice, inside, repair.Nodes) - around;
+      if (gain > 0 && euler + gain <= 1)
+      {
+        euler += gain;
+      }
+      else
+      {
+        change(repair);
+      }
+    }
+  }
+  // What the rounds have left, and anything that changes side by side may have made.
+  keepLargestPiece(lattice, inside);
+  fillCavities(lattice, inside);
+  if (eulerNumber(lattice, inside) != 1)
+  {
+    cutHandles(lattice, inside, indicator.Values, indicator.Level, HandleCut::HalfWay);
+  }
+  report(progress, 1.0);
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    if (inside[node] != before[node])
+    {
+      done.NumberOfCutNodes += before[node];
+      done.NumberOfFilledNodes += inside[node];
+      done.NumberOfDefiniteNodes += std::abs(indicator.Values[node] - indicator.Level) > Definite;
+    }
+  }
+  return done;
+}
+}

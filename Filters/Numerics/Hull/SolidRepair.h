@@ -1,0 +1,45 @@
+/// Makes the solid of an indicator one ball, by the changes that the indicator minds least.
+
+#ifndef ConformalSolidRepair_h
+#define ConformalSolidRepair_h
+
+#include "Base/Types.h"
+#include "Hull/FreudenthalLattice.h"
+#include "Hull/IndicatorLattice.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace conformal
+{
+/// Join the pieces of a solid to the largest one, by the ways along which the indicator is missing
+/// least to its level. So limbs come back that are too thin for the points to hold together. What
+/// is tiny, or farther away than it is wide, is no part of the object and left out.
+///
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the lattice's faces
+/// @return the number of nodes on the ways
+Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
+  std::vector<std::uint8_t>& inside, const Progress& progress = {});
+
+/// Fill what is outside of a solid but enclosed by it.
+/// @return the number of cavities
+Index fillCavities(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+  const Progress& progress = {});
+
+/// What openHandles() did.
+struct HandleRepair
+{
+  Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
+  Index NumberOfDefiniteNodes = 0; ///< of both, those far inside or outside by the indicator
+};
+
+/// Free a solid from its handles: each is cut through, or what it goes around is filled, whichever
+/// the indicator minds less; the cheapest change first. A handle that the object has costs much
+/// either way.
+///
+/// @param[in,out] inside  a connected set without cavities
+HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
+  std::vector<std::uint8_t>& inside, const Progress& progress = {});
+}
+
+#endif

@@ -1,0 +1,132 @@
+#include "Hull/IndicatorLattice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using conformal::Aborted;
+using conformal::FreudenthalLattice;
+using conformal::Index;
+using conformal::Indicator;
+using conformal::indicatorOn;
+using conformal::Points;
+using conformal::Vector3;
+using conformal::WindingNumbers;
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Width = 0.05;
+
+// A lattice of odd size, so that the coarse nodes do not end with it.
+FreudenthalLattice latticeOf(double spacing)
+{
+  FreudenthalLattice lattice;
+  lattice.Spacing = spacing;
+  const int size = 2 * static_cast<int>(1.3 / spacing) + 1;
+  lattice.Size = { size, size + 1, size + 2 };
+  lattice.Origin = Vector3::Constant(-0.5 * spacing * (size - 1));
+  return lattice;
+}
+
+// On a unit sphere, spread evenly.
+Points sphere()
+{
+  Points points(4000, 3);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / 4000.0;
+    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
+    points.row(i) << r * std::cos(turn), r * std::sin(turn), z;
+  }
+  return points;
+}
+
+Points shares(const Points& points)
+{
+  return 4.0 * Pi / 4000.0 * points; // of a whole sphere's area
+}
+}
+
+TEST(IndicatorLattice, TellsTheInsideOfASphere)
+{
+  const Points points = sphere();
+  const FreudenthalLattice lattice = latticeOf(0.04);
+  const Indicator indicator = indicatorOn(lattice, WindingNumbers(points), shares(points), Width);
+  EXPECT_NEAR(indicator.Level, 0.5, 0.03);
+  ASSERT_EQ(static_cast<Index>(indicator.Values.size()), lattice.numberOfNodes());
+  for (int node = 0; node < static_cast<int>(lattice.numberOfNodes()); ++node)
+  {
+    const double radius = lattice.position(node).norm();
+    if (std::abs(radius - 1.0) > 0.15)
+    {
+      EXPECT_NEAR(indicator.Values[node], radius < 1.0 ? 1.0 : 0.0, 0.02) << radius;
+    }
+    else if (std::abs(radius - 1.0) > 0.03)
+    {
+      EXPECT_EQ(indicator.Values[node] > indicator.Level, radius < 1.0) << radius;
+    }
+  }
+}
+
+// Without its cap: where nodes were interpolated, evaluation says the same.
+TEST(IndicatorLattice, InterpolatesOnlyWhereItMay)
+{
+  Points points = sphere();
+  Index size = 0;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    if (points(i, 2) < 0.8)
+    {
+      points.row(size++) = Vector3(points.row(i));
+    }
+  }
+  points.conservativeResize(size, 3);
+  const FreudenthalLattice lattice = latticeOf(0.08);
+  const WindingNumbers cloud(points);
+  const Indicator indicator = indicatorOn(lattice, cloud, shares(points), Width);
+  Points places(lattice.numberOfNodes(), 3);
+  for (int node = 0; node < static_cast<int>(places.rows()); ++node)
+  {
+    places.row(node) = lattice.position(node);
+  }
+  const Eigen::VectorXd exact = cloud.at(places, cloud.sources(shares(points)), Width);
+  for (int z = 1; z + 1 < lattice.Size[2]; ++z)
+  {
+    for (int y = 1; y + 1 < lattice.Size[1]; ++y)
+    {
+      for (int x = 1; x + 1 < lattice.Size[0]; ++x)
+      {
+        // Blurred as it is defined.
+        double expected = 0.0;
+        for (int k = 0; k < 27; ++k)
+        {
+          const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
+          expected += exact[lattice.node(x + dx, y + dy, z + dz)] /
+            std::pow(2.0, 3 + std::abs(dx) + std::abs(dy) + std::abs(dz));
+        }
+        EXPECT_NEAR(indicator.Values[lattice.node(x, y, z)], expected, 0.03)
+          << lattice.position(lattice.node(x, y, z)).transpose();
+      }
+    }
+  }
+}
+
+TEST(IndicatorLattice, ReportsAndStops)
+{
+  const Points points = sphere();
+  const FreudenthalLattice lattice = latticeOf(0.04);
+  const WindingNumbers cloud(points);
+  double last = 0.0;
+  indicatorOn(lattice, cloud, shares(points), Width, {},
+    [&](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_THROW(
+    indicatorOn(lattice, cloud, shares(points), Width, {}, [](double f) { return f < 0.5; }),
+    Aborted);
+}

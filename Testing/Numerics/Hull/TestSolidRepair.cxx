@@ -1,0 +1,200 @@
+#include "Hull/SolidRepair.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+using conformal::eulerNumber;
+using conformal::fillCavities;
+using conformal::FreudenthalLattice;
+using conformal::HandleRepair;
+using conformal::Index;
+using conformal::Indicator;
+using conformal::joinPieces;
+using conformal::openHandles;
+using conformal::Vector3;
+
+namespace
+{
+using Marks = std::vector<std::uint8_t>;
+
+FreudenthalLattice cube(int size)
+{
+  FreudenthalLattice lattice;
+  lattice.Size = { size, size, size };
+  return lattice;
+}
+
+// Nodes for whose places, from the middle of the lattice, the test holds.
+Marks where(const FreudenthalLattice& lattice, const std::function<bool(const Vector3&)>& test)
+{
+  const int middle = lattice.Size[0] / 2;
+  Marks inside(lattice.numberOfNodes(), 0);
+  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
+  {
+    const Eigen::Vector3i x = lattice.coordinates(node).array() - middle;
+    inside[node] = test(x.cast<double>());
+  }
+  return inside;
+}
+
+// 1 inside and 0 outside.
+Indicator indicatorOf(const Marks& inside)
+{
+  Indicator indicator;
+  indicator.Values.assign(inside.begin(), inside.end());
+  return indicator;
+}
+
+Index size(const Marks& inside)
+{
+  return std::count(inside.begin(), inside.end(), 1);
+}
+
+int numberOfPieces(const FreudenthalLattice& lattice, Marks inside)
+{
+  std::vector<int> piece;
+  int count = 0;
+  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
+  {
+    if (inside[node] == 1)
+    {
+      markPiece(lattice, inside, node, 2, piece);
+      ++count;
+    }
+  }
+  return count;
+}
+
+// Around the z axis.
+bool inRing(const Vector3& x, double radius, double tube)
+{
+  return std::hypot(std::hypot(x[0], x[1]) - radius, x[2]) < tube;
+}
+}
+
+// A body, a limb that a gap of three nodes has parted from it, a crumb, and another thing far away.
+TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
+{
+  const FreudenthalLattice lattice = cube(61);
+  const auto body = [](const Vector3& x) { return (x - Vector3(-8, 0, 0)).norm() < 12.0; };
+  const auto limb = [](const Vector3& x) { return (x - Vector3(12, 0, 0)).norm() < 5.0; };
+  const auto crumb = [](const Vector3& x) { return (x - Vector3(-8, 15, 0)).norm() < 0.5; };
+  const auto other = [](const Vector3& x) { return (x - Vector3(20, 20, 20)).norm() < 3.0; };
+  Marks inside =
+    where(lattice, [&](const Vector3& x) { return body(x) || limb(x) || crumb(x) || other(x); });
+  ASSERT_EQ(numberOfPieces(lattice, inside), 4);
+  const Indicator indicator = indicatorOf(inside);
+  const Index added = joinPieces(lattice, indicator, inside);
+  const Marks kept = where(lattice, [&](const Vector3& x) { return body(x) || limb(x); });
+  EXPECT_EQ(numberOfPieces(lattice, inside), 1);
+  EXPECT_EQ(size(inside), size(kept) + added);
+  EXPECT_GE(added, 9);
+  EXPECT_LE(added, 100);
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    EXPECT_GE(inside[node], kept[node]);
+  }
+}
+
+TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
+{
+  const FreudenthalLattice lattice = cube(41);
+  Marks inside = where(lattice,
+    [](const Vector3& x) {
+      return std::abs(x[2]) <= 1 && std::abs(std::abs(x[0]) - 8.0) <= 5.0 && std::abs(x[1]) <= 12.0;
+    });
+  ASSERT_EQ(numberOfPieces(lattice, inside), 2);
+  Indicator indicator = indicatorOf(inside);
+  for (int x = -2; x <= 2; ++x) // a thread, not the shortest way
+  {
+    indicator.Values[lattice.node(20 + x, 30, 20)] = 0.45F;
+  }
+  joinPieces(lattice, indicator, inside);
+  EXPECT_EQ(inside[lattice.node(20, 30, 20)], 1);
+  EXPECT_EQ(inside[lattice.node(20, 20, 20)], 0);
+  EXPECT_EQ(eulerNumber(lattice, inside), 1);
+}
+
+TEST(SolidRepair, FillsCavities)
+{
+  const FreudenthalLattice lattice = cube(31);
+  const auto isSolid = [](const Vector3& x)
+  {
+    return x.norm() < 11.0 && (x - Vector3(4, 0, 0)).norm() > 3.0 &&
+      (x + Vector3(4, 0, 0)).norm() > 2.0;
+  };
+  Marks inside = where(lattice, isSolid);
+  EXPECT_EQ(fillCavities(lattice, inside), 2);
+  EXPECT_EQ(inside, where(lattice, [](const Vector3& x) { return x.norm() < 11.0; }));
+  EXPECT_EQ(fillCavities(lattice, inside), 0);
+}
+
+TEST(SolidRepair, CutsThinRingsAndFillsNarrowHoles)
+{
+  const FreudenthalLattice lattice = cube(45);
+  // The way through a ring's tube against that across its hole.
+  Marks thin = where(lattice, [](const Vector3& x) { return inRing(x, 14.0, 2.0); });
+  const Marks thinBefore = thin;
+  const HandleRepair cut = openHandles(lattice, indicatorOf(thin), thin);
+  EXPECT_EQ(eulerNumber(lattice, thin), 1);
+  EXPECT_EQ(cut.NumberOfFilledNodes, 0);
+  EXPECT_EQ(cut.NumberOfCutNodes, size(thinBefore) - size(thin));
+  EXPECT_GE(cut.NumberOfCutNodes, 9);
+
+  Marks thick = where(lattice, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
+  const Marks thickBefore = thick;
+  const HandleRepair filled = openHandles(lattice, indicatorOf(thick), thick);
+  EXPECT_EQ(eulerNumber(lattice, thick), 1);
+  EXPECT_EQ(filled.NumberOfCutNodes, 0);
+  EXPECT_EQ(filled.NumberOfFilledNodes, size(thick) - size(thickBefore));
+  EXPECT_GE(filled.NumberOfFilledNodes, 9);
+  EXPECT_EQ(filled.NumberOfDefiniteNodes, filled.NumberOfFilledNodes); // as far off as can be
+}
+
+// The ring of before is cut where the indicator is in doubt, though its hole is narrow.
+TEST(SolidRepair, CutsWhereTheIndicatorDoubts)
+{
+  const FreudenthalLattice lattice = cube(45);
+  Marks inside = where(lattice, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
+  Indicator indicator = indicatorOf(inside);
+  const Marks doubted =
+    where(lattice, [](const Vector3& x) { return x[0] > 0.0 && std::abs(x[1]) <= 2.0; });
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    indicator.Values[node] = inside[node] && doubted[node] ? 0.501F : indicator.Values[node];
+  }
+  const Marks before = inside;
+  const HandleRepair repair = openHandles(lattice, indicator, inside);
+  EXPECT_EQ(eulerNumber(lattice, inside), 1);
+  EXPECT_EQ(repair.NumberOfFilledNodes, 0);
+  EXPECT_GT(repair.NumberOfCutNodes, 100);
+  EXPECT_EQ(repair.NumberOfDefiniteNodes, 0);
+  for (std::size_t node = 0; node < inside.size(); ++node)
+  {
+    EXPECT_TRUE(inside[node] == before[node] || doubted[node]);
+  }
+}
+
+TEST(SolidRepair, OpensManyHandles)
+{
+  const FreudenthalLattice lattice = cube(45);
+  // A lattice of bars: a cube's twelve edges have five handles.
+  Marks inside = where(lattice,
+    [](const Vector3& x)
+    {
+      int at = 0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        at += std::abs(std::abs(x[axis]) - 12.0) <= 1.0;
+      }
+      return at >= 2 && x.cwiseAbs().maxCoeff() <= 13.0;
+    });
+  ASSERT_EQ(eulerNumber(lattice, inside), -4);
+  const HandleRepair repair = openHandles(lattice, indicatorOf(inside), inside);
+  EXPECT_EQ(eulerNumber(lattice, inside), 1);
+  EXPECT_EQ(numberOfPieces(lattice, inside), 1);
+  EXPECT_GE(repair.NumberOfCutNodes, 45);
+  EXPECT_LE(repair.NumberOfCutNodes, 5 * 20);
+}
