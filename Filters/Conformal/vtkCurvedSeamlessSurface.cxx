@@ -26,6 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <vector>
@@ -56,6 +57,24 @@ int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling
   return subdivisions > 0
     ? subdivisions
     : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
+}
+
+// About the points that the surface will have without a sphere on port 1, as far as that can be
+// told before its network is known.
+double ExpectedPoints(double meshSize, int sampling, int subdivisions, int frequency)
+{
+  const double wanted = PointsOfFrequency(frequency);
+  if (sampling == vtkCurvedSeamlessSurface::DIRECTIONS)
+  {
+    return wanted;
+  }
+  const double cuts = subdivisions > 0
+    ? subdivisions
+    : conformal::subdivisionsFor(static_cast<conformal::Index>(meshSize), wanted);
+  const double cut = meshSize * cuts * cuts;
+  return sampling == vtkCurvedSeamlessSurface::NETWORK || subdivisions > 0
+    ? cut
+    : std::sqrt(cut * wanted);
 }
 
 // Directions and triangles in which the surface is wanted.
@@ -245,7 +264,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       };
       const std::vector<double> expected =
         ofDirections(takesSphere ? static_cast<double>(sphere->GetNumberOfPoints())
-                                 : std::max(PointsOfFrequency(frequency), meshSize));
+                                 : ExpectedPoints(meshSize, sampling, subdivisions, frequency));
       conformal::Steps steps(
         processes.progress(), { ofMap, std::accumulate(expected.begin(), expected.end(), 0.0) });
       this->Map->Take(nullptr);

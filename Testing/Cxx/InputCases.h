@@ -2,6 +2,7 @@
 #ifndef InputCases_h
 #define InputCases_h
 
+#include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYWriter.h"
@@ -113,6 +114,14 @@ inline std::vector<Case> Filters()
   const auto& s = Surface;
   const auto& p = Picture;
   return {
+    { "vtkAdaptiveSphere",
+      Maker<vtkAdaptiveSphere>(
+        [](vtkAdaptiveSphere* filter)
+        {
+          filter->SetNumberOfPoints(500);
+          filter->SetDensityToImage();
+        }),
+      { s, p } },
     { "vtkConformalDistortion", Maker<vtkConformalDistortion>(), { s } },
     { "vtkConformalSOM",
       Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetFrequency(3); }), { s, s } },

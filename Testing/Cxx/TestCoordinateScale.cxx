@@ -1,5 +1,6 @@
 // Every filter in any unit of length: the same result in that unit, or an error and nothing.
 #include "FilterContract.h"
+#include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
 #include "vtkCurvedSeamlessMap.h"
@@ -384,6 +385,20 @@ std::vector<Case> Cases()
       filter->SetSphereData(sphere);
       return Run(filter);
     } });
+  for (const int density : { vtkAdaptiveSphere::AREA, vtkAdaptiveSphere::CURVATURE })
+  {
+    cases.push_back({ "MakesASphere" + std::to_string(density),
+      [=](double scale)
+      {
+        vtkNew<vtkAdaptiveSphere> filter;
+        filter->SetInputData(Mesh(scale));
+        filter->SetNumberOfPoints(700);
+        filter->SetDensity(density);
+        Results results = Run(filter);
+        results.Lengths.erase("Points"); // of the unit sphere, as in SpherePosition
+        return results;
+      } });
+  }
   cases.push_back({ "EvaluatesTheMap", [](double scale) { return MapResults(scale, false); } });
   cases.push_back(
     { "EvaluatesAreasOfTheMap", [](double scale) { return MapResults(scale, true); }, true });

@@ -5,12 +5,14 @@
 #include "Measure/SurfaceMismatch.h"
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
+#include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "TextCloud/TextCloudParser.h"
 #include "Texture/SphericalTexture.h"
 #include "Texture/SphericalTextureBlend.h"
+#include "vtkAdaptiveSphere.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
 #include "vtkCurvedSeamlessMap.h"
@@ -74,6 +76,16 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
   EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullIndicator::Distance));
   EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullIndicator::WindingNumbers));
+}
+
+TEST(OptionsMirrorProperties, AdaptiveSphere)
+{
+  const conformal::AdaptiveSphereOptions options;
+  vtkNew<vtkAdaptiveSphere> filter;
+  EXPECT_EQ(filter->GetNumberOfPoints(), options.NumberOfPoints);
+  using Limits = conformal::AdaptiveSphereLimits;
+  EXPECT_EQ(filter->GetNumberOfPointsMinValue(), Limits::MinimumPoints);
+  EXPECT_EQ(filter->GetNumberOfPointsMaxValue(), Limits::MaximumPoints);
 }
 
 TEST(OptionsMirrorProperties, ConformalPLYReader)

@@ -17,6 +17,7 @@
 #include "MeshFixtures.h"
 
 #include "../TemporaryFolder.h"
+#include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
@@ -478,6 +479,30 @@ TEST(Progress, OfTheCurvedSurface)
     css->SetCloudData(cloud);
   };
   ExpectEven("CurvedSeamlessSurface, Fitted", Of<CSS>(Head(20), fitted));
+}
+
+TEST(Progress, OfTheAdaptiveSphere)
+{
+  using Sphere = vtkAdaptiveSphere;
+  const auto wants = [](int size, int density)
+  {
+    return [=](Sphere* sphere)
+    {
+      sphere->SetNumberOfPoints(size);
+      sphere->SetDensity(density);
+    };
+  };
+  ExpectEven("AdaptiveSphere", Of<Sphere>(Limbs(40), wants(60000, Sphere::AREA)));
+  ExpectEven("AdaptiveSphere of a fine mesh", Of<Sphere>(Head(200), wants(5000, Sphere::AREA)));
+  ExpectEven("AdaptiveSphere, Curvature", Of<Sphere>(Limbs(100), wants(60000, Sphere::CURVATURE)));
+  const auto picture = Picture();
+  ExpectEven("AdaptiveSphere, Image",
+    Of<Sphere>(Head(40),
+      [=](Sphere* sphere)
+      {
+        sphere->SetImageData(picture);
+        wants(40000, Sphere::IMAGE)(sphere);
+      }));
 }
 
 TEST(Progress, OfTheHull)

@@ -1,6 +1,7 @@
 #include "Judge.h"
 #include "SetUps.h"
 
+#include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
 #include "vtkCurvedSeamlessMap.h"
@@ -250,6 +251,42 @@ std::vector<SetUp> CurvedSurfaces()
       BadPoints, true, true },
     { "vtkCurvedSeamlessSurface", "on the sphere", true, OnPort<F>(1, [](F*) {}), BadIds, false,
       true } };
+}
+
+std::vector<SetUp> AdaptiveSpheres()
+{
+  using F = vtkAdaptiveSphere;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto mode = [](const char* name, auto set)
+  {
+    SetUp setUp = { "vtkAdaptiveSphere", name, true,
+      On<F>(
+        [=](F* f, vtkPolyData*)
+        {
+          f->SetNumberOfPoints(500);
+          set(f);
+        }),
+      reads, true };
+    setUp.IsUnitless = true;
+    return setUp;
+  };
+  SetUp area = mode("Area", [](F*) {});
+  area.Properties = { Integer("NumberOfPoints", &F::SetNumberOfPoints),
+    Integer("Density", &F::SetDensity) };
+  SetUp array = mode("Array",
+    [](F* f)
+    {
+      f->SetDensityToArray();
+      f->SetDensityArrayName("Curvature");
+    });
+  array.Properties = { Name("DensityArrayName", &F::SetDensityArrayName) };
+  return { area, mode("Curvature", [](F* f) { f->SetDensityToCurvature(); }), array,
+    mode("Image",
+      [](F* f)
+      {
+        f->SetDensityToImage();
+        f->SetImageData(Picture());
+      }) };
 }
 
 std::vector<SetUp> TextureMaps()
@@ -511,7 +548,7 @@ std::vector<Case> FilterCases()
   }
   std::vector<Case> all;
   for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
-         TextureMaps(), TextureImages(), Alignments(), Measures(), { Blend() } })
+         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

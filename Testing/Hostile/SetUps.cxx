@@ -100,8 +100,8 @@ Outcome RunOn(const SetUp& setUp, const Input& input, double scaleOfOthers)
     const double power = std::ldexp(1.0, std::ilogb(input.Scale)), rest = input.Scale / power;
     const auto plain = setUp.Make(Ellipsoid(rest), Ellipsoid(rest));
     plain->Update();
-    const Outcome compared =
-      JudgeScaled(filter->GetOutputDataObject(0), plain->GetOutputDataObject(0), power);
+    const Outcome compared = JudgeScaled(filter->GetOutputDataObject(0),
+      plain->GetOutputDataObject(0), setUp.IsUnitless ? 1.0 : power);
     return isBad(compared.Verdict) ? compared : outcome;
   }
   return outcome;

@@ -47,6 +47,9 @@ struct SetUp
 
   std::vector<Property> Properties = {};
 
+  /// Whether its points have no unit, so that they are the same for inputs of any scale.
+  bool IsUnitless = false;
+
   /// Whether another set-up of the class reads the same arrays in the same way.
   bool IsVariant = false;
 

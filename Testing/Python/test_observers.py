@@ -14,7 +14,7 @@ import numpy as np
 
 import conformalsom
 from conformalsom import (
-    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
     vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
@@ -78,6 +78,8 @@ def aligned_by_landmarks():
 
 
 FILTERS = {
+    "adaptive sphere": lambda: with_inputs(
+        vtkAdaptiveSphere, surface(6), picture(), NumberOfPoints=2000, Density=3),
     "distortion": lambda: with_inputs(vtkConformalDistortion, surface()),
     "learning": lambda: with_inputs(
         vtkConformalSOM, cloud(), Frequency=3, PriorityArrayName="Weights",

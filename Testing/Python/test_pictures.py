@@ -17,8 +17,9 @@ from baselines import expect_picture, require_display
 from helpers import pictures, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
-    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureBlend,
-    vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGeodesicSphereSource,
+    vtkGlobalConformalMap, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
+    vtkSurfaceMismatch)
 from obtuse import obtuse_surface
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400
@@ -252,6 +253,28 @@ class TestPictures(unittest.TestCase):
                    for balance in (0.0, 0.1, 0.5)]
         self.expect_actor("AreaBalance", *(pictures.mesh_actor(sphere) for sphere in spheres),
                           seen=spheres[0], size=280)
+
+
+    def test_adaptive_sphere_keeps_the_ears(self):
+        """Even directions and an adaptive sphere of as many, and the surface sampled by both."""
+        mapped = conformal_map(self.surface.GetOutput())
+        even = vtkGeodesicSphereSource()
+        even.SetFrequency(20)
+        adaptive = vtkAdaptiveSphere()
+        adaptive.SetInputData(mapped)
+        adaptive.SetNumberOfPoints(4002)
+        scenes = []
+        for label, sphere in ("Even directions", even), ("Adaptive sphere", adaptive):
+            sampled = vtkCurvedSeamlessSurface()
+            sampled.SetInputData(mapped)
+            sampled.SetSphereConnection(sphere.GetOutputPort())
+            sampled.SetPolishedToOff()
+            sampled.Update()
+            ball = pictures.camera_on(even.GetOutput(), VIEW, UP, PANEL[0] / PANEL[1])
+            scenes.append(pictures.scene(pictures.mesh_actor(sphere.GetOutput()), label, ball))
+            scenes.append(pictures.scene(
+                pictures.mesh_actor(sampled.GetOutput()), "sampled by it", self.camera()))
+        self.expect_row("AdaptiveSphere", scenes)
 
 
 class TestWebs(unittest.TestCase):

@@ -14,7 +14,7 @@ import conformalsom
 from helpers.builtin_figure import bear, figure_cloud
 from helpers.textures import checkerboard
 from conformalsom import (
-    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
@@ -92,7 +92,11 @@ def beside_the_chain(stages):
     blend.SetBackViewDirection(0, 0, -1)
     blend.SetImageSize(30, 20)
     blend.Update()
-    return {filter_.GetClassName(): filter_ for filter_ in (check, blend)}
+    adaptive = vtkAdaptiveSphere()
+    adaptive.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    adaptive.SetNumberOfPoints(2000)
+    adaptive.Update()
+    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive)}
 
 
 PLY = """ply

@@ -12,7 +12,8 @@ import compare_surfaces
 from helpers import scan_files
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
-    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessMap, vtkGeodesicSphereSource)
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessMap,
+    vtkCurvedSeamlessSurface, vtkGeodesicSphereSource, vtkGlobalConformalMap)
 
 SCANS = os.environ["CONFORMALSOM_SCAN_DIR"]
 
@@ -67,6 +68,48 @@ class TestSurfaces(unittest.TestCase):
             deviations.append(data.GetArray("AreaDistortionDeviation").GetValue(0))
         self.assertEqual(deviations[0], deviations[1])
         self.assertLess(deviations[2], 0.8 * deviations[1])
+
+    def sampled(self, mesh, sphere=None):
+        """The mean square distance of the figure's points to the surface over a mesh."""
+        surface = vtkCurvedSeamlessSurface()
+        surface.SetInputData(mesh)
+        surface.SetFrequency(40)
+        if sphere:
+            surface.SetSphereConnection(sphere.GetOutputPort())
+        surface.Update()
+        return compare_surfaces.mean_square_distance(figure_surface(), surface.GetOutput())
+
+    def test_surfaces_over_conformal_maps_keep_the_limbs(self):
+        """By the mesh's own triangles, or by an adaptive sphere; even directions miss the ears."""
+        network = vtkConformalSOM()
+        network.SetInputData(figure_cloud(20000))
+        network.SetLatticeToAdaptive()
+        network.SetNumberOfNeurons(4000)
+        network.Update()
+        even, adaptive = vtkGeodesicSphereSource(), vtkAdaptiveSphere()
+        even.SetFrequency(40)
+        adaptive.SetInputConnection(network.GetOutputPort())
+        adaptive.SetNumberOfPoints(16002)
+        by_directions = self.sampled(network.GetOutput(), even)
+        self.assertLess(self.sampled(network.GetOutput(), adaptive), 0.4 * by_directions)
+        self.assertLess(self.sampled(network.GetOutput()), 0.4 * by_directions)
+
+    def test_the_bunny_keeps_its_ears_in_its_conformal_map(self):
+        path = os.path.join(SCANS, "stanford-bunny-closed.ply")
+        if not os.path.exists(path):
+            self.skipTest("stanford-bunny-closed.ply is not in CONFORMALSOM_SCAN_DIR")
+        reader = scan_files.scan_reader(path)
+        conformal = vtkGlobalConformalMap()
+        conformal.SetInputConnection(reader.GetOutputPort())
+        conformal.Update()
+        adaptive, surface = vtkAdaptiveSphere(), vtkCurvedSeamlessSurface()
+        adaptive.SetInputConnection(conformal.GetOutputPort())
+        surface.SetInputConnection(conformal.GetOutputPort())
+        surface.SetSphereConnection(adaptive.GetOutputPort())
+        surface.Update()
+        self.assertAlmostEqual(surface.GetOutput().GetNumberOfPoints(), 64002, delta=1280)
+        self.assertLess(
+            compare_surfaces.mean_square_distance(reader.GetOutput(), surface.GetOutput()), 1e-6)
 
     def test_maps_numpy_arrays(self):
         """The array calls, and an integral over the sphere that is the surface's area."""

@@ -175,7 +175,8 @@ Mesh subdivide(
 //------------------------------------------------------------------------------
 int subdivisionsFor(Index numberOfVertices, double numberOfPoints)
 {
-  const double ratio = (numberOfPoints - 2.0) / static_cast<double>(numberOfVertices - 2);
+  const double ratio =
+    (numberOfPoints - 2.0) / static_cast<double>(std::max<Index>(1, numberOfVertices - 2));
   return static_cast<int>(std::max(1.0, std::ceil(std::sqrt(std::max(0.0, ratio)))));
 }
 }

@@ -1,0 +1,250 @@
+#include "vtkAdaptiveSphere.h"
+
+#include "Base/CoordinateFrame.h"
+#include "Base/Steps.h"
+#include "Sphere/AdaptiveSphere.h"
+#include "Texture/PictureDensity.h"
+#include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
+#include "vtkSphereImageConversions.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkAdaptiveSphere);
+
+namespace
+{
+// A surface, and the cells that its triangles come from.
+struct Surface : conformal::MappedMesh
+{
+  std::vector<vtkIdType> CellIds;
+};
+
+Surface ToSurface(vtkPolyData* input)
+{
+  Surface surface;
+  surface.Triangles = vtkConformalConversions::ToTriangles(input, surface.CellIds);
+  if (surface.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  surface.Positions = vtkConformalConversions::ToPoints(
+    input->GetPoints(), vtkConformalConversions::FrameOf({ input }));
+  if (!surface.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points of the surface are not finite");
+  }
+  surface.SpherePositions = vtkConformalConversions::ToSpherePositions(input);
+  return surface;
+}
+
+// The numbers of an array of densities, divided by the largest one.
+std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
+{
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("the density array \"" + name + "\" has " +
+      std::to_string(array->GetNumberOfComponents()) + " components instead of 1");
+  }
+  std::vector<double> numbers(array->GetNumberOfTuples());
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    numbers[i] = array->GetComponent(i, 0);
+    if (!(numbers[i] >= 0.0) || !std::isfinite(numbers[i]))
+    {
+      throw std::invalid_argument("the density array \"" + name +
+        "\" is negative or not finite "
+        "at " +
+        std::to_string(i));
+    }
+    largest = std::max(largest, numbers[i]);
+  }
+  for (double& number : numbers)
+  {
+    number = largest > 0.0 ? number / largest : 0.0;
+  }
+  return numbers;
+}
+
+std::vector<double> WeightsOfArray(
+  vtkPolyData* input, const Surface& surface, const std::string& name)
+{
+  if (vtkDataArray* array = input->GetPointData()->GetArray(name.c_str()))
+  {
+    return NumbersOf(array, name);
+  }
+  vtkDataArray* array = input->GetCellData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::invalid_argument("the surface has no point or cell array \"" + name +
+      "\"; set DensityArrayName to the name of an array of numbers");
+  }
+  const std::vector<double> ofCells = NumbersOf(array, name);
+  std::vector<double> ofTriangles(surface.CellIds.size());
+  for (std::size_t r = 0; r < ofTriangles.size(); ++r)
+  {
+    ofTriangles[r] = ofCells[surface.CellIds[r]];
+  }
+  return conformal::vertexMeans(surface, ofTriangles);
+}
+
+conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* image)
+{
+  vtkDataArray* pixels = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!pixels || image->GetNumberOfPoints() == 0 || image->GetDimensions()[2] != 1)
+  {
+    throw std::invalid_argument(
+      "Density Image needs an image of one slice with point scalars on input port 1");
+  }
+  conformal::Picture picture;
+  picture.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
+  picture.NumberOfComponents = pixels->GetNumberOfComponents();
+  picture.Values.resize(pixels->GetNumberOfValues());
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+  {
+    picture.Values[i] = pixels->GetComponent(
+      i / picture.NumberOfComponents, static_cast<int>(i % picture.NumberOfComponents));
+    largest = std::max(largest, std::abs(picture.Values[i]));
+  }
+  for (double& value : picture.Values)
+  {
+    value = largest > 0.0 ? value / largest : 0.0;
+  }
+  conformal::SphereImage layout;
+  layout.Projection = conformal::SphereProjection::LongitudeLatitude;
+  if (surface->GetFieldData()->HasArray("TextureProjection"))
+  {
+    layout = vtkConformalConversions::ToSphereImage(surface->GetFieldData());
+  }
+  return conformal::pictureDensity(std::move(picture), layout);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkAdaptiveSphere::vtkAdaptiveSphere()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveSphere::SetImageConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveSphere::SetImageData(vtkImageData* image)
+{
+  this->SetInputData(1, image);
+}
+
+//------------------------------------------------------------------------------
+int vtkAdaptiveSphere::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// All of the picture.
+int vtkAdaptiveSphere::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (vtkInformation* info = inputs[1]->GetInformationObject(0))
+  {
+    int whole[6];
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
+    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+}
+
+//------------------------------------------------------------------------------
+int vtkAdaptiveSphere::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto image = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const int density = this->Density;
+  const std::string arrayName = this->DensityArrayName;
+  conformal::AdaptiveSphereOptions options;
+  options.NumberOfPoints = this->NumberOfPoints;
+  return vtkConformalConversions::RunCore(this,
+    [&]()
+    {
+      if (input->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty; the output is empty");
+        return;
+      }
+      using namespace vtkConformalConversions;
+      const auto size = static_cast<double>(input->GetNumberOfPoints());
+      const auto wanted = static_cast<double>(options.NumberOfPoints);
+      const double pixels =
+        image && density == IMAGE ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
+      // Reading the surface, its density, what is added to that, the mesh, and the output.
+      conformal::Steps steps(ProgressOf(this),
+        { 150.0 * size, 1200.0 * size, 600.0 * (size + pixels),
+          1000.0 * (size + pixels) + conformal::workOfAdaptiveSphere(options), 100.0 * wanted });
+      steps.next();
+      const Surface surface = ToSurface(input);
+      std::vector<double> weights(surface.Positions.rows(), 1.0);
+      if (density == ARRAY)
+      {
+        weights = WeightsOfArray(input, surface, arrayName);
+      }
+      else if (density == CURVATURE)
+      {
+        weights = conformal::weightsByBending(surface);
+      }
+      conformal::SphereDensity wantedDensity =
+        conformal::densityOnSurface(surface, weights, SMPFor(), steps.next());
+      steps.next();
+      if (density == IMAGE)
+      {
+        const conformal::SphereDensity details = DensityOfImage(input, image);
+        if (conformal::isAnywhere(details, SMPFor())) // of one color there are none
+        {
+          wantedDensity = conformal::halfAndHalf(wantedDensity, details, SMPFor());
+        }
+      }
+      const conformal::Mesh sphere =
+        conformal::makeAdaptiveSphere(wantedDensity, options, SMPFor(), steps.next());
+      steps.next();
+      const vtkNew<vtkPolyData> result;
+      SetSurface(result, sphere.Positions, sphere.Triangles, {});
+      AddVectors(result->GetPointData(), SpherePositionName(), sphere.Positions);
+      output->ShallowCopy(result);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkAdaptiveSphere::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const densities[] = { "Area", "Curvature", "Array", "Image" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Density: " << densities[this->Density] << "\n";
+  os << indent << "DensityArrayName: " << this->DensityArrayName << "\n";
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+}

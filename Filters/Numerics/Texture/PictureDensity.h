@@ -1,0 +1,32 @@
+/// A density of points that follows the details of a picture on the sphere.
+
+#ifndef ConformalPictureDensity_h
+#define ConformalPictureDensity_h
+
+#include "Base/Parallel.h"
+#include "Sphere/SphereDensity.h"
+#include "Texture/PixelGrid.h"
+#include "Texture/SphereProjection.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Numbers for each pixel, all components of one after the other.
+struct Picture
+{
+  PixelGrid Grid;
+  int NumberOfComponents = 1;
+  std::vector<double> Values; ///< Grid.size() * NumberOfComponents, finite
+};
+
+/// A density in proportion to the change of a picture with the direction, whatever its projection:
+/// the root of the squares of all components' slopes added up, over steps of about a pixel. So the
+/// share of points that the border between two colors gets does not depend on how sharp it is.
+///
+/// @param[in] picture  is kept as long as the density
+/// @throws std::invalid_argument if it has no pixels, or not so many finite values
+SphereDensity pictureDensity(Picture picture, const SphereImage& image);
+}
+
+#endif
