@@ -43,9 +43,10 @@
  *
  * What is learned, polished and mapped: Online learns by Eqs. 3 to 5, and the neurons' places on
  * the sphere are the paper's map. Batch learns by Eq. 3 over all points, then polishes. With
- * Lattice Adaptive nothing is learned by Eq. 3: a hull of the points is remeshed and polished in
- * turns, and the result mapped to the sphere conformally. The paper names meshes that grow and swap
- * edges as alternatives to its lattice.
+ * Lattice Adaptive that is done on a coarse lattice, and only for objects without limbs; from
+ * there, or from a hull of the points, the surface is remeshed and polished in turns, and mapped to
+ * the sphere conformally. The paper names meshes that grow and swap edges as alternatives to its
+ * lattice.
  *
  * Implementation note: taken literally the paper's constants stop learning before the neighborhood
  * is as small as a triangle; Documentation/Filters.md has the measurement.
@@ -125,8 +126,9 @@ public:
   /**
    * What the network is. GEODESIC (default): the paper's, a geodesic sphere of which each triangle
    * keeps its neighbors wherever it comes to lie. ADAPTIVE: triangles of one size all over the
-   * surface, nearly equilateral on long limbs too; Batch only. It starts from a hull of the points,
-   * or from the mesh on input port 1, and ignores Frequency, PassesPerLevel and StartingShape.
+   * surface, nearly equilateral on long limbs too; Batch only. It starts as
+   * StartingShape says, on a coarse lattice, or from the mesh on input port 1, and ignores
+   * Frequency. Points come to lie on sharp edges and in corners of the object.
    */
   vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(Lattice, int);
@@ -290,8 +292,8 @@ public:
 
   ///@{
   /**
-   * Batch: least-squares rounds over all points after learning; of an adaptive network, after the
-   * last remeshing. At least 0. Default is 10.
+   * Batch: least-squares rounds over all points after learning; of an adaptive network, with those
+   * before the last remeshing, which are up to half of them. At least 0. Default is 10.
    */
   vtkSetClampMacro(NumberOfPolishRounds, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfPolishRounds, int);

@@ -1,6 +1,7 @@
 #include "Learn/AdaptiveTraining.h"
 
 #include "Base/Steps.h"
+#include "Learn/BatchTraining.h"
 #include "Learn/HullStart.h"
 #include "Learn/LeastSquaresPolish.h"
 #include "Learn/NoiseEstimate.h"
@@ -11,15 +12,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace conformal
 {
 namespace
 {
-// Measured on scans, 12,962 neurons: more of these cost time and gain nothing.
-constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
-constexpr int Turns = 3, RoundsPerTurn = 2;        // of polish and remeshing
+// Measured on scans, 12,962 neurons: more of these cost time and gain nothing. What was learned
+// from the sphere meets the patterns already.
+constexpr int FirstIterations = 6, Iterations = 3;      // of remeshing
+constexpr int TurnsFromSphere = 1, TurnsFromHull = 3;   // of polish and remeshing
+constexpr int RoundsFromSphere = 4, RoundsFromHull = 2; // of a turn of polish
+constexpr Index SamplesOfTurn = 4;                      // in a round, for each neuron
 
 // The hull is no finer than half an edge on an object of usual area.
 constexpr double SpacingForEdge = 0.5, TypicalArea = 5.0;
@@ -32,6 +38,7 @@ constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays 
 
 // Noise shows beside a surface of a quarter of the vertices.
 constexpr Index Coarser = 4;
+constexpr int LeastFrequency = 4; // of the lattice that is learned from the sphere
 constexpr Index LeastCoarse = 50; // vertices that can tell
 constexpr double LittleNoise = 0.5;
 
@@ -59,39 +66,105 @@ double spacingFor(const TrainingSamples& samples, Index neurons)
     GenusZeroHullLimits::LargestSpacing);
 }
 
-/// The surface to begin with, in the samples' unit.
-ConformalSOMResult firstSurface(const TrainingSamples& samples, const Mesh* start, double spacing,
-  HullIndicator indicator, PolishOptions& polishing, const ParallelFor& parallelFor,
-  const Progress& progress)
+/// Learning from the sphere on a lattice of a quarter of the vertices: what it leaves to the
+/// polish is less than their distance.
+ConformalSOMOptions coarseLattice(const ConformalSOMOptions& options)
 {
-  ConformalSOMResult result;
-  if (start)
+  ConformalSOMOptions coarse = options;
+  coarse.Frequency = std::max(LeastFrequency,
+    static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
+  return coarse;
+}
+
+/// The surface to begin with, in the samples' unit.
+class FirstSurface
+{
+public:
+  FirstSurface(const TrainingSamples& samples, const ConformalSOMOptions& options)
+    : Samples(samples)
+    , Options(coarseLattice(options))
+    , Spacing(spacingFor(samples, options.NumberOfNeurons))
   {
-    requireGenusZero(start->Triangles, start->Positions.rows(), progress);
-    static_cast<Mesh&>(result) = *start;
+  }
+
+  double work() const { return this->workFromSphere() + this->workFromHull(); }
+  double vertices() const { return verticesOfHull(this->Spacing); }
+
+  ConformalSOMResult fromMesh(const Mesh& start, const Progress& progress) const
+  {
+    requireGenusZero(start.Triangles, start.Positions.rows(), progress);
+    ConformalSOMResult result;
+    static_cast<Mesh&>(result) = start;
     if (signedVolume(result.Positions, result.Triangles) < 0.0)
     {
       result.Triangles.col(1).swap(result.Triangles.col(2));
     }
     return result;
   }
-  GenusZeroHullResult hull = makeHull(samples, spacing, indicator, parallelFor, progress);
-  static_cast<Mesh&>(result) = hull;
-  result.Hulled = true;
-  result.HullLeaks = hull.Leaks;
-  result.CutFraction = cutFraction(hull);
-  result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
-  // Over what nobody has seen, winding numbers know better where the surface is than the points
-  // across from there.
-  polishing.DrawsIdle = hull.Indicator == HullIndicator::Distance;
-  const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
-  if (strays > ManyStrays * static_cast<double>(samples.totalSize()))
+
+  ConformalSOMResult fromSphereOrHull(
+    PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress) const
   {
-    polishing.OutlierRatio = OutlierRatioAmongStrays;
+    Steps steps(progress, { this->workFromSphere(), this->workFromHull() });
+    const Progress learning = steps.next();
+    if (this->mayStartFromSphere())
+    {
+      std::optional<ConformalSOMResult> learned =
+        learnWithoutPolish(this->Samples, this->Options, parallelFor, learning);
+      if (learned)
+      {
+        polishing.NumberOfRounds = RoundsFromSphere;
+        polishing.OutlierRatio = OutlierRatioAmongStrays; // it has come to all tips
+        return *std::move(learned);
+      }
+    }
+    return this->fromHull(polishing, parallelFor, steps.next());
   }
-  polishing.Belongs = [data = std::move(hull.Data)](const Vector3& x) { return data.contains(x); };
-  return result;
-}
+
+private:
+  bool mayStartFromSphere() const
+  {
+    return this->Options.StartingShape != StartingShape::Hull && this->Samples.rank() == 3;
+  }
+
+  double workFromSphere() const
+  {
+    return this->mayStartFromSphere() ? workWithoutPolish(this->Samples, this->Options) : 0.0;
+  }
+
+  double workFromHull() const
+  {
+    return workOfHull(this->Samples, this->Spacing, this->Options.HullIndicator);
+  }
+
+  ConformalSOMResult fromHull(
+    PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress) const
+  {
+    ConformalSOMResult result;
+    GenusZeroHullResult hull =
+      makeHull(this->Samples, this->Spacing, this->Options.HullIndicator, parallelFor, progress);
+    static_cast<Mesh&>(result) = hull;
+    result.Hulled = true;
+    result.HullLeaks = hull.Leaks;
+    result.CutFraction = cutFraction(hull);
+    result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
+    // Over what nobody has seen, winding numbers know better where the surface is than the points
+    // across from there.
+    polishing.DrawsIdle = hull.Indicator == HullIndicator::Distance;
+    const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
+    if (strays > ManyStrays * static_cast<double>(this->Samples.totalSize()))
+    {
+      polishing.OutlierRatio = OutlierRatioAmongStrays;
+    }
+    polishing.Belongs = [data = std::move(hull.Data)](const Vector3& x)
+    { return data.contains(x); };
+    return result;
+  }
+
+  const TrainingSamples& Samples;
+  const ConformalSOMOptions Options; ///< of the lattice that is learned from the sphere
+  const double Spacing;              ///< of the hull
+};
 
 struct Noise
 {
@@ -143,25 +216,26 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
 {
   const Index neurons = options.NumberOfNeurons;
   PolishOptions polishing; // of a turn
-  polishing.NumberOfRounds = RoundsPerTurn;
+  polishing.NumberOfRounds = RoundsFromHull;
   polishing.FirstSmoothness = std::max(options.Smoothness, FirstSmoothness);
   polishing.LastSmoothness = options.Smoothness;
   polishing.OutlierRatio = OutlierRatio;
   polishing.AutomaticPriority = options.AutomaticPriority;
-  polishing.SamplesPerRound = options.SamplesPerNeuron * neurons;
+  polishing.SamplesPerRound = std::min<Index>(options.SamplesPerNeuron, SamplesOfTurn) * neurons;
   polishing.RandomSeed = options.RandomSeed;
   PolishOptions last = polishing;
+  last.SamplesPerRound = options.SamplesPerNeuron * neurons;
   last.NumberOfRounds = options.NumberOfPolishRounds;
 
   RemeshingOptions remeshing = remeshingTo(neurons, Iterations);
   const double ofPolish = workOfPolish(samples, polishing, neurons),
                ofRemeshing = workOfRemeshing(remeshing, neurons),
                ofLast = workOfPolish(samples, last, neurons);
-  const auto workFrom = [&](double vertices)
+  const auto workFrom = [&](double vertices, int turns)
   {
     std::vector<double> work = { workOfRemeshing(
       remeshingTo(neurons, FirstIterations), static_cast<Index>(vertices)) };
-    for (int turn = 0; turn < Turns; ++turn)
+    for (int turn = 0; turn < turns; ++turn)
     {
       work.insert(work.end(), { ofPolish, ofRemeshing });
     }
@@ -169,23 +243,26 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
       { (ofPolish + ofRemeshing) / Coarser, ofLast, workOfSharpEdges(neurons), 0.01 * ofLast });
     return work;
   };
-  const double spacing = spacingFor(samples, neurons);
-  std::vector<double> work = workFrom(verticesOfHull(spacing));
-  work.insert(work.begin(),
-    start ? 300.0 * start->Positions.rows() : workOfHull(samples, spacing, options.HullIndicator));
+  const FirstSurface first(samples, options);
+  std::vector<double> work = workFrom(
+    start ? static_cast<double>(start->Positions.rows()) : first.vertices(), TurnsFromHull);
+  work.insert(work.begin(), start ? 300.0 * start->Positions.rows() : first.work());
   Steps steps(progress, work);
-  ConformalSOMResult result = firstSurface(
-    samples, start, spacing, options.HullIndicator, polishing, parallelFor, steps.next());
+  ConformalSOMResult result = start ? first.fromMesh(*start, steps.next())
+                                    : first.fromSphereOrHull(polishing, parallelFor, steps.next());
+  last.NumberOfRounds = options.NumberOfPolishRounds -
+    std::min(options.NumberOfPolishRounds / 2, polishing.NumberOfRounds);
   last.OutlierRatio = polishing.OutlierRatio;
   last.Belongs = polishing.Belongs;
   last.DrawsIdle = polishing.DrawsIdle;
-  steps.replan(workFrom(static_cast<double>(result.Positions.rows())));
+  const int turns = start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
+  steps.replan(workFrom(static_cast<double>(result.Positions.rows()), turns));
 
   remesh(result, remeshingTo(neurons, FirstIterations), parallelFor, steps.next());
-  for (int turn = 0; turn < Turns; ++turn)
+  for (int turn = 0; turn < turns; ++turn)
   {
     polish(samples, polishing, parallelFor, steps.next(), result);
-    remeshing.MeetNumber = turn + 1 == Turns;
+    remeshing.MeetNumber = turn + 1 == turns;
     remesh(result, remeshing, parallelFor, steps.next());
   }
   const Noise noise = noiseBeside(result, samples, polishing, parallelFor, steps.next());

@@ -15,9 +15,11 @@ namespace conformal
 /// nearly equilateral and of one size, on limbs too; in the samples' unit (max radius 1), and not
 /// yet mapped to the sphere.
 ///
-/// It starts from a genus-zero hull of the samples. The surface is remeshed (Remeshing.h) and
-/// polished (LeastSquaresPolish.h) in turns, from smooth to fine; the last polish leaves the
-/// connectivity alone.
+/// It starts from what batch training learns from the sphere on a lattice of a quarter of the
+/// vertices; where that shows webs or stretched triangles, as options.StartingShape says, from a
+/// genus-zero hull of the samples. The surface is remeshed (Remeshing.h) and polished
+/// (LeastSquaresPolish.h) in turns, from smooth to fine; the last polish leaves the connectivity
+/// alone.
 ///
 /// In the end vertices move onto sharp edges that the triangles cut off (SharpEdges.h).
 ///
@@ -25,11 +27,11 @@ namespace conformal
 /// of the vertices does, and sets the smoothness of the last polish.
 ///
 /// Implementation note: the paper names meshes that grow and swap edges as alternatives to its
-/// lattice. Eq. 3 is not part of this; a neighborhood function would average across the creases
-/// between limbs.
+/// lattice. Where there are limbs Eq. 3 is not part of this; a neighborhood function would average
+/// across the creases between them.
 ///
 /// @param[in] start  may be null: a closed genus-zero mesh near the samples, in their unit, that
-///                   replaces the hull. Only its surface counts, not its triangles.
+///                   replaces sphere and hull. Only its surface counts, not its triangles.
 /// @throws std::invalid_argument if the start is not of genus zero
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks

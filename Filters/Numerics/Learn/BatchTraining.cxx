@@ -171,8 +171,9 @@ std::vector<double> massesOf(
 }
 
 /// The work that is left after the last level, as a level's mesh and the patterns in each of its
-/// triangles make likely.
-using Forecast = std::function<double(const ConformalSOMResult&, const std::vector<double>&)>;
+/// triangles make likely; or nothing, to stop at this level.
+using Forecast =
+  std::function<std::optional<double>(const ConformalSOMResult&, const std::vector<double>&)>;
 
 /// Learning passes from the unit sphere, coarse to fine.
 /// @param[in] rest      the work that is expected after the last level, before anything is known
@@ -271,7 +272,12 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
     }
     typicalErrors[0] = typicalErrors[1];
-    rest = forecast(result, masses);
+    const std::optional<double> left = forecast(result, masses);
+    if (!left)
+    {
+      break;
+    }
+    rest = *left;
   }
   return result;
 }
@@ -295,24 +301,33 @@ double stretchedFraction(const ConformalSOMResult& result)
 /// Smaller webs are not worth another start; nor are fewer stretched triangles.
 constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2;
 
+/// Whether a level's mesh, with the patterns in each of its triangles, will not do when it is
+/// polished. It has most of the webs and stretched triangles that there will be at the end; the
+/// polish adds a quarter to those, measured.
+constexpr double ByPolish = 1.25;
+
+bool needsHull(const ConformalSOMResult& result, const std::vector<double>& masses,
+  const TrainingSamples& samples)
+{
+  return ByPolish * stretchedFraction(result) > ToleratedTriangles ||
+    unsupportedFraction(samples, result.Positions, result.Triangles, masses) > ToleratedArea;
+}
+
 /// What is kept of the progress for a hull that may be needed after all, as a share of the work
 /// from the sphere. Whether it is shows for certain only when all of that has been done, which is
 /// the smaller part of the work if it is: a fifth, mostly.
 ///
-/// But a level's mesh has most of the webs and stretched triangles that there will be at the end;
-/// the polish adds a quarter to those, measured. Where that is close to the limit, so much is kept
-/// that progress is even within a factor of 3 either way.
+/// But a level's mesh tells mostly. Where it is close to the limit, so much is kept that progress
+/// is even within a factor of 3 either way.
 double hullReserve(const ConformalSOMResult& result, const std::vector<double>& masses,
   const TrainingSamples& samples, double ofSphere, double ofHull)
 {
-  constexpr double byPolish = 1.25, closeToLimit = 0.65;
-  constexpr double ifUnlikely = 0.12, ifPossible = 0.43;
-  const double stretched = byPolish * stretchedFraction(result) / ToleratedTriangles;
-  if (stretched > 1.0 ||
-    unsupportedFraction(samples, result.Positions, result.Triangles, masses) > ToleratedArea)
+  constexpr double closeToLimit = 0.65, ifUnlikely = 0.12, ifPossible = 0.43;
+  if (needsHull(result, masses, samples))
   {
     return ofHull;
   }
+  const double stretched = ByPolish * stretchedFraction(result) / ToleratedTriangles;
   return std::min(ofHull, ofSphere * (stretched > closeToLimit ? ifPossible : ifUnlikely));
 }
 
@@ -347,6 +362,29 @@ ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples
   const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
 {
   return polishFrom(std::move(weights), 0.0, nullptr, samples, options, parallelFor, progress);
+}
+
+std::optional<ConformalSOMResult> learnWithoutPolish(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+{
+  const bool anyway = options.StartingShape == StartingShape::Sphere;
+  bool good = true;
+  Steps steps(progress, {});
+  ConformalSOMResult result = learnFromSphere(
+    samples, options, parallelFor, 0.0,
+    [&](const ConformalSOMResult& level, const std::vector<double>& masses) -> std::optional<double>
+    {
+      good = anyway || !needsHull(level, masses, samples);
+      return good ? std::optional<double>(0.0) : std::nullopt;
+    },
+    steps);
+  return good ? std::optional<ConformalSOMResult>(std::move(result)) : std::nullopt;
+}
+
+double workWithoutPolish(const TrainingSamples& samples, const ConformalSOMOptions& options)
+{
+  const std::vector<double> levels = workOfLevels(samples, options, 1);
+  return std::accumulate(levels.begin(), levels.end(), 0.0);
 }
 
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,

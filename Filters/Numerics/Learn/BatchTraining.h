@@ -8,6 +8,8 @@
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
 
+#include <optional>
+
 namespace conformal
 {
 /// Batch learning; weights in the samples' unit (max radius 1).
@@ -23,6 +25,14 @@ namespace conformal
 /// limbs and grow webs anew, so the hull is polished only, from smooth to fine.
 ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const ParallelFor& parallelFor, const Progress& progress);
+
+/// The learning from the sphere alone, not polished; or nothing, as soon as a lattice of it shows
+/// that trainBatch() would have to start anew from a hull, unless options.StartingShape is Sphere.
+std::optional<ConformalSOMResult> learnWithoutPolish(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress);
+
+/// What learnWithoutPolish() takes, in nanoseconds as in Steps.
+double workWithoutPolish(const TrainingSamples& samples, const ConformalSOMOptions& options);
 
 /// From weights given, in the samples' unit: polished only, from smooth to fine.
 ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,

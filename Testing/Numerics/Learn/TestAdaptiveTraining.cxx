@@ -330,6 +330,25 @@ TEST(AdaptiveTraining, RanksShareTheSums)
     });
 }
 
+// An object without limbs does not need the hull.
+TEST(AdaptiveTraining, StartsFromTheSphereOrAHull)
+{
+  using conformal::StartingShape;
+  const Points egg = ellipsoid(8000, 3), jack = Jack::cloud(12000, 3);
+  const auto hulled = [](const Points& points, StartingShape shape)
+  {
+    ConformalSOMOptions options = adaptive(1000);
+    options.StartingShape = shape;
+    const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
+    expectWhole(result, 1000);
+    return result.Hulled;
+  };
+  EXPECT_FALSE(hulled(egg, StartingShape::Automatic));
+  EXPECT_TRUE(hulled(egg, StartingShape::Hull));
+  EXPECT_TRUE(hulled(jack, StartingShape::Automatic));
+  EXPECT_FALSE(hulled(jack, StartingShape::Sphere));
+}
+
 // A start takes the place of the hull, whichever way its triangles run and however few they are.
 TEST(AdaptiveTraining, StartsFromAMesh)
 {

@@ -78,6 +78,23 @@ TEST(BatchTraining, StartsFromTheHullWhereTold)
   EXPECT_LT(result.History.back().MeanSquareError, 1e-4);
 }
 
+TEST(BatchTraining, LearnsFromTheSphereAlone)
+{
+  const Points egg = ellipsoidCloud(8000);
+  Points needle = egg;
+  needle.col(0) *= 12.0;
+  const auto learned = [](const Points& points, StartingShape shape)
+  {
+    return conformal::learnWithoutPolish(TrainingSamples{ PointView(points) }, fast(shape), {}, {});
+  };
+  const auto result = learned(egg, StartingShape::Automatic);
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->History.size(), 10U); // two levels of five passes
+  EXPECT_LT(result->History.back().MeanSquareError, 1e-3);
+  EXPECT_FALSE(learned(needle, StartingShape::Automatic));
+  EXPECT_TRUE(learned(needle, StartingShape::Sphere));
+}
+
 // A limb that bends back to its body closes a handle of the hull, not of the object.
 TEST(BatchTraining, TellsHandlesOfTheObjectFromThoseOfTheHull)
 {
