@@ -204,7 +204,7 @@ int vtkAdaptiveSphere::RequestData(
       const double pixels =
         image && density == IMAGE ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
       // Reading the surface, its density, what is added to that, the mesh, and the output.
-      conformal::Steps steps(ProgressOf(this),
+      conformal::Steps steps(RunOf(this),
         { 150.0 * size, 1200.0 * size, 600.0 * (size + pixels),
           1000.0 * (size + pixels) + conformal::workOfAdaptiveSphere(options), 100.0 * wanted });
       steps.next();
@@ -219,18 +219,18 @@ int vtkAdaptiveSphere::RequestData(
         weights = conformal::weightsByBending(surface);
       }
       conformal::SphereDensity wantedDensity =
-        conformal::densityOnSurface(surface, weights, SMPFor(), steps.next());
+        conformal::densityOnSurface(surface, weights, steps.next());
       steps.next();
       if (density == IMAGE)
       {
         const conformal::SphereDensity details = DensityOfImage(input, image);
-        if (conformal::isAnywhere(details, SMPFor())) // of one color there are none
+        if (conformal::isAnywhere(details, SMPRun())) // of one color there are none
         {
-          wantedDensity = conformal::halfAndHalf(wantedDensity, details, SMPFor());
+          wantedDensity = conformal::halfAndHalf(wantedDensity, details, SMPRun());
         }
       }
       const conformal::Mesh sphere =
-        conformal::makeAdaptiveSphere(wantedDensity, options, SMPFor(), steps.next());
+        conformal::makeAdaptiveSphere(wantedDensity, options, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;
       SetSurface(result, sphere.Positions, sphere.Triangles, {});

@@ -3,7 +3,7 @@
 #define vtkCloudNormals_h
 
 #include "Base/CoordinateFrame.h" // for points in a frame
-#include "Base/Parallel.h"        // for Reduce
+#include "Base/Reduce.h"          // for Reduce
 #include "Base/Types.h"           // for Points, PointView
 
 class vtkPointSet;

@@ -72,9 +72,10 @@ void RequireFinite(const double* values, conformal::Index size, const std::strin
 namespace vtkConformalConversions
 {
 //------------------------------------------------------------------------------
-conformal::ParallelFor SMPFor()
+conformal::Run SMPRun()
 {
-  return [](conformal::Index count, const std::function<void(conformal::Index)>& body)
+  const conformal::ParallelFor threads =
+    [](conformal::Index count, const std::function<void(conformal::Index)>& body)
   {
     vtkSMPTools::For(0, count, 1,
       [&](vtkIdType begin, vtkIdType end)
@@ -85,6 +86,7 @@ conformal::ParallelFor SMPFor()
         }
       });
   };
+  return { threads };
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +94,7 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
 {
   // Observers may draw, and may abort: they are told of every visible step, and of a slow
   // run every 50 ms, or every thousandth of its time so far, which bounds their number.
-  constexpr double leastStep = 0.002;
+  constexpr double minimumStep = 0.002;
   using Clock = std::chrono::steady_clock;
   struct State
   {
@@ -109,12 +111,18 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
     if (reached >= state->Next || reached == 1.0 || now - state->Last >= longest)
     {
       state->Reached = std::max(state->Reached, reached);
-      state->Next = state->Reached + leastStep;
+      state->Next = state->Reached + minimumStep;
       state->Last = now;
       self->UpdateProgress(state->Reached);
     }
     return self->GetAbortExecute() == 0;
   };
+}
+
+//------------------------------------------------------------------------------
+conformal::Run RunOf(vtkAlgorithm* self)
+{
+  return SMPRun().watchedBy(ProgressOf(self));
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +154,7 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
     {
       vtkInputChecks::RequireConsistentInputs(self);
       core();
-      conformal::report(ProgressOf(self), 1.0); // the last time that a request to stop is noticed
+      RunOf(self).report(1.0); // the last time that a request to stop is noticed
     });
 }
 
@@ -213,7 +221,7 @@ conformal::CoordinateFrame FrameOf(
       views.push_back(ViewPoints(points->GetPoints(), {}, copies[views.size()]));
     }
   }
-  return conformal::frameOf(views, SMPFor(), reduce);
+  return conformal::frameOf(views, reduce, SMPRun());
 }
 
 //------------------------------------------------------------------------------
@@ -414,7 +422,7 @@ void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles)
   connectivity->SetNumberOfValues(triangles.size());
   vtkIdType* ids = connectivity->GetPointer(0);
   const conformal::Index blockSize = 65536;
-  conformal::forBlocks(SMPFor(), triangles.size(), blockSize,
+  conformal::forBlocks(SMPRun(), triangles.size(), blockSize,
     [&](conformal::Index begin, conformal::Index end)
     { std::copy(triangles.data() + begin, triangles.data() + end, ids + begin); });
   vtkNew<vtkCellArray> cells;

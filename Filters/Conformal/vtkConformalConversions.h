@@ -3,8 +3,9 @@
 #define vtkConformalConversions_h
 
 #include "Base/CoordinateFrame.h" // for points in a frame
-#include "Base/Parallel.h"        // for ParallelFor, Reduce
-#include "Base/Types.h"           // for Points, Triangles, PointView, Progress
+#include "Base/Reduce.h"          // for Reduce
+#include "Base/Run.h"             // for Run
+#include "Base/Types.h"           // for Points, Triangles, PointView
 
 #include "vtkSmartPointer.h" // for Held
 
@@ -48,11 +49,14 @@ vtkSmartPointer<Data> Held(Data* data)
   return held;
 }
 
-/// Threads of vtkSMPTools.
-conformal::ParallelFor SMPFor();
+/// On the threads of vtkSMPTools; nobody watches.
+conformal::Run SMPRun();
 
 /// Reports to the filter's progress observers; stops when the filter is asked to abort.
 conformal::Progress ProgressOf(vtkAlgorithm* self);
+
+/// On these threads, with this progress.
+conformal::Run RunOf(vtkAlgorithm* self);
 
 /// What an exception of the core says to the user.
 std::string MessageOf(const std::exception& error);

@@ -55,7 +55,7 @@ int vtkConformalDistortion::RequestData(
       }
       // For each triangle.
       conformal::Steps steps(
-        vtkConformalConversions::ProgressOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
+        vtkConformalConversions::RunOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
       steps.next();
       std::vector<vtkIdType> cellIds;
       conformal::Points copy;
@@ -65,7 +65,7 @@ int vtkConformalDistortion::RequestData(
       const conformal::Distortion distortion =
         conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(),
                                        vtkConformalConversions::FrameOf({ input }), copy),
-          triangles, map, vtkConformalConversions::SMPFor(), steps.next());
+          triangles, map, steps.next());
 
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(input);

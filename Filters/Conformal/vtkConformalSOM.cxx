@@ -108,12 +108,12 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   {
     vtkWarningWithObjectMacro(self, << "there are no points to learn from; the output is empty");
   }
-  else if (samples.rank() < 3)
+  else if (samples.dimension() < 3)
   {
     vtkWarningWithObjectMacro(self, << "the points are "
-                                    << (samples.rank() == 2      ? "coplanar"
-                                           : samples.rank() == 1 ? "collinear"
-                                                                 : "all equal")
+                                    << (samples.dimension() == 2      ? "coplanar"
+                                           : samples.dimension() == 1 ? "collinear"
+                                                                      : "all equal")
                                     << "; the mesh is flat");
   }
 }
@@ -148,7 +148,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   const conformal::ConformalSOMResult& result, bool polished)
 {
   using vtkConformalConversions::AddNumber;
-  AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
+  AddNumber(data, "CloudDimension", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
   AddNumber(data, "Polished", static_cast<long long>(polished));
@@ -237,20 +237,17 @@ int vtkConformalSOM::RequestData(
       std::vector<double> priorityCopy;
       const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
-      const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
-      const bool online = options.TrainingMode == conformal::TrainingMode::Online;
-      // Reading, learning (the middle of what the shapes of objects make of it), errors, the
-      // output.
-      conformal::Steps steps(processes.progress(),
-        { 40.0 * size,
-          online ? 5000.0 * options.NumberOfEpochs * options.SamplesPerEpoch : 150000.0 * neurons,
-          measuresErrors ? 450.0 * size : 0.0, 10.0 * neurons });
+      // Reading, learning, errors, the output.
+      conformal::Steps steps(processes.run(),
+        { 40.0 * size, conformal::workOfConformalSOM(options), measuresErrors ? 450.0 * size : 0.0,
+          10.0 * neurons });
       conformal::TrainingSamples samples(points, priorities,
-        vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
+        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
       vtkConformalConversions::CloudNormals normals;
-      if (!online && options.HullIndicator == conformal::HullIndicator::WindingNumbers)
+      if (options.TrainingMode != conformal::TrainingMode::Online &&
+        options.HullIndicator == conformal::HullIndicator::WindingNumbers)
       {
         vtkConformalConversions::FindNormals(input, frame, processes.reduce(), normals);
       }
@@ -271,8 +268,8 @@ int vtkConformalSOM::RequestData(
       {
         mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
       }
-      const conformal::ConformalSOMResult result = conformal::trainConformalSOM(
-        samples, options, start ? &mesh : nullptr, threads, steps.next());
+      const conformal::ConformalSOMResult result =
+        conformal::trainConformalSOM(samples, options, start ? &mesh : nullptr, steps.next());
       if (processes.isFirst())
       {
         WarnAbout(this, result, samples.totalSize());
@@ -281,14 +278,15 @@ int vtkConformalSOM::RequestData(
       vtkConformalConversions::SetSurface(surface, result.Positions, result.Triangles, frame);
       vtkConformalConversions::AddVectors(surface->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.SpherePositions);
-      const conformal::Progress measuring = steps.next();
+      const conformal::Run measuring = steps.next();
       if (measuresErrors)
       {
         vtkConformalConversions::AddLengths(surface->GetPointData(), "QuantizationError",
-          conformal::quantizationErrors(samples, result, threads, measuring), frame);
+          conformal::quantizationErrors(samples, result, measuring), frame);
       }
       steps.next();
-      const bool polished = !online && options.NumberOfPolishRounds > 0;
+      const bool polished =
+        options.TrainingMode != conformal::TrainingMode::Online && options.NumberOfPolishRounds > 0;
       AddFigures(surface->GetFieldData(), samples, result, polished);
       vtkConformalConversions::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);

@@ -17,8 +17,8 @@
  * mesh.
  * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
  *   square distance between a neuron and the input points it stands for.
- * - field data "Rank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
- *   equal points; below 3 the mesh is right but flat, and a warning says so.
+ * - field data "CloudDimension" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a
+ * line, 0 for equal points; below 3 the mesh is right but flat, and a warning says so.
  * - field data "UnsupportedFraction" (1 value): share of the mesh's area that has no points where
  *   some are due; a lid over a hole in the scan, or a web between limbs. 0 in Online mode.
  * - field data "StartedFromHull" (1 value): whether Batch took the hull.

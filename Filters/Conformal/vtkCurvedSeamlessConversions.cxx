@@ -86,14 +86,14 @@ struct Model : conformal::MappedMesh
 // That of the first process that has a surface, on all of them.
 Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkObject* self,
   vtkPolyData* surface, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
+  vtkConformalConversions::Processes& processes, const conformal::Run& run)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
   model.Options = properties.Options;
   if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
   {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, progress);
+    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
     model.Options.Polished = IsPolished(properties, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Positions = std::move(mesh.Positions);
@@ -112,12 +112,11 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
 
 conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
   const conformal::CoordinateFrame& frame, conformal::Points& copy,
-  vtkConformalConversions::Processes& processes, const conformal::Progress& progress)
+  vtkConformalConversions::Processes& processes, const conformal::Run& run)
 {
   conformal::TrainingSamples samples(
     vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
-    vtkConformalConversions::GhostTest(cloud), vtkConformalConversions::SMPFor(),
-    processes.reduce(), progress);
+    vtkConformalConversions::GhostTest(cloud), processes.reduce(), run);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
@@ -145,7 +144,7 @@ CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map)
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
-  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Progress& progress,
+  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Run& run,
   Processes& processes)
 {
   const conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
@@ -155,20 +154,19 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
   const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
-  conformal::Steps steps(progress,
+  conformal::Steps steps(run,
     { 750.0 * size, 80.0 * cloudSize,
       (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
         (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
   const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
   conformal::Points copy;
-  const conformal::Progress reading = steps.next();
+  const conformal::Run reading = steps.next();
   const conformal::TrainingSamples samples = fits
     ? SamplesOf(self, cloud, frame, copy, processes, reading)
     : conformal::TrainingSamples(conformal::PointView());
-  std::shared_ptr<const BuiltSurface> built(
-    new BuiltSurface{ conformal::CurvedSeamlessSurface(
-                        model, model.Options, fits ? &samples : nullptr, SMPFor(), steps.next()),
-      frame });
+  std::shared_ptr<const BuiltSurface> built(new BuiltSurface{
+    conformal::CurvedSeamlessSurface(model, model.Options, fits ? &samples : nullptr, steps.next()),
+    frame });
   const conformal::Index degenerate = built->Surface.numberOfDegeneratePatches();
   if (degenerate > 0 && processes.isFirst())
   {

@@ -37,7 +37,7 @@ struct BuiltSurface
 /// @throws std::invalid_argument if there is no such surface
 /// @throws conformal::Aborted
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
-  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Progress& progress,
+  vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Run& run,
   Processes& processes);
 }
 

@@ -106,7 +106,7 @@ conformal::Points UnitDirections(vtkDataArray* directions)
   conformal::Points copy;
   return conformal::unitVectors(
     vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction",
-    vtkConformalConversions::SMPFor());
+    vtkConformalConversions::SMPRun());
 }
 }
 
@@ -161,7 +161,7 @@ bool vtkCurvedSeamlessMap::ToSurface(
       conformal::SurfaceSamples samples;
       samples.Positions = Sized(positions, 3, units.rows());
       samples.Normals = Sized(normals, 3, units.rows());
-      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPRun());
       LengthsFromFrame(positions, this->Map->Frame, "positions");
     });
 }
@@ -179,7 +179,7 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
       samples.Derivatives = Sized(derivatives, 9, units.rows());
       samples.Metrics = Sized(metrics, 9, units.rows());
       samples.AreaElements = Sized(areaElements, 1, units.rows());
-      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPFor());
+      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPRun());
       LengthsFromFrame(derivatives, this->Map->Frame, "derivatives");
       AreasFromFrame(metrics, this->Map->Frame, "metrics");
       AreasFromFrame(areaElements, this->Map->Frame, "area elements");
@@ -208,7 +208,7 @@ bool vtkCurvedSeamlessMap::ToSphere(
         inFrame.row(i) = this->Map->Frame.toFrameFromAfar(inFrame.row(i));
       }
       conformal::invert(surface, inFrame, Sized(directions, 3, inFrame.rows()),
-        Sized(closestPoints, 3, inFrame.rows()), vtkConformalConversions::SMPFor());
+        Sized(closestPoints, 3, inFrame.rows()), vtkConformalConversions::SMPRun());
       LengthsFromFrame(closestPoints, this->Map->Frame, "closest points");
     });
 }
@@ -227,9 +227,9 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
   {
     const conformal::NormalJumps measured =
       conformal::measureNormalJumps(this->Map->Surface.curvedTriangles(),
-        this->Map->Surface.neighbors(), vtkConformalConversions::SMPFor());
+        this->Map->Surface.neighbors(), vtkConformalConversions::SMPRun());
     jumps[0] = measured.Mean;
-    jumps[1] = measured.Largest;
+    jumps[1] = measured.Maximum;
   }
 }
 

@@ -40,7 +40,7 @@ constexpr conformal::Index BlockSize = 4096;
 
 double PointsOfFrequency(int frequency)
 {
-  return 10.0 * frequency * frequency + 2.0;
+  return static_cast<double>(conformal::geodesicSphereSize(frequency));
 }
 
 // Into how many triangles along an edge those of the network are cut; 0 if the surface is sampled
@@ -78,11 +78,11 @@ double ExpectedPoints(double meshSize, int sampling, int subdivisions, int frequ
 }
 
 // Directions and triangles in which the surface is wanted.
-conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal::Progress& progress)
+conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal::Run& run)
 {
   if (!sphere)
   {
-    return conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor(), progress);
+    return conformal::makeGeodesicSphere(frequency, run);
   }
   conformal::Mesh dense;
   dense.Triangles = vtkConformalConversions::ToTriangles(sphere);
@@ -141,7 +141,7 @@ bool IsWoundInward(
 
 void FillGaps(VectorMap normals, const VectorMap& directions)
 {
-  conformal::forBlocks(vtkConformalConversions::SMPFor(), normals.rows(), BlockSize,
+  conformal::forBlocks(vtkConformalConversions::SMPRun(), normals.rows(), BlockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       for (conformal::Index i = begin; i < end; ++i)
@@ -162,7 +162,7 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
   cells->SetName("Degenerate");
   cells->SetNumberOfValues(size);
   unsigned char* degenerate = cells->GetPointer(0);
-  conformal::forBlocks(vtkConformalConversions::SMPFor(), size, BlockSize,
+  conformal::forBlocks(vtkConformalConversions::SMPRun(), size, BlockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       for (conformal::Index r = begin; r < end; ++r)
@@ -266,7 +266,7 @@ int vtkCurvedSeamlessSurface::RequestData(
         ofDirections(takesSphere ? static_cast<double>(sphere->GetNumberOfPoints())
                                  : ExpectedPoints(meshSize, sampling, subdivisions, frequency));
       conformal::Steps steps(
-        processes.progress(), { ofMap, std::accumulate(expected.begin(), expected.end(), 0.0) });
+        processes.run(), { ofMap, std::accumulate(expected.begin(), expected.end(), 0.0) });
       this->Map->Take(nullptr);
       const auto map = vtkConformalConversions::BuildSurface(
         properties, this, surface, cloud, steps.next(), processes);
@@ -276,12 +276,11 @@ int vtkCurvedSeamlessSurface::RequestData(
           : takesSphere                  ? static_cast<double>(sphere->GetNumberOfPoints())
                                          : PointsOfFrequency(frequency)));
       // What is large is let go as soon as the output has it.
-      const conformal::Progress making = steps.next();
+      const conformal::Run making = steps.next();
       conformal::Mesh dense;
       if (processes.rank() == owner)
       {
-        dense = cuts > 0 ? conformal::subdividedNetwork(
-                             map->Surface, cuts, vtkConformalConversions::SMPFor(), making)
+        dense = cuts > 0 ? conformal::subdividedNetwork(map->Surface, cuts, making)
                          : DenseSphere(sphere, frequency, making);
       }
       steps.next();
@@ -297,7 +296,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       else
       {
         conformal::copyUnitVectors(dense.Positions, "direction", directions->GetPointer(0),
-          vtkConformalConversions::SMPFor());
+          vtkConformalConversions::SMPRun());
       }
       dense.Positions.resize(0, 3);
 
@@ -309,8 +308,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       samples.Positions = positions->GetPointer(0);
       samples.Normals = normals->GetPointer(0);
       samples.Degenerate = degenerate.data();
-      conformal::evaluate(map->Surface, { directions->GetPointer(0), size }, samples,
-        vtkConformalConversions::SMPFor(), steps.next());
+      conformal::evaluate(map->Surface, { directions->GetPointer(0), size }, samples, steps.next());
       steps.next();
       if (IsWoundInward(ViewOf(positions), dense.Triangles, ViewOf(normals)))
       {

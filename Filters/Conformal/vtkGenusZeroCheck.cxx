@@ -76,7 +76,7 @@ int vtkGenusZeroCheck::RequestData(
     [&]()
     {
       conformal::Steps steps(
-        vtkConformalConversions::ProgressOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
+        vtkConformalConversions::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
       steps.next();
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);

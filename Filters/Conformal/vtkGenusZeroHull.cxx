@@ -44,13 +44,13 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
   {
     vtkWarningWithObjectMacro(self, << "there are no points to wrap; the output is empty");
   }
-  else if (samples.rank() < 3)
+  else if (samples.dimension() < 3)
   {
     vtkWarningWithObjectMacro(
       self, << "the points are "
-            << (samples.rank() == 2      ? "coplanar"
-                   : samples.rank() == 1 ? "collinear"
-                                         : "all equal")
+            << (samples.dimension() == 2      ? "coplanar"
+                   : samples.dimension() == 1 ? "collinear"
+                                              : "all equal")
             << ": they enclose nothing, and the hull is a shell around them");
   }
   else if (hull.Leaks)
@@ -92,7 +92,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   using vtkConformalConversions::AddNumber;
   const auto addLength = [&](const char* name, double length)
   { vtkConformalConversions::AddLengths(data, name, { length * samples.scale() }, frame); };
-  AddNumber(data, "Rank", static_cast<long long>(samples.rank()));
+  AddNumber(data, "CloudDimension", static_cast<long long>(samples.dimension()));
   AddNumber(data, "Indicator", static_cast<long long>(hull.Indicator));
   AddNumber(data, "NormalsUsed", static_cast<long long>(hull.NormalsUsed));
   addLength("KernelWidth", hull.Width);
@@ -153,22 +153,18 @@ int vtkGenusZeroHull::RequestData(
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
     {
-      // Reading; the hull, on a lattice that a usual object has so many nodes on, of samples that
-      // are no more than are worth the spacing; the output.
+      // Reading, the hull, the output.
       const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double perSquare = 1.0 / (options.Spacing * options.Spacing);
-      const double nodes = 4.7 * perSquare / options.Spacing;
+      const double ofHull = conformal::workOfGenusZeroHull(size, options.Spacing);
+      const double ofOutput = 0.013 * ofHull;
       const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
-      conformal::Steps steps(processes.progress(),
-        { 40.0 * size, 220.0 * nodes + 40.0 * size + 1900.0 * std::min(size, 32.0 * perSquare),
-          3.0 * nodes });
+      conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
       const conformal::CoordinateFrame frame =
         vtkConformalConversions::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
-      const conformal::ParallelFor threads = vtkConformalConversions::SMPFor();
       conformal::TrainingSamples samples(
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
-        vtkConformalConversions::GhostTest(input), threads, processes.reduce(), steps.next());
+        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
       vtkConformalConversions::CloudNormals normals;
       if (winding)
       {
@@ -180,13 +176,12 @@ int vtkGenusZeroHull::RequestData(
       }
       if (winding && !samples.empty())
       {
-        steps.replan(
-          { conformal::workOfHullByWindingNumbers(samples, options.Spacing), 3.0 * nodes });
+        steps.replan({ conformal::workOfHullByWindingNumbers(samples, options.Spacing), ofOutput });
       }
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {
-        hull = conformal::makeGenusZeroHull(samples, options, threads, steps.next());
+        hull = conformal::makeGenusZeroHull(samples, options, steps.next());
       }
       if (processes.isFirst())
       {

@@ -10,7 +10,8 @@
  * coordinates, double precision; triangles are counter-clockwise seen from outside. With
  * DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType), the
  * active global ids. Field data, one value each, lengths in units of the coordinates:
- * - "Rank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for equal points.
+ * - "CloudDimension" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
+ * equal points.
  * - "Indicator" (idtype): what told inside from outside, as the property; DISTANCE also where
  *   winding numbers cannot tell: points in a plane, fewer than 20, or nothing found inside.
  * - "NormalsUsed" (idtype): 1 if normals were given and told what is outside.

@@ -31,9 +31,8 @@ int vtkGeodesicSphereSource::RequestData(
     {
       // For each vertex: the mesh, then points, triangles and two arrays of the output.
       conformal::Steps steps(
-        vtkConformalConversions::ProgressOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
-      const conformal::Mesh sphere =
-        conformal::makeGeodesicSphere(frequency, vtkConformalConversions::SMPFor(), steps.next());
+        vtkConformalConversions::RunOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
+      const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;
       vtkConformalConversions::SetPoints(result, sphere.Positions, {});

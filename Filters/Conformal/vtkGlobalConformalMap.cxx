@@ -101,7 +101,7 @@ int vtkGlobalConformalMap::RequestData(
       // Closing the mesh, mapping it, the output.
       const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
       const auto size = static_cast<double>(numberOfPoints);
-      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+      conformal::Steps steps(vtkConformalConversions::RunOf(this),
         { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
           40.0 * size });
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
@@ -110,8 +110,8 @@ int vtkGlobalConformalMap::RequestData(
       {
         outward.Triangles.col(1).swap(outward.Triangles.col(2));
       }
-      const conformal::GlobalConformalMapResult map = conformal::globalConformalMap(
-        outward, options, vtkConformalConversions::SMPFor(), steps.next());
+      const conformal::GlobalConformalMapResult map =
+        conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       PassSurface(surface, mesh, frame, output);
       vtkConformalConversions::AddVectors(

@@ -181,9 +181,9 @@ conformal::Triangles ToTriangles(vtkPolyData* surface)
 
 //------------------------------------------------------------------------------
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Progress& progress)
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  conformal::Steps steps(progress, { 32.0, 5.0, 310.0, 20.0 }); // for each triangle
+  conformal::Steps steps(run, { 32.0, 5.0, 310.0, 20.0 }); // for each triangle
   steps.next();
   ClosedMesh mesh;
   conformal::Triangles& triangles = mesh.Triangles;
@@ -251,9 +251,9 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 
 //------------------------------------------------------------------------------
 conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Progress& progress)
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), progress);
+  const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), run);
   const conformal::Points map = ToSpherePositions(surface);
   conformal::MappedMesh mesh;
   mesh.Positions.resize(closed.Positions.rows(), 3);

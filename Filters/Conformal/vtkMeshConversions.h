@@ -39,14 +39,14 @@ struct ClosedMesh : conformal::Mesh
 /// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
 ///   open, not manifold, in several pieces, or of another genus
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Progress& progress = {});
+  const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".
 /// @param[in] frame  in which its points are wanted; it need not be the surface's
 /// @throws std::invalid_argument also if that array cannot be used
 conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Progress& progress = {});
+  const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 }
 
 #endif

@@ -144,27 +144,27 @@ conformal::Reduce Processes::reduce()
 }
 
 //------------------------------------------------------------------------------
-conformal::Progress Processes::progress()
+conformal::Run Processes::run()
 {
-  conformal::Progress report = ProgressOf(this->Self);
   if (this->Size == 1)
   {
-    return report;
+    return RunOf(this->Self);
   }
-  return [this, report](double fraction)
-  {
-    if (!report(fraction) && !this->StopWanted)
+  return SMPRun().watchedBy(
+    [this, report = ProgressOf(this->Self)](double fraction)
     {
-      this->StopWanted = true;
-      this->call();
-    }
-    if (!this->Signals.available())
-    {
-      return true;
-    }
-    this->StopWanted = this->StopWanted || this->Signals.heardStop();
-    return !this->StopWanted;
-  };
+      if (!report(fraction) && !this->StopWanted)
+      {
+        this->StopWanted = true;
+        this->call();
+      }
+      if (!this->Signals.available())
+      {
+        return true;
+      }
+      this->StopWanted = this->StopWanted || this->Signals.heardStop();
+      return !this->StopWanted;
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -266,7 +266,7 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   {
     vtkInputChecks::RequireConsistentInputs(self);
     core(processes);
-    conformal::report(processes.progress(), 1.0); // the last time that a request to stop is noticed
+    processes.run().report(1.0); // the last time that a request to stop is noticed
   };
   return RunRequest(self,
     [&]()

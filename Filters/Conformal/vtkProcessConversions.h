@@ -3,8 +3,8 @@
 #define vtkProcessConversions_h
 
 #include "Base/CoordinateFrame.h" // for ToSharedMesh's argument
-#include "Base/Parallel.h"        // for Reduce
-#include "Base/Types.h"           // for Progress
+#include "Base/Reduce.h"          // for Reduce
+#include "Base/Run.h"             // for Run
 #include "Mesh/Mesh.h"            // for MappedMesh
 #include "vtkProcessSignals.h"
 
@@ -46,8 +46,8 @@ public:
   /// The text of one process, on all of them.
   std::string textOf(int rank, const std::string& text);
 
-  /// As ProgressOf; also stops when another process does.
-  conformal::Progress progress();
+  /// As RunOf; also stops when another process does.
+  conformal::Run run();
 
   /// Exchange the state of all processes. An error of several is reported from the first of them.
   /// @param[in] error  what went wrong on this process, null for nothing

@@ -52,14 +52,14 @@ Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landm
 }
 
 Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference,
-  const conformal::Progress& progress)
+  const conformal::Run& run)
 {
   const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface, reference });
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
   // Conversions, then what is expected of carryMap().
   conformal::Steps steps(
-    progress, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
+    run, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
   steps.next();
   conformal::MappedMesh other;
   other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints(), frame);
@@ -77,7 +77,7 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   {
     throw std::invalid_argument("some points are not finite");
   }
-  return { map, conformal::carryMap(points, other, vtkConformalConversions::SMPFor(), steps.next()),
+  return { map, conformal::carryMap(points, other, steps.next()),
     conformal::vertexAreas(points, triangles) };
 }
 
@@ -149,13 +149,13 @@ int vtkSphericalAlignment::RequestData(
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const bool hasLandmarks = !landmarks.empty();
-      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+      conformal::Steps steps(vtkConformalConversions::RunOf(this),
         { 20.0 * size, hasLandmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
           hasLandmarks ? 0.0 : (kind == conformal::AlignmentKind::Moebius ? 1700.0 : 20.0) * size,
           10.0 * size, 40.0 * size });
       steps.next();
       conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
-      const conformal::Progress pairing = steps.next();
+      const conformal::Run pairing = steps.next();
       const Pairs pairs = hasLandmarks
         ? PairsOfLandmarks(landmarks, map, vtkConformalConversions::ToSpherePositions(reference))
         : PairsOfSurfaces(surface, map, reference, pairing);

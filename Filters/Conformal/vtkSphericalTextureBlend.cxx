@@ -167,8 +167,7 @@ int vtkSphericalTextureBlend::RequestData(
         AllocatePixels(result, outputVector->GetInformationObject(0), PixelsOf(front));
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
-      conformal::Steps steps(
-        ProgressOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
+      conformal::Steps steps(RunOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
       steps.next();
       conformal::Points copy;
       const conformal::PointView points =
@@ -179,7 +178,7 @@ int vtkSphericalTextureBlend::RequestData(
       pictures.FrontGrid = GridOf(front);
       pictures.BackGrid = GridOf(back);
       conformal::blendPictures(pictures, image, GridOf(result),
-        Painter(PixelsOf(front), PixelsOf(back), pixels), SMPFor(), steps.next());
+        Painter(PixelsOf(front), PixelsOf(back), pixels), steps.next());
       output->ShallowCopy(result);
     });
 }

@@ -243,7 +243,7 @@ int vtkSphericalTextureImage::RequestData(
       conformal::Points copy, sourceCopy;
       auto* sourceSurface = vtkPolyData::SafeDownCast(source.Get());
       const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
-      conformal::Steps steps(processes.progress(),
+      conformal::Steps steps(processes.run(),
         { 100.0 * static_cast<double>(surface->GetNumberOfPoints()) +
             (sourceSurface ? 100.0 : 10.0) * sourceSize,
           900.0 * static_cast<double>(surface->GetNumberOfPoints()) +
@@ -266,11 +266,11 @@ int vtkSphericalTextureImage::RequestData(
         const conformal::Triangles triangles =
           sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3);
         conformal::paintSphericalTexture(
-          mapped, points, triangles, image, grid, sink, processes.reduce(), SMPFor(), steps.next());
+          mapped, points, triangles, image, grid, sink, processes.reduce(), steps.next());
       }
       else
       {
-        conformal::paintSphericalTexture(mapped, image, grid, sink, SMPFor(), steps.next());
+        conformal::paintSphericalTexture(mapped, image, grid, sink, steps.next());
       }
       if (isShared)
       {

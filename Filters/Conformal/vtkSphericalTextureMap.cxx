@@ -158,7 +158,7 @@ int vtkSphericalTextureMap::RequestData(
       const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });
       options.ViewPoint = frame.toFrameFromAfar(viewPoint);
       // For each vertex.
-      conformal::Steps steps(vtkConformalConversions::ProgressOf(this),
+      conformal::Steps steps(vtkConformalConversions::RunOf(this),
         { 35.0, 17.0, (options.UseViewPoint ? 1360.0 : 210.0) + (options.SplitSeam ? 350.0 : 0.0),
           options.SplitSeam ? 110.0 : 3.0 });
       steps.next();
@@ -169,7 +169,7 @@ int vtkSphericalTextureMap::RequestData(
       const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map,
-        options, vtkConformalConversions::SMPFor(), steps.next());
+        options, steps.next());
       steps.next();
       if (options.SplitSeam)
       {

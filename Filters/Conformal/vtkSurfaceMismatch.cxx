@@ -98,7 +98,7 @@ int vtkSurfaceMismatch::RequestData(
       const auto modelSize = static_cast<double>(model->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const double sizes = modelSize + referenceSize;
-      conformal::Steps steps(processes.progress(),
+      conformal::Steps steps(processes.run(),
         { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
       steps.next();
       conformal::Points modelCopy, referenceCopy;
@@ -118,9 +118,8 @@ int vtkSurfaceMismatch::RequestData(
         vtkConformalConversions::ViewPoints(reference->GetPoints(), frame, referenceCopy);
       const conformal::Triangles referenceTriangles =
         vtkConformalConversions::ToTriangles(reference);
-      const conformal::SurfaceMismatch mismatch =
-        conformal::measureSurfaceMismatch(modelPoints, modelTriangles, referencePoints,
-          referenceTriangles, options, vtkConformalConversions::SMPFor(), steps.next(), reduce);
+      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(modelPoints,
+        modelTriangles, referencePoints, referenceTriangles, options, reduce, steps.next());
 
       steps.next();
       const auto own = mismatch.ModelDistances.begin() + firstOwn;

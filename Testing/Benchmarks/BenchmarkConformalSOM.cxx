@@ -75,21 +75,21 @@ void OnlineByBruteForce(benchmark::State& state)
   state.counters["PointToSurface"] = pointToSurface(samples, weights, PaperFrequency);
   const Points fast = normalized(samples, trainConformalSOM(samples, options).Positions);
   state.counters["MeanDifference"] = (fast - weights).rowwise().norm().mean();
-  state.counters["LargestDifference"] = (fast - weights).rowwise().norm().maxCoeff();
+  state.counters["MaximumDifference"] = (fast - weights).rowwise().norm().maxCoeff();
 }
 BENCHMARK(OnlineByBruteForce)->Unit(benchmark::kSecond)->Iterations(1);
 
 void batch(benchmark::State& state, Index size, int frequency, int threads)
 {
   const Points points = fixtures::bumpyCloud(size);
-  const conformal::ParallelFor parallelFor = fixtures::threads(threads);
+  const conformal::Run run = fixtures::threads(threads);
   ConformalSOMOptions options;
   options.Frequency = frequency;
   Points weights;
   for (auto _ : state)
   {
-    const TrainingSamples samples(points, {}, {}, parallelFor);
-    weights = trainConformalSOM(samples, options, nullptr, parallelFor).Positions;
+    const TrainingSamples samples(points, {}, {}, {}, run);
+    weights = trainConformalSOM(samples, options, nullptr, run).Positions;
   }
   const TrainingSamples samples(points);
   state.counters["PointToSurface"] =

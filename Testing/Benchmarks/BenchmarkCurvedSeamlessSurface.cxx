@@ -55,7 +55,7 @@ void surface(benchmark::State& state, int frequency, int surfaceFrequency, int t
   const Mesh network = makeGeodesicSphere(frequency);
   const Points model = lumpyModel(network.Positions);
   const Points directions = makeGeodesicSphere(surfaceFrequency).Positions;
-  const conformal::ParallelFor parallelFor = fixtures::threads(threads);
+  const conformal::Run run = fixtures::threads(threads);
   Points positions(directions.rows(), 3), normals(directions.rows(), 3);
   conformal::SurfaceSamples samples;
   samples.Positions = positions.data();
@@ -63,8 +63,8 @@ void surface(benchmark::State& state, int frequency, int surfaceFrequency, int t
   for (auto _ : state)
   {
     const CurvedSeamlessSurface surface(
-      { { model, network.Triangles }, network.Positions }, options, nullptr, parallelFor);
-    conformal::evaluate(surface, directions, samples, parallelFor);
+      { { model, network.Triangles }, network.Positions }, options, nullptr, run);
+    conformal::evaluate(surface, directions, samples, run);
   }
   state.counters["Points"] = static_cast<double>(directions.rows());
 }

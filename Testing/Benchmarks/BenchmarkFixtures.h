@@ -2,8 +2,8 @@
 #ifndef BenchmarkFixtures_h
 #define BenchmarkFixtures_h
 
-#include "Base/Parallel.h"
 #include "Base/Random.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <atomic>
@@ -37,29 +37,29 @@ inline conformal::Points bumpyCloud(conformal::Index size)
 }
 
 /// Threads that take one block after the other.
-inline conformal::ParallelFor threads(int count)
+inline conformal::Run threads(int count)
 {
-  return [count](conformal::Index blocks, const std::function<void(conformal::Index)>& body)
-  {
-    std::atomic<conformal::Index> next{ 0 };
-    const auto work = [&]()
+  return { [count](conformal::Index blocks, const std::function<void(conformal::Index)>& body)
     {
-      for (conformal::Index block = next++; block < blocks; block = next++)
+      std::atomic<conformal::Index> next{ 0 };
+      const auto work = [&]()
       {
-        body(block);
+        for (conformal::Index block = next++; block < blocks; block = next++)
+        {
+          body(block);
+        }
+      };
+      std::vector<std::thread> helpers;
+      for (int k = 1; k < count; ++k)
+      {
+        helpers.emplace_back(work);
       }
-    };
-    std::vector<std::thread> helpers;
-    for (int k = 1; k < count; ++k)
-    {
-      helpers.emplace_back(work);
-    }
-    work();
-    for (std::thread& helper : helpers)
-    {
-      helper.join();
-    }
-  };
+      work();
+      for (std::thread& helper : helpers)
+      {
+        helper.join();
+      }
+    } };
 }
 }
 

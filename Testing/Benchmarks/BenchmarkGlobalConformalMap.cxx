@@ -43,10 +43,10 @@ void map(benchmark::State& state, int frequency, double balance, int threads)
   const Mesh mesh = lumpySurface(frequency);
   conformal::GlobalConformalMapOptions options;
   options.AreaBalance = balance;
-  const conformal::ParallelFor parallelFor = fixtures::threads(threads);
+  const conformal::Run run = fixtures::threads(threads);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(conformal::globalConformalMap(mesh, options, parallelFor));
+    benchmark::DoNotOptimize(conformal::globalConformalMap(mesh, options, run));
   }
   state.counters["Vertices"] = static_cast<double>(mesh.Positions.rows());
 }
@@ -134,11 +134,10 @@ BENCHMARK_REGISTER_F(Factor, Eigen)->Arg(17)->Arg(58)->Arg(116)->Unit(benchmark:
 
 BENCHMARK_DEFINE_F(Factor, Multifrontal)(benchmark::State& state)
 {
-  const conformal::ParallelFor parallelFor = fixtures::threads(static_cast<int>(state.range(1)));
+  const conformal::Run run = fixtures::threads(static_cast<int>(state.range(1)));
   for (auto _ : state)
   {
-    const conformal::MultifrontalCholesky factor(
-      this->Weights, this->Diagonal, this->Places, parallelFor);
+    const conformal::MultifrontalCholesky factor(this->Weights, this->Diagonal, this->Places, run);
     benchmark::DoNotOptimize(&factor);
   }
 }

@@ -38,7 +38,7 @@ double Share(vtkPolyData* sphere, const std::function<bool(const double*)>& test
   return static_cast<double>(count) / static_cast<double>(sphere->GetNumberOfPoints());
 }
 
-double SmallestAngle(vtkPolyData* mesh)
+double MinimumAngle(vtkPolyData* mesh)
 {
   double smallest = 180.0;
   vtkNew<vtkIdList> ids;
@@ -140,7 +140,7 @@ protected:
     check->Update();
     EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsGenusZero")->GetTuple1(0), 1.0);
     EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsInsideOut")->GetTuple1(0), 0.0);
-    EXPECT_GE(SmallestAngle(output), 28.0 - 1e-6);
+    EXPECT_GE(MinimumAngle(output), 28.0 - 1e-6);
     return output;
   }
 

@@ -115,8 +115,8 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
     ExpectMesh(filter);
     contract::ExpectArray(
       filter->GetOutput()->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 362);
-    contract::ExpectArray(filter->GetOutput()->GetFieldData(), "Rank", -1, 1, 1);
-    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("Rank")->GetTuple1(0), 3.0);
+    contract::ExpectArray(filter->GetOutput()->GetFieldData(), "CloudDimension", -1, 1, 1);
+    EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("CloudDimension")->GetTuple1(0), 3.0);
     contract::ExpectArray(
       filter->GetOutput()->GetFieldData(), "UnsupportedFraction", VTK_DOUBLE, 1, 1);
     contract::ExpectArray(filter->GetOutput()->GetFieldData(), "StartedFromHull", -1, 1, 1);
@@ -368,8 +368,8 @@ TEST(ConformalSOM, FlatCloudsGiveAWarningAndAFiniteMesh)
     filter->Update();
     EXPECT_FALSE(observed.Error());
     ExpectMesh(filter);
-    const int rank =
-      static_cast<int>(filter->GetOutput()->GetFieldData()->GetArray("Rank")->GetTuple1(0));
+    const int rank = static_cast<int>(
+      filter->GetOutput()->GetFieldData()->GetArray("CloudDimension")->GetTuple1(0));
     EXPECT_NE(observed.WarningMessage().find(
                 std::array<const char*, 3>{ "all equal", "collinear", "coplanar" }[rank]),
       std::string::npos);

@@ -44,7 +44,7 @@ vtkNew<vtkDoubleArray> RandomDirections(vtkIdType size, unsigned int seed = 1)
   return directions;
 }
 
-double LargestDifference(vtkDoubleArray* a, vtkDoubleArray* b)
+double MaximumDifference(vtkDoubleArray* a, vtkDoubleArray* b)
 {
   double largest = a->GetNumberOfValues() == b->GetNumberOfValues()
     ? 0.0
@@ -119,7 +119,7 @@ public:
 
   struct Jump
   {
-    double Mean = 0.0, Largest = 0.0; // in lengths of the edge
+    double Mean = 0.0, Maximum = 0.0; // in lengths of the edge
   };
   Jump Jumps(vtkCurvedSeamlessMap* map, vtkPolyData* mesh) const
   {
@@ -135,7 +135,7 @@ public:
       right->GetTypedTuple(i, q);
       const double size = std::sqrt(vtkMath::Distance2BetweenPoints(p, q)) / this->Lengths[i];
       jump.Mean += size / static_cast<double>(this->Lengths.size());
-      jump.Largest = std::max(jump.Largest, size);
+      jump.Maximum = std::max(jump.Maximum, size);
     }
     return jump;
   }
@@ -211,8 +211,8 @@ TEST_F(CurvedSeamlessMap, TakesDirectionsOfAnyLengthAndType)
   ASSERT_TRUE(this->Map->ToSurface(integers, ofIntegers));
   ASSERT_TRUE(this->Map->ToSurface(floats, ofFloats));
   ASSERT_TRUE(this->Map->ToSurface(doubles, ofDoubles));
-  EXPECT_LT(LargestDifference(ofIntegers, ofFloats), 1e-14);
-  EXPECT_LT(LargestDifference(ofIntegers, ofDoubles), 1e-14);
+  EXPECT_LT(MaximumDifference(ofIntegers, ofFloats), 1e-14);
+  EXPECT_LT(MaximumDifference(ofIntegers, ofDoubles), 1e-14);
 }
 
 TEST_F(CurvedSeamlessMap, GoesBackToTheSphere)
@@ -222,8 +222,8 @@ TEST_F(CurvedSeamlessMap, GoesBackToTheSphere)
   vtkNew<vtkDoubleArray> positions, back, feet;
   ASSERT_TRUE(this->Map->ToSurface(directions, positions));
   ASSERT_TRUE(this->Map->ToSphere(positions, back, feet));
-  EXPECT_LT(LargestDifference(back, directions), 1e-9);
-  EXPECT_LT(LargestDifference(feet, positions), 1e-13);
+  EXPECT_LT(MaximumDifference(back, directions), 1e-9);
+  EXPECT_LT(MaximumDifference(feet, positions), 1e-13);
 }
 
 TEST_F(CurvedSeamlessMap, DifferentiatesAndMeasures)
@@ -255,7 +255,7 @@ TEST_F(CurvedSeamlessMap, DifferentiatesAndMeasures)
   // Alone too.
   vtkNew<vtkDoubleArray> alone;
   ASSERT_TRUE(this->Map->Differentiate(directions, nullptr, nullptr, alone));
-  EXPECT_EQ(LargestDifference(alone, elements), 0.0);
+  EXPECT_EQ(MaximumDifference(alone, elements), 0.0);
 }
 
 TEST_F(CurvedSeamlessMap, SaysWhatCannotBeDone)
@@ -400,11 +400,11 @@ TEST_F(CurvedSeamlessMap, MeetsAcrossEdgesOfLearnedMeshes)
     }
     const EdgePoints points(mesh, 100000);
     this->Map->SetSeamModeToEdgeMatched();
-    EXPECT_LE(points.Jumps(this->Map, mesh).Largest, 1e-9) << name;
+    EXPECT_LE(points.Jumps(this->Map, mesh).Maximum, 1e-9) << name;
     this->Map->SetSeamModeToPerTriangle();
     const auto published = points.Jumps(this->Map, mesh);
     EXPECT_GT(published.Mean, 0.03) << name;
-    EXPECT_GT(published.Largest, 0.3) << name;
+    EXPECT_GT(published.Maximum, 0.3) << name;
   }
 }
 
@@ -422,6 +422,6 @@ TEST_F(CurvedSeamlessMap, GoesBackFromLearnedMeshes)
     vtkNew<vtkDoubleArray> positions, back;
     ASSERT_TRUE(this->Map->ToSurface(directions, positions));
     ASSERT_TRUE(this->Map->ToSphere(positions, back));
-    EXPECT_LE(LargestDifference(back, directions), 1e-9) << name;
+    EXPECT_LE(MaximumDifference(back, directions), 1e-9) << name;
   }
 }

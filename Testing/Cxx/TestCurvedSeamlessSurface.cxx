@@ -60,7 +60,7 @@ vtkNew<vtkPolyData> Cube(vtkCellArray* cells)
   return cube;
 }
 
-double LargestDifference(vtkPolyData* a, vtkPolyData* b)
+double MaximumDifference(vtkPolyData* a, vtkPolyData* b)
 {
   if (a->GetNumberOfPoints() != b->GetNumberOfPoints())
   {
@@ -257,7 +257,7 @@ TEST_F(CurvedSeamlessSurface, TheSpherePositionsOfAGivenSphereGoBeforeItsPoints)
   // At the positions of the mesh's own points the surface goes through the points.
   const vtkNew<vtkPolyData> ellipsoid = Ellipsoid();
   this->Filter->SetSphereData(ellipsoid);
-  EXPECT_EQ(LargestDifference(this->Run(ellipsoid), ellipsoid), 0.0);
+  EXPECT_EQ(MaximumDifference(this->Run(ellipsoid), ellipsoid), 0.0);
 }
 
 TEST_F(CurvedSeamlessSurface, AGivenSphereMayHaveNoTriangles)
@@ -286,7 +286,7 @@ TEST_F(CurvedSeamlessSurface, ThreadsChangeNoBit)
     alone->DeepCopy(this->Run(ellipsoid));
     vtkSMPTools::Initialize(2);
     this->Filter->Modified();
-    EXPECT_EQ(LargestDifference(this->Run(ellipsoid), alone), 0.0);
+    EXPECT_EQ(MaximumDifference(this->Run(ellipsoid), alone), 0.0);
   }
   vtkSMPTools::Initialize();
 }
@@ -373,8 +373,8 @@ TEST_F(CurvedSeamlessSurface, AutomaticSamplingIsByTheNetworkUnlessItIsGeodesic)
   using F = vtkCurvedSeamlessSurface;
   EXPECT_EQ(this->Filter->GetSampling(), F::AUTOMATIC);
   EXPECT_EQ(
-    LargestDifference(run(surface, F::AUTOMATIC).Get(), run(surface, F::DIRECTIONS).Get()), 0.0);
-  EXPECT_EQ(LargestDifference(run(uneven, F::AUTOMATIC).Get(), run(uneven, F::NETWORK).Get()), 0.0);
+    MaximumDifference(run(surface, F::AUTOMATIC).Get(), run(surface, F::DIRECTIONS).Get()), 0.0);
+  EXPECT_EQ(MaximumDifference(run(uneven, F::AUTOMATIC).Get(), run(uneven, F::NETWORK).Get()), 0.0);
   // 160 k^2 + 2 reaches 10 f^2 + 2 = 1,002 with k = 3.
   EXPECT_EQ(run(uneven, F::AUTOMATIC)->GetNumberOfPoints(), 1442);
   EXPECT_EQ(run(surface, F::NETWORK)->GetNumberOfPoints(), 1442);
@@ -404,7 +404,7 @@ TEST_F(CurvedSeamlessSurface, LeavesItsInputAlone)
   vtkNew<vtkPolyData> copy;
   copy->DeepCopy(ellipsoid);
   this->Run(ellipsoid);
-  EXPECT_EQ(LargestDifference(ellipsoid, copy), 0.0);
+  EXPECT_EQ(MaximumDifference(ellipsoid, copy), 0.0);
   EXPECT_EQ(ellipsoid->GetNumberOfCells(), copy->GetNumberOfCells());
   EXPECT_EQ(
     ellipsoid->GetPointData()->GetNumberOfArrays(), copy->GetPointData()->GetNumberOfArrays());
@@ -518,7 +518,7 @@ TEST_F(CurvedSeamlessSurface, PointsOfACloudThatAreNotFiniteAreLeftOut)
   cloud->Modified();
   vtkPolyData* output =
     this->ExpectDone(Ellipsoid(), "1 points of the cloud are not finite and left out");
-  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+  EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }
 
 // The vertices of a polished mesh lie outside of ridges.
@@ -526,14 +526,14 @@ TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   this->Filter->SetSphereData(surface); // evaluated at the vertices
-  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+  EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
   this->Filter->SetPolishedToAutomatic();
   vtkNew<vtkIdTypeArray> polished;
   polished->SetName("Polished");
   polished->InsertNextValue(0);
   surface->GetFieldData()->AddArray(polished);
   surface->Modified();
-  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+  EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
   polished->SetValue(0, 1);
   surface->Modified();
   vtkPolyData* output = this->Run(surface);
@@ -546,7 +546,7 @@ TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
     EXPECT_LT(vtkMath::Norm(p), 1.0 - 1e-4);
   }
   this->Filter->SetVertexShift(0.0);
-  EXPECT_EQ(LargestDifference(this->Run(surface), surface), 0.0);
+  EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
 }
 
 // Field data are lost in most files: never without a word, and the property makes up for them.
@@ -564,11 +564,11 @@ TEST_F(CurvedSeamlessSurface, LostFieldDataChangeNothingSilently)
   surface->Modified();
   const char* warning = "no field array \"Polished\"; it is taken as not polished";
   unpolished->DeepCopy(this->ExpectDone(surface, warning));
-  EXPECT_GT(LargestDifference(unpolished, expected), 1e-4);
+  EXPECT_GT(MaximumDifference(unpolished, expected), 1e-4);
   this->Filter->SetPolishedToOn();
-  EXPECT_EQ(LargestDifference(this->ExpectDone(surface, ""), expected), 0.0);
+  EXPECT_EQ(MaximumDifference(this->ExpectDone(surface, ""), expected), 0.0);
   this->Filter->SetPolishedToOff();
-  EXPECT_EQ(LargestDifference(this->ExpectDone(surface, ""), unpolished), 0.0);
+  EXPECT_EQ(MaximumDifference(this->ExpectDone(surface, ""), unpolished), 0.0);
   this->Filter->SetPolishedToAutomatic();
   for (const int height : { vtkCurvedSeamlessMap::NONE, vtkCurvedSeamlessMap::PUBLISHED })
   {
@@ -598,9 +598,9 @@ TEST_F(CurvedSeamlessSurface, AdaptiveNetworksAreKnownAsPolished)
   unpolished->DeepCopy(this->Run(lost));
   this->Seen.ExpectWarning("no field array \"Polished\"; it is taken as not polished");
   this->Seen.Clear();
-  EXPECT_GT(LargestDifference(unpolished, expected), 1e-4);
+  EXPECT_GT(MaximumDifference(unpolished, expected), 1e-4);
   this->Filter->SetPolishedToOn();
-  EXPECT_EQ(LargestDifference(this->Run(lost), expected), 0.0);
+  EXPECT_EQ(MaximumDifference(this->Run(lost), expected), 0.0);
   EXPECT_FALSE(this->Seen.Warning());
 }
 
@@ -848,7 +848,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesThatDisagreeAreTurned)
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(50, surface);
   vtkPolyData* output = this->ExpectDone(surface, "7 triangles were reversed");
-  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+  EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }
 
 TEST_F(CurvedSeamlessSurface, TrianglesInsideOutAreFine)
@@ -857,7 +857,7 @@ TEST_F(CurvedSeamlessSurface, TrianglesInsideOutAreFine)
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(1, surface);
-  EXPECT_LT(LargestDifference(this->ExpectDone(surface, ""), expected), 1e-12);
+  EXPECT_LT(MaximumDifference(this->ExpectDone(surface, ""), expected), 1e-12);
 }
 
 TEST_F(CurvedSeamlessSurface, PolygonSoupIsMerged)
@@ -885,7 +885,7 @@ TEST_F(CurvedSeamlessSurface, PolygonSoupIsMerged)
   surface->GetPointData()->Initialize();
   surface->GetPointData()->AddArray(positions);
   vtkPolyData* output = this->ExpectDone(surface, "798 coincident points"); // 960 - 162
-  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+  EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }
 
 TEST_F(CurvedSeamlessSurface, QuadsAndStripsAreCutSilently)
@@ -913,7 +913,7 @@ TEST_F(CurvedSeamlessSurface, QuadsAndStripsAreCutSilently)
   this->Filter->SetSphereConnection(sphere->GetOutputPort());
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
-  EXPECT_LT(LargestDifference(this->Run(stripper->GetOutput()), expected), 1e-12);
+  EXPECT_LT(MaximumDifference(this->Run(stripper->GetOutput()), expected), 1e-12);
   EXPECT_FALSE(this->Seen.Warning());
 }
 
@@ -941,5 +941,5 @@ TEST_F(CurvedSeamlessSurface, IsolatedPointsAreDropped)
   surface->GetPointData()->RemoveArray("Normals");
   surface->Modified();
   vtkPolyData* output = this->ExpectDone(surface, "1 points that belong to no triangle");
-  EXPECT_LT(LargestDifference(output, expected), 1e-12);
+  EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }

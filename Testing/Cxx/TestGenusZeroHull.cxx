@@ -28,7 +28,7 @@
 
 namespace
 {
-const char* const Counts[] = { "Rank", "Indicator", "NormalsUsed", "NumberOfInsideNodes",
+const char* const Counts[] = { "CloudDimension", "Indicator", "NormalsUsed", "NumberOfInsideNodes",
   "SolidEulerNumber", "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside",
   "NumberOfPointsInside" };
 const char* const Lengths[] = { "KernelWidth", "LatticeSpacing", "HoleWidth", "HoleDepth" };
@@ -161,7 +161,7 @@ TEST_F(GenusZeroHull, KnowsASphere)
   EXPECT_NEAR(center[0], 5.0, 0.01);
   EXPECT_NEAR(center[1], 0.0, 0.01);
   EXPECT_NEAR(this->Figure("LatticeSpacing"), 0.1, 1e-6);
-  EXPECT_EQ(this->Figure("Rank"), 3);
+  EXPECT_EQ(this->Figure("CloudDimension"), 3);
   EXPECT_EQ(this->Figure("SolidEulerNumber"), 1);
   EXPECT_EQ(this->Figure("NumberOfCutNodes"), 0);
   EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
@@ -416,7 +416,7 @@ TEST_F(GenusZeroHull, WarnsOfFlatClouds)
     EXPECT_NE(observed.WarningMessage().find(
                 std::array<const char*, 3>{ "all equal", "collinear", "coplanar" }[rank]),
       std::string::npos);
-    EXPECT_EQ(this->Figure("Rank"), rank);
+    EXPECT_EQ(this->Figure("CloudDimension"), rank);
     EXPECT_EQ(this->Figure("NumberOfInsideNodes"), 0);
     EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
     EXPECT_TRUE(this->IsGenusZero());

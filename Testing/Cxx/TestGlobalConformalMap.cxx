@@ -108,7 +108,7 @@ protected:
     return distortion->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
   }
   /// The places of points, by their ids in the surface that went in.
-  static double LargestDifference(vtkPolyData* a, vtkPolyData* b)
+  static double MaximumDifference(vtkPolyData* a, vtkPolyData* b)
   {
     double largest = 0.0;
     for (vtkIdType i = 0; i < b->GetNumberOfPoints(); ++i)
@@ -148,7 +148,7 @@ TEST_F(GlobalConformalMap, TheSphereIsItsOwnMap)
   sphere->SetFrequency(20);
   sphere->Update();
   vtkPolyData* output = this->ExpectDone(sphere->GetOutput(), "");
-  EXPECT_LT(LargestDifference(output, sphere->GetOutput()), 2e-3);
+  EXPECT_LT(MaximumDifference(output, sphere->GetOutput()), 2e-3);
 }
 
 // Angles are kept, the better the finer the mesh, and areas are not.
@@ -262,7 +262,7 @@ TEST_F(GlobalConformalMap, ThreadsChangeNoBit)
     alone->DeepCopy(this->Run(surface));
     vtkSMPTools::Initialize(2);
     this->Filter->Modified();
-    EXPECT_EQ(LargestDifference(this->Run(surface), alone), 0.0);
+    EXPECT_EQ(MaximumDifference(this->Run(surface), alone), 0.0);
     vtkSMPTools::Initialize();
   }
 }
@@ -432,7 +432,7 @@ TEST_F(GlobalConformalMap, TrianglesThatDisagreeAreTurned)
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(100, surface);
   vtkPolyData* output = this->ExpectDone(surface, "8 triangles were reversed");
-  EXPECT_LT(LargestDifference(output, expected), 1e-9);
+  EXPECT_LT(MaximumDifference(output, expected), 1e-9);
 }
 
 TEST_F(GlobalConformalMap, TrianglesInsideOutAreMappedFromOutside)
@@ -441,7 +441,7 @@ TEST_F(GlobalConformalMap, TrianglesInsideOutAreMappedFromOutside)
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Run(surface));
   fixtures::TurnOverEvery(1, surface);
-  EXPECT_LT(LargestDifference(this->ExpectDone(surface, "", -1.0), expected), 1e-6);
+  EXPECT_LT(MaximumDifference(this->ExpectDone(surface, "", -1.0), expected), 1e-6);
 }
 
 TEST_F(GlobalConformalMap, PolygonSoupIsMerged)
@@ -496,7 +496,7 @@ TEST_F(GlobalConformalMap, IsolatedPointsAreDropped)
   surface->Modified();
   vtkPolyData* output = this->ExpectDone(surface, "1 points that belong to no triangle");
   ASSERT_EQ(output->GetNumberOfPoints(), 362);
-  EXPECT_EQ(LargestDifference(output, expected), 0.0);
+  EXPECT_EQ(MaximumDifference(output, expected), 0.0);
   EXPECT_EQ(output->GetPointData()->GetArray("Ids")->GetTuple1(361), 361.0);
 }
 

@@ -36,7 +36,7 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(filter->GetLattice(), static_cast<int>(options.Lattice));
   EXPECT_EQ(filter->GetFrequency(), options.Frequency);
   EXPECT_EQ(filter->GetNumberOfNeurons(), options.NumberOfNeurons);
-  EXPECT_EQ(filter->GetNumberOfNeuronsMinValue(), conformal::LeastNeurons);
+  EXPECT_EQ(filter->GetNumberOfNeuronsMinValue(), conformal::MinimumNeurons);
   EXPECT_EQ(filter->GetSphereMap(), static_cast<int>(options.SphereMap));
   EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
   EXPECT_EQ(filter->GetTrainingMode(), static_cast<int>(options.TrainingMode));
@@ -144,13 +144,13 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
   EXPECT_EQ(filter->GetPersistence(), options.Persistence);
   EXPECT_EQ(filter->GetSmoothingPasses(), options.SmoothingPasses);
   using Limits = conformal::GenusZeroHullLimits;
-  EXPECT_DOUBLE_EQ(filter->GetSpacingMinValue(), Limits::LeastSpacing);
-  EXPECT_DOUBLE_EQ(filter->GetSpacingMaxValue(), Limits::LargestSpacing);
-  EXPECT_DOUBLE_EQ(filter->GetOffsetMinValue(), Limits::LeastOffset);
-  EXPECT_DOUBLE_EQ(filter->GetOffsetMaxValue(), Limits::LargestOffset);
-  EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::LeastPersistence);
-  EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::LargestPersistence);
-  EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::LargestSmoothingPasses);
+  EXPECT_DOUBLE_EQ(filter->GetSpacingMinValue(), Limits::MinimumSpacing);
+  EXPECT_DOUBLE_EQ(filter->GetSpacingMaxValue(), Limits::MaximumSpacing);
+  EXPECT_DOUBLE_EQ(filter->GetOffsetMinValue(), Limits::MinimumOffset);
+  EXPECT_DOUBLE_EQ(filter->GetOffsetMaxValue(), Limits::MaximumOffset);
+  EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::MinimumPersistence);
+  EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::MaximumPersistence);
+  EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::MaximumSmoothingPasses);
 }
 
 TEST(OptionsMirrorProperties, GlobalConformalMap)

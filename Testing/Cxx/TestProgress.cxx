@@ -414,12 +414,12 @@ TEST(Progress, OfTheGlobalConformalMap)
   ExpectEven("GlobalConformalMap limbs", Of<GCM>(Limbs(60)));
   ExpectEven("GlobalConformalMap head, AreaBalance", Of<GCM>(Head(30), balanced));
   ExpectEven("GlobalConformalMap limbs, AreaBalance", Of<GCM>(Limbs(30), balanced));
-  const auto published = [](int mostIterations)
+  const auto published = [](int maximumIterations)
   {
     return [=](GCM* map)
     {
       map->SetMethodToGuYau();
-      map->SetMaximumNumberOfIterations(mostIterations);
+      map->SetMaximumNumberOfIterations(maximumIterations);
     };
   };
   ExpectEven("GlobalConformalMap head, GuYau", Of<GCM>(Head(30), published(5000)));

@@ -67,7 +67,7 @@ protected:
     }
     this->Surface->Modified();
   }
-  double LargestDifference()
+  double MaximumDifference()
   {
     double largest = 0.0;
     for (vtkIdType i = 0; i < this->Surface->GetNumberOfPoints(); ++i)
@@ -108,7 +108,7 @@ TEST_F(SphericalAlignment, WritesTheContractsArrays)
   contract::ExpectArray(output->GetFieldData(), "AlignmentRotation", VTK_DOUBLE, 9, 1);
   EXPECT_EQ(output->GetPoints(), this->Surface->GetPoints());
   EXPECT_LT(this->Error(), 1e-12);
-  EXPECT_LT(this->LargestDifference(), 1e-12);
+  EXPECT_LT(this->MaximumDifference(), 1e-12);
 }
 
 TEST_F(SphericalAlignment, TurnsTheMapBackByTheSurfaces)
@@ -117,7 +117,7 @@ TEST_F(SphericalAlignment, TurnsTheMapBackByTheSurfaces)
   turn->RotateWXYZ(130.0, 1.0, -2.0, 0.5);
   this->Turn(turn);
   this->Filter->Update();
-  EXPECT_LT(this->LargestDifference(), 1e-9);
+  EXPECT_LT(this->MaximumDifference(), 1e-9);
   EXPECT_LT(this->Error(), 1e-9);
   // Row by row, it is the inverse of what was done.
   turn->Inverse();
@@ -138,7 +138,7 @@ TEST_F(SphericalAlignment, TurnsTheMapBackByLandmarks)
   this->Filter->AddLandmark(200, 200);
   EXPECT_EQ(this->Filter->GetNumberOfLandmarks(), 2);
   this->Filter->Update();
-  EXPECT_LT(this->LargestDifference(), 1e-9);
+  EXPECT_LT(this->MaximumDifference(), 1e-9);
   this->Filter->RemoveAllLandmarks();
   EXPECT_EQ(this->Filter->GetNumberOfLandmarks(), 0);
 }
@@ -151,7 +151,7 @@ TEST_F(SphericalAlignment, OnlyAMoebiusTransformUndoesAZoom)
   this->Filter->SetTransformToMoebius();
   this->Filter->Update();
   EXPECT_LT(this->Error(), 1e-7);
-  EXPECT_LT(this->LargestDifference(), 1e-6);
+  EXPECT_LT(this->MaximumDifference(), 1e-6);
   const double* center =
     this->Filter->GetOutput()->GetFieldData()->GetArray("AlignmentCenter")->GetTuple3(0);
   EXPECT_NEAR(vtkMath::Norm(center), 0.5, 1e-6); // (3 - 1) / (3 + 1)
@@ -167,7 +167,7 @@ TEST_F(SphericalAlignment, ThreeLandmarksFixAMoebiusTransform)
   }
   this->Filter->Update();
   EXPECT_LT(this->Error(), 1e-7);
-  EXPECT_LT(this->LargestDifference(), 1e-5);
+  EXPECT_LT(this->MaximumDifference(), 1e-5);
 }
 
 // Two meshes of one surface, each mapped conformally, agree after a Moebius transform.

@@ -20,7 +20,7 @@ namespace hostile
 {
 namespace
 {
-double LargestDifference(vtkDataArray* a, vtkDataArray* b, double scale)
+double MaximumDifference(vtkDataArray* a, vtkDataArray* b, double scale)
 {
   if (!a || !b || a->GetNumberOfTuples() != b->GetNumberOfTuples())
   {
@@ -51,14 +51,14 @@ Outcome JudgeScaled(vtkDataObject* scaledData, vtkDataObject* data, double scale
   {
     return { Verdict::Wrong, "another number of points than at a scale near 1" };
   }
-  if (LargestDifference(scaled->GetPoints()->GetData(), plain->GetPoints()->GetData(), scale) >
+  if (MaximumDifference(scaled->GetPoints()->GetData(), plain->GetPoints()->GetData(), scale) >
     Tolerance)
   {
     return { Verdict::Wrong, "other points than at a scale near 1" };
   }
   for (const char* name : { "SpherePosition", "Texture Coordinates" })
   {
-    if (LargestDifference(scaled->GetPointData()->GetArray(name),
+    if (MaximumDifference(scaled->GetPointData()->GetArray(name),
           plain->GetPointData()->GetArray(name), 1.0) > Tolerance)
     {
       return { Verdict::Wrong, std::string("another ") + name + " than at a scale near 1" };
@@ -66,7 +66,7 @@ Outcome JudgeScaled(vtkDataObject* scaledData, vtkDataObject* data, double scale
   }
   for (const char* name : { "AngleDistortion", "AreaDistortion", "QuasiConformalError" })
   {
-    if (LargestDifference(scaled->GetCellData()->GetArray(name),
+    if (MaximumDifference(scaled->GetCellData()->GetArray(name),
           plain->GetCellData()->GetArray(name), 1.0) > Tolerance)
     {
       return { Verdict::Wrong, std::string("another ") + name + " than at a scale near 1" };

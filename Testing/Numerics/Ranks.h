@@ -3,7 +3,7 @@
 #ifndef ConformalTestRanks_h
 #define ConformalTestRanks_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -3,7 +3,7 @@
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
 #include "Base/Types.h"
 
 #include <algorithm>
@@ -50,17 +50,17 @@ inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index poin
 }
 
 /// The least of a number that each process has, and the first process that has it.
-struct Least
+struct Minimum
 {
   double Value = std::numeric_limits<double>::infinity();
   int Rank = 0;
 };
 
 /// Of each of the numbers, as many on all processes.
-inline std::vector<Least> least(const Reduce& reduce, const std::vector<double>& own)
+inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
-  std::vector<Least> result(size);
+  std::vector<Minimum> result(size);
   constexpr Index ChunkSize = 1 << 16; // all of it from all processes would be much
   for (Index first = 0; first < size; first += ChunkSize)
   {
@@ -69,7 +69,7 @@ inline std::vector<Least> least(const Reduce& reduce, const std::vector<double>&
       gather(reduce, { own.data() + first, own.data() + first + count });
     for (Index i = 0; i < static_cast<Index>(all.size()); ++i)
     {
-      Least& best = result[first + i % count];
+      Minimum& best = result[first + i % count];
       if (all[i] < best.Value)
       {
         best = { all[i], static_cast<int>(i / count) };
@@ -80,7 +80,7 @@ inline std::vector<Least> least(const Reduce& reduce, const std::vector<double>&
 }
 
 /// Of each number the largest over all processes.
-inline std::vector<double> largest(const Reduce& reduce, const std::vector<double>& own)
+inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);
   std::vector<double> most = own;

@@ -24,11 +24,11 @@ void normalize(Vector& v)
   v /= v.stableNorm();
 }
 
-double largestCoordinate(const PointView& points, const ParallelFor& parallelFor)
+double maximumCoordinate(const PointView& points, const Run& run)
 {
   constexpr Index blockSize = 1 << 14;
   std::vector<double> largest((points.size() + blockSize - 1) / blockSize, 0.0);
-  forBlocks(parallelFor, points.size(), blockSize,
+  forBlocks(run, points.size(), blockSize,
     [&](Index begin, Index end)
     {
       double& most = largest[begin / blockSize];
@@ -51,15 +51,14 @@ Vector3 inUnits(const Vector3& x, double unit)
 }
 
 //------------------------------------------------------------------------------
-CoordinateFrame frameOf(
-  const std::vector<PointView>& points, const ParallelFor& parallelFor, const Reduce& reduce)
+CoordinateFrame frameOf(const std::vector<PointView>& points, const Reduce& reduce, const Run& run)
 {
   double own = 0.0;
   for (const PointView& some : points)
   {
-    own = std::max(own, largestCoordinate(some, parallelFor));
+    own = std::max(own, maximumCoordinate(some, run));
   }
-  return { unitOf(largest(reduce, { own })[0]) };
+  return { unitOf(maximum(reduce, { own })[0]) };
 }
 
 //------------------------------------------------------------------------------

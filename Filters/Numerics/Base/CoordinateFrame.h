@@ -3,7 +3,8 @@
 #ifndef ConformalCoordinateFrame_h
 #define ConformalCoordinateFrame_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -30,8 +31,8 @@ struct CoordinateFrame
 /// The frame in which the largest coordinate lies in [1, 2). Points that are not finite do not
 /// count; without any other coordinate than 0 the unit is 1.
 /// @param[in] reduce  adds up over the processes that hold other parts of the points
-CoordinateFrame frameOf(const std::vector<PointView>& points, const ParallelFor& parallelFor = {},
-  const Reduce& reduce = {});
+CoordinateFrame frameOf(
+  const std::vector<PointView>& points, const Reduce& reduce = {}, const Run& run = {});
 
 /// A vector of any length but 0 as a unit vector; not finite where that has no meaning.
 Vector3 unitVector(const Vector3& v);

@@ -3,7 +3,7 @@
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
 #include "Base/Types.h"
 
 #include <algorithm>

@@ -3,9 +3,10 @@
 #ifndef ConformalSteps_h
 #define ConformalSteps_h
 
-#include "Base/Types.h"
+#include "Base/Run.h"
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,9 @@ namespace conformal
 {
 /// Shares progress out to steps by the work that is expected of them:
 ///
-///     Steps steps(progress, { 500.0 * triangles, 900.0 * points });
+///     Steps steps(run, { 500.0 * triangles, 900.0 * points });
 ///     const TriangleTree tree(..., steps.next());
-///     forBlocks(..., steps.next(), ...);
+///     forBlocksReporting(steps.next(), ...);
 ///
 /// Work is what a step takes on one core, in nanoseconds where it is added to that of others; only
 /// the ratios matter. It was measured with a clock around each step, in a release build, on meshes
@@ -25,26 +26,22 @@ class Steps
 {
 public:
   /// @param[in] work  expected of each step
-  Steps(Progress whole, std::vector<double> work)
+  Steps(Run whole, std::vector<double> work)
     : Whole(std::move(whole))
     , Work(std::move(work))
   {
   }
 
   /// Report that the next step begins.
-  /// @return the progress of that step, which short ones need not report
-  /// @throws Aborted if the progress says stop
-  Progress next()
+  /// @return the run of that step, which short ones need not report
+  /// @throws Aborted if the watcher says stop
+  Run next()
   {
-    double left = 0.0;
-    for (std::size_t i = this->Next; i < this->Work.size(); ++i)
-    {
-      left += this->Work[i];
-    }
+    const double left = std::accumulate(this->Work.begin() + this->Next, this->Work.end(), 0.0);
     const double begin = this->End, work = this->Work[this->Next++];
     this->End = work < left ? begin + (1.0 - begin) * work / left : 1.0;
-    report(this->Whole, begin);
-    return partOf(this->Whole, begin, this->End);
+    this->Whole.report(begin);
+    return this->Whole.part(begin, this->End);
   }
 
   /// From here on other steps are left: they share what is left of the progress.
@@ -55,7 +52,7 @@ public:
   }
 
 private:
-  Progress Whole;
+  Run Whole;
   std::vector<double> Work;
   std::size_t Next = 0;
   double End = 0.0; ///< of the steps so far

@@ -1,4 +1,5 @@
-/// Shared types of the numerical core: matrices by shape, a view of samples, progress.
+/// Shared types of the numerical core: matrices by shape, corners of triangles, views of points and
+/// numbers.
 
 #ifndef ConformalTypes_h
 #define ConformalTypes_h
@@ -6,9 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry> // cross products
 
-#include <algorithm>
-#include <exception>
-#include <functional>
 #include <vector>
 
 namespace conformal
@@ -19,36 +17,16 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< of numbers, by columns
 
-/// Called with the fraction done, in [0, 1], never falling, always from the calling thread.
-/// Returns whether to go on; after a false the core throws Aborted.
-using Progress = std::function<bool(double)>;
+constexpr double Pi = 3.14159265358979323846;
 
-/// Thrown by every function of the core whose Progress returns false.
-class Aborted : public std::exception
+/// The corner of a triangle that comes after one, counter-clockwise, and the one before it.
+constexpr int next(int corner)
 {
-public:
-  const char* what() const noexcept override { return "aborted"; }
-};
-
-/// Report progress; an empty callback always goes on.
-/// @throws Aborted if the callback says stop
-inline void report(const Progress& progress, double fraction)
-{
-  if (progress && !progress(fraction))
-  {
-    throw Aborted();
-  }
+  return corner == 2 ? 0 : corner + 1;
 }
-
-/// A part of a longer task: its [0, 1] is [begin, end] of the whole.
-inline Progress partOf(const Progress& whole, double begin, double end)
+constexpr int previous(int corner)
 {
-  if (!whole)
-  {
-    return {};
-  }
-  return [=](double fraction)
-  { return whole(fraction < 1.0 ? std::min(begin + fraction * (end - begin), end) : end); };
+  return corner == 0 ? 2 : corner - 1;
 }
 
 /// View of points in memory owned elsewhere, as packed floats or doubles, so that ten million of

@@ -113,7 +113,7 @@ OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8
 }
 
 //------------------------------------------------------------------------------
-OrientedPoints thin(const OrientedPoints& cloud, Index count, const Progress& progress)
+OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run)
 {
   constexpr int steps = 12; // of bisection
   // Keys have 21 bits an axis.
@@ -140,7 +140,7 @@ OrientedPoints thin(const OrientedPoints& cloud, Index count, const Progress& pr
     const double middle = std::sqrt(low * high);
     cubes = cubesOf(cloud.Positions, bounds.Lower, middle);
     (numberOfCubes(cubes) > count ? low : high) = middle;
-    report(progress, (step + 1.0) / (steps + 1.0));
+    run.report((step + 1.0) / (steps + 1.0));
   }
   cubes = cubesOf(cloud.Positions, bounds.Lower, high);
   const Index left = numberOfCubes(cubes);
@@ -167,7 +167,7 @@ OrientedPoints thin(const OrientedPoints& cloud, Index count, const Progress& pr
     }
     ++next;
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return thinned;
 }
 }

@@ -3,7 +3,7 @@
 #ifndef ConformalCloudThinning_h
 #define ConformalCloudThinning_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 
@@ -29,7 +29,7 @@ OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8
 /// are left as asked for: noise is averaged, and dense parts come down to the density of the
 /// others.
 /// @param[in] count  at least 1; the cloud is returned as it is where it has no more points
-OrientedPoints thin(const OrientedPoints& cloud, Index count, const Progress& progress = {});
+OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run = {});
 }
 
 #endif

@@ -5,10 +5,9 @@
 
 namespace conformal
 {
-void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
+void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, Index count,
   const std::function<Index(Index)>& idOf,
-  const std::function<void(Index, const Vector3&, const FootPoint&)>& body,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
   constexpr Index BlockSize = 256;
   constexpr Index ChunkSize = 64 * BlockSize; // a hundredth of a second or two between reports
@@ -17,14 +16,15 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   for (Index first = 0; first < count; first += ChunkSize)
   {
     const Index size = std::min(ChunkSize, count - first);
-    forBlocks(parallelFor, size, BlockSize,
+    forBlocks(run, size, BlockSize,
       [&](Index begin, Index end)
       {
         // Neighbors in the scan are often neighbors in space: the last triangle is a hint.
         int hint = -1;
         for (Index i = begin; i < end; ++i)
         {
-          feet[i] = surface.closestPoint(samples[id(first + i)], hint);
+          const Index own = id(first + i);
+          feet[i] = closest(own, samples[own], hint);
           hint = feet[i].Triangle;
         }
       });
@@ -32,7 +32,17 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
     {
       body(id(first + i), samples[id(first + i)], feet[i]);
     }
-    report(progress, static_cast<double>(first + size) / static_cast<double>(count));
+    run.report(static_cast<double>(first + size) / static_cast<double>(count));
   }
+}
+
+//------------------------------------------------------------------------------
+void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
+  const std::function<Index(Index)>& idOf,
+  const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
+{
+  const ClosestPoint closest = [&](Index, const Vector3& x, int hint)
+  { return surface.closestPoint(x, hint); };
+  forEachFoot(samples, closest, count, idOf, body, run);
 }
 }

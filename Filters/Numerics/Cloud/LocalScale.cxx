@@ -10,14 +10,14 @@ namespace
 constexpr int Rings = 2;
 /// Larger distances count as this many times the last scale: a few outliers hardly matter, many far
 /// patterns together raise the scale from round to round until they are in.
-constexpr double LargestRatio = 6.0;
+constexpr double MaximumRatio = 6.0;
 
 /// Squares of larger distances, in units of the largest radius, would not fit into the sums.
 /// Nothing lies as far apart as this.
-constexpr double LargestSquare = 16.0;
+constexpr double MaximumSquare = 16.0;
 
 /// Nothing is an outlier that lies as close as this, in units of the largest radius.
-constexpr double LeastSquareScale = 1e-12;
+constexpr double MinimumSquareScale = 1e-12;
 }
 
 LocalScale::LocalScale(Index neurons, double outlierRatio)
@@ -48,8 +48,8 @@ double LocalScale::squareAt(const FootPoint& foot, const conformal::Triangles& t
 
 void LocalScale::add(const FootPoint& foot, const conformal::Triangles& triangles, double weight)
 {
-  const double square = std::min({ foot.SquareDistance, LargestSquare,
-    LargestRatio * LargestRatio * this->squareAt(foot, triangles) });
+  const double square = std::min({ foot.SquareDistance, MaximumSquare,
+    MaximumRatio * MaximumRatio * this->squareAt(foot, triangles) });
   for (int k = 0; k < 3; ++k)
   {
     const Index neuron = 2 * Index(triangles(foot.Triangle, k));
@@ -81,7 +81,7 @@ void LocalScale::update(const Adjacency& neighbors, const Reduce& reduce)
   }
   for (Index i = 0; i < size; ++i)
   {
-    this->SquareScale[i] = sums(i, 0) > 0.0 ? std::max(sums(i, 1) / sums(i, 0), LeastSquareScale)
+    this->SquareScale[i] = sums(i, 0) > 0.0 ? std::max(sums(i, 1) / sums(i, 0), MinimumSquareScale)
                                             : std::numeric_limits<double>::infinity();
   }
   this->Sums.clear();

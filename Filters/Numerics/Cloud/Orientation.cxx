@@ -10,12 +10,10 @@ namespace conformal
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr int NumberOfNeighbors = 8;
 
 // The area that each point has for itself, from how far its neighbors are.
-std::vector<double> areasOfPoints(
-  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+std::vector<double> areasOfPoints(const Points& points, const Run& run)
 {
   constexpr Index blockSize = 256;
   std::vector<double> areas(points.rows(), 0.0);
@@ -24,9 +22,9 @@ std::vector<double> areasOfPoints(
   {
     return areas;
   }
-  Steps steps(progress, { 160.0, 1400.0 }); // for each point
+  Steps steps(run, { 160.0, 1400.0 }); // for each point
   const PointTree tree(points, steps.next());
-  forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), points.rows(), blockSize,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -48,8 +46,7 @@ double middleOf(std::vector<double> numbers)
 }
 
 //------------------------------------------------------------------------------
-Points orient(const WindingNumbers& cloud, const OrientationOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+Points orient(const WindingNumbers& cloud, const OrientationOptions& options, const Run& run)
 {
   const Index size = cloud.size();
   Points areas = Points::Zero(size, 3);
@@ -58,15 +55,15 @@ Points orient(const WindingNumbers& cloud, const OrientationOptions& options,
     const double way = i / std::max(1.0, options.NumberOfIterations - 1.0);
     const double width = options.FirstWidth + way * (options.LastWidth - options.FirstWidth);
     const Eigen::VectorXd missing =
-      Eigen::VectorXd::Constant(size, 0.5) - cloud.atPoints(areas, width, parallelFor);
-    const Points gradient = cloud.transposed(missing, width, parallelFor);
-    const double rise = cloud.atPoints(gradient, width, parallelFor).squaredNorm();
+      Eigen::VectorXd::Constant(size, 0.5) - cloud.atPoints(areas, width, run);
+    const Points gradient = cloud.transposed(missing, width, run);
+    const double rise = cloud.atPoints(gradient, width, run).squaredNorm();
     if (!(rise > 0.0))
     {
       break; // nothing is missing, or nothing can be done about it
     }
     areas += gradient.squaredNorm() / rise * gradient;
-    const Points descent = cloud.descentAtPoints(areas, width, parallelFor);
+    const Points descent = cloud.descentAtPoints(areas, width, run);
     for (Index k = 0; k < size; ++k)
     {
       const double steepness = descent.row(k).norm();
@@ -75,22 +72,20 @@ Points orient(const WindingNumbers& cloud, const OrientationOptions& options,
         areas.row(k) = areas.row(k).norm() / steepness * descent.row(k);
       }
     }
-    report(progress, (i + 1.0) / options.NumberOfIterations);
+    run.report((i + 1.0) / options.NumberOfIterations);
   }
   return areas;
 }
 
 //------------------------------------------------------------------------------
-Points areaVectors(const Points& points, const Points& normals, const ParallelFor& parallelFor,
-  const Progress& progress)
+Points areaVectors(const Points& points, const Points& normals, const Run& run)
 {
-  const std::vector<double> areas = areasOfPoints(points, parallelFor, progress);
+  const std::vector<double> areas = areasOfPoints(points, run);
   return Eigen::Map<const Eigen::VectorXd>(areas.data(), points.rows()).asDiagonal() * normals;
 }
 
 //------------------------------------------------------------------------------
-bool turnOutward(
-  const WindingNumbers& cloud, Points& areas, double width, const ParallelFor& parallelFor)
+bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run)
 {
   // 1/2 at the points of a whole surface; less beside large holes and where noise is stronger than
   // the points are dense, about none where signs are anyhow.
@@ -99,7 +94,7 @@ bool turnOutward(
   {
     return false;
   }
-  const Eigen::VectorXd numbers = cloud.atPoints(areas, width, parallelFor);
+  const Eigen::VectorXd numbers = cloud.atPoints(areas, width, run);
   const double middle = middleOf({ numbers.data(), numbers.data() + numbers.size() });
   if (middle < 0.0)
   {
@@ -110,8 +105,7 @@ bool turnOutward(
 }
 
 //------------------------------------------------------------------------------
-PointNoise noiseOf(const Points& points, const Points& areas, const ParallelFor& parallelFor,
-  const Progress& progress)
+PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
 {
   constexpr int neighbors = 16;
   constexpr Index blockSize = 256;
@@ -123,10 +117,10 @@ PointNoise noiseOf(const Points& points, const Points& areas, const ParallelFor&
   {
     return noise;
   }
-  Steps steps(progress, { 160.0, 2500.0 }); // for each point
+  Steps steps(run, { 160.0, 2500.0 }); // for each point
   const PointTree tree(points, steps.next());
   std::vector<std::vector<int>> around(size);
-  forBlocks(parallelFor, size, blockSize, steps.next(),
+  forBlocksReporting(steps.next(), size, blockSize,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -164,13 +158,12 @@ PointNoise noiseOf(const Points& points, const Points& areas, const ParallelFor&
 }
 
 //------------------------------------------------------------------------------
-double typicalSpacing(
-  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+double typicalSpacing(const Points& points, const Run& run)
 {
   if (points.rows() < 2)
   {
     return 0.0;
   }
-  return std::sqrt(middleOf(areasOfPoints(points, parallelFor, progress)));
+  return std::sqrt(middleOf(areasOfPoints(points, run)));
 }
 }

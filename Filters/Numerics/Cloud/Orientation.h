@@ -3,7 +3,7 @@
 #ifndef ConformalOrientation_h
 #define ConformalOrientation_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/WindingNumbers.h"
 
@@ -28,21 +28,19 @@ struct OrientationOptions
 ///
 /// @return #P by 3
 /// @throws Aborted
-Points orient(const WindingNumbers& cloud, const OrientationOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+Points orient(
+  const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
 /// Area vectors of points whose normals are known: the areas are those of circles that hold eight
 /// neighbors. Zero where the normal is.
 /// @param[in] normals  #P by 3, unit vectors or zero
-Points areaVectors(const Points& points, const Points& normals, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+Points areaVectors(const Points& points, const Points& normals, const Run& run = {});
 
 /// Turn area vectors that point inward all together outward.
 /// @param[in,out] areas  #P by 3
 /// @return whether they agree on what is inside: where they do not, they are of no use, as normals
 ///   whose signs were never made consistent
-bool turnOutward(
-  const WindingNumbers& cloud, Points& areas, double width, const ParallelFor& parallelFor = {});
+bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run = {});
 
 /// How points lie off the surface that they sample.
 struct PointNoise
@@ -54,13 +52,11 @@ struct PointNoise
 
 /// By the neighbors of each point that face the same way.
 /// @param[in] areas  #P by 3, area vectors
-PointNoise noiseOf(const Points& points, const Points& areas, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+PointNoise noiseOf(const Points& points, const Points& areas, const Run& run = {});
 
 /// The distance of neighbors if points were spread evenly on a surface as dense as the typical
 /// point finds it around itself; 0 for fewer than two points.
-double typicalSpacing(
-  const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+double typicalSpacing(const Points& points, const Run& run = {});
 }
 
 #endif

@@ -10,8 +10,7 @@
 
 namespace conformal
 {
-std::vector<std::uint8_t> strayPoints(
-  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 {
   constexpr int Neighbors = 8;
   constexpr double Steepness = 0.8;
@@ -21,9 +20,9 @@ std::vector<std::uint8_t> strayPoints(
   {
     return stray;
   }
-  Steps steps(progress, { 160.0, 1550.0 }); // for each point
+  Steps steps(run, { 160.0, 1550.0 }); // for each point
   const PointTree tree(points, steps.next());
-  forBlocks(parallelFor, points.rows(), BlockSize, steps.next(),
+  forBlocksReporting(steps.next(), points.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -49,8 +48,7 @@ std::vector<std::uint8_t> strayPoints(
   return stray;
 }
 
-std::vector<std::uint8_t> isolatedPoints(
-  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run)
 {
   constexpr int Neighbors = 8;
   constexpr double FromNeighbors = 3.0, FromAll = 8.0;
@@ -61,11 +59,11 @@ std::vector<std::uint8_t> isolatedPoints(
   {
     return isolated;
   }
-  Steps steps(progress, { 160.0, 1400.0, 60.0 }); // for each point
+  Steps steps(run, { 160.0, 1400.0, 60.0 }); // for each point
   const PointTree tree(points, steps.next());
   std::vector<double> squares(size);
   std::vector<std::array<int, Neighbors>> around(size);
-  forBlocks(parallelFor, size, BlockSize, steps.next(),
+  forBlocksReporting(steps.next(), size, BlockSize,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -82,7 +80,7 @@ std::vector<std::uint8_t> isolatedPoints(
   std::vector<double> sorted = squares;
   std::nth_element(sorted.begin(), sorted.begin() + size / 2, sorted.end());
   const double typical = sorted[size / 2];
-  forBlocks(parallelFor, size, BlockSize, steps.next(),
+  forBlocksReporting(steps.next(), size, BlockSize,
     [&](Index begin, Index end)
     {
       std::array<double, Neighbors> theirs;

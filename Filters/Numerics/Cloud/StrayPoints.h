@@ -3,7 +3,7 @@
 #ifndef ConformalStrayPoints_h
 #define ConformalStrayPoints_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <cstdint>
@@ -18,8 +18,7 @@ namespace conformal
 /// @param[in] points  #P by 3, finite
 /// @return #P, 1 for a stray point, else 0; all 0 for up to eight points
 /// @throws Aborted
-std::vector<std::uint8_t> strayPoints(
-  const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {});
 
 /// Mark points that are far from all others: whose eighth neighbor is more than 3 times as far as
 /// those of its eight neighbors typically are, or more than 8 times as far as the typical point's.
@@ -28,8 +27,7 @@ std::vector<std::uint8_t> strayPoints(
 /// @param[in] points  #P by 3, finite
 /// @return #P, 1 for an isolated point, else 0; all 0 for up to eight points
 /// @throws Aborted
-std::vector<std::uint8_t> isolatedPoints(
-  const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run = {});
 }
 
 #endif

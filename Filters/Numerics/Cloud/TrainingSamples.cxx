@@ -79,19 +79,18 @@ private:
 };
 
 template <typename Value>
-std::vector<Value> forEachBlock(const ParallelFor& parallelFor, Index size,
-  const Progress& progress, const std::function<void(Index begin, Index end, Value& value)>& body)
+std::vector<Value> forEachBlock(
+  const Run& run, Index size, const std::function<void(Index begin, Index end, Value& value)>& body)
 {
   std::vector<Value> values((size + BlockSize - 1) / BlockSize);
-  forBlocks(parallelFor, size, BlockSize, progress,
+  forBlocksReporting(run, size, BlockSize,
     [&](Index begin, Index end) { body(begin, end, values[begin / BlockSize]); });
   return values;
 }
 }
 
 TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weights,
-  const std::function<bool(Index)>& skip, const ParallelFor& parallelFor, const Reduce& reduce,
-  const Progress& progress)
+  const std::function<bool(Index)>& skip, const Reduce& reduce, const Run& run)
   : View(points)
   , Weights(weights)
   , Sums(reduce)
@@ -112,7 +111,7 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
     return !(skip && skip(i)) &&
       (weights.size() == 0 || (weights[i] > 0.0 && std::isfinite(weights[i])));
   };
-  const auto counts = forEachBlock<Count>(parallelFor, points.size(), partOf(progress, 0.0, 0.25),
+  const auto counts = forEachBlock<Count>(run.part(0.0, 0.25), points.size(),
     [&](Index begin, Index end, Count& count)
     {
       for (Index i = begin; i < end; ++i)
@@ -138,7 +137,7 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   this->NonFinite = shareOf(reduce, this->NonFinite).Total;
   if (!this->empty())
   {
-    this->findFrame(parallelFor, progress);
+    this->findFrame(run);
   }
 }
 
@@ -152,7 +151,7 @@ void TrainingSamples::setNormals(const PointView& normals)
   this->Oriented = true;
 }
 
-void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& progress)
+void TrainingSamples::findFrame(const Run& run)
 {
   std::vector<double> extremes(7, -std::numeric_limits<double>::infinity());
   if (this->weighted())
@@ -162,7 +161,7 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& 
       extremes[6] = std::max(extremes[6], this->Weights[this->id(i)]);
     }
   }
-  const auto boxes = forEachBlock<Box>(parallelFor, this->Size, partOf(progress, 0.25, 0.4),
+  const auto boxes = forEachBlock<Box>(run.part(0.25, 0.4), this->Size,
     [&](Index begin, Index end, Box& box)
     {
       for (Index i = begin; i < end; ++i)
@@ -178,8 +177,8 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& 
       extremes[3 + c] = std::max(extremes[3 + c], box.Upper[c]);
     }
   }
-  extremes = largest(this->Sums, extremes);
-  this->LargestWeight = this->weighted() ? extremes[6] : 1.0;
+  extremes = maximum(this->Sums, extremes);
+  this->MaximumWeight = this->weighted() ? extremes[6] : 1.0;
   const Vector3 lower(-extremes[0], -extremes[1], -extremes[2]);
   const Vector3 upper(extremes[3], extremes[4], extremes[5]);
   // First in the box's own unit: sums of very large, very small or very distant coordinates would
@@ -188,7 +187,7 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& 
   const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
   this->Scale = half > 0.0 ? half : 1.0;
 
-  const auto moments = forEachBlock<Moments>(parallelFor, this->Size, partOf(progress, 0.4, 0.8),
+  const auto moments = forEachBlock<Moments>(run.part(0.4, 0.8), this->Size,
     [&](Index begin, Index end, Moments& sum)
     {
       for (Index i = begin; i < end; ++i)
@@ -206,10 +205,10 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& 
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(total.covariance(), Eigen::EigenvaluesOnly)
       .eigenvalues();
   constexpr double Negligible = 1e-14; // square of a thickness of 1e-7
-  this->Rank = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
+  this->Dimension = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
 
   const Vector3 centroid = this->Center + this->Scale * total.mean();
-  const auto squares = forEachBlock<double>(parallelFor, this->Size, partOf(progress, 0.8, 1.0),
+  const auto squares = forEachBlock<double>(run.part(0.8, 1.0), this->Size,
     [&](Index begin, Index end, double& square)
     {
       for (Index i = begin; i < end; ++i)
@@ -218,7 +217,7 @@ void TrainingSamples::findFrame(const ParallelFor& parallelFor, const Progress& 
           std::max(square, ((this->View[this->id(i)] - centroid) / this->Scale).squaredNorm());
       }
     });
-  const double squareRadius = largest(this->Sums,
+  const double squareRadius = maximum(this->Sums,
     { std::accumulate(
       squares.begin(), squares.end(), 0.0, [](double a, double b) { return std::max(a, b); }) })[0];
   this->Center = centroid;

@@ -4,7 +4,8 @@
 #define ConformalTrainingSamples_h
 
 #include "Base/KeptIds.h"
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <functional>
@@ -29,8 +30,7 @@ public:
   /// @throws std::invalid_argument on all processes, if weights has not #P entries on one of them
   /// @throws Aborted
   TrainingSamples(const PointView& points, const NumberView& weights = {},
-    const std::function<bool(Index)>& skip = {}, const ParallelFor& parallelFor = {},
-    const Reduce& reduce = {}, const Progress& progress = {});
+    const std::function<bool(Index)>& skip = {}, const Reduce& reduce = {}, const Run& run = {});
 
   /// Of this process.
   Index size() const { return this->Size; }
@@ -45,7 +45,7 @@ public:
   /// Priority of pattern i: 1 for the largest weight given.
   double weight(Index i) const
   {
-    return this->weighted() ? this->Weights[this->id(i)] / this->LargestWeight : 1.0;
+    return this->weighted() ? this->Weights[this->id(i)] / this->MaximumWeight : 1.0;
   }
   /// Whether there are weights, on any process: one without points has none.
   bool weighted() const { return this->Weighted; }
@@ -66,14 +66,14 @@ public:
   Index numberOfNonFinite() const { return this->NonFinite; }
 
   /// 0 for no or equal points, 1 for points on a line, 2 in a plane, else 3.
-  int rank() const { return this->Rank; }
+  int dimension() const { return this->Dimension; }
 
   /// How to add up what is found in the parts.
   const conformal::Reduce& reduce() const { return this->Sums; }
 
 private:
   Index id(Index i) const { return this->Kept.size() == 0 ? i : this->Kept[i]; }
-  void findFrame(const ParallelFor& parallelFor, const Progress& progress);
+  void findFrame(const Run& run);
 
   PointView View;
   NumberView Weights;
@@ -85,10 +85,10 @@ private:
   Index NonFinite = 0;
   bool Weighted = false;
   bool Oriented = false;
-  double LargestWeight = 1.0;
+  double MaximumWeight = 1.0;
   Vector3 Center = Vector3::Zero();
   double Scale = 1.0;
-  int Rank = 0;
+  int Dimension = 0;
 };
 }
 

@@ -10,7 +10,6 @@ namespace conformal
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Farness = 4.0; // half sides from which a cluster counts as a whole
 constexpr int LeafSize = 8, GroupSize = 16, RunSize = 64;
 constexpr Index GroupsPerBlock = 8;
@@ -126,8 +125,7 @@ Vector3 strengthOf(const Eigen::VectorXd& charges, int point)
 }
 
 //------------------------------------------------------------------------------
-WindingNumbers::WindingNumbers(
-  const Points& points, const ParallelFor& parallelFor, const Progress& progress)
+WindingNumbers::WindingNumbers(const Points& points, const Run& run)
   : Places(points)
 {
   std::vector<Box> boxes(points.rows());
@@ -135,7 +133,7 @@ WindingNumbers::WindingNumbers(
   {
     boxes[i].extend(Vector3(points.row(i)));
   }
-  BoxTree tree = buildBoxTree(boxes, parallelFor, progress);
+  BoxTree tree = buildBoxTree(boxes, run);
   this->Order.swap(tree.Items);
   const int size = static_cast<int>(tree.Nodes.size());
   // Of the tree's nodes: the points below and the node after, from the last up.
@@ -269,9 +267,9 @@ void WindingNumbers::gather(const Sources& sources, const Vector3& lower, const 
 //------------------------------------------------------------------------------
 template <typename Sum>
 void WindingNumbers::sumAtPoints(
-  const Sources& sources, double width, const ParallelFor& parallelFor, const Sum& sum) const
+  const Sources& sources, double width, const Run& run, const Sum& sum) const
 {
-  forBlocks(parallelFor, static_cast<Index>(this->Groups.size()), GroupsPerBlock,
+  forBlocks(run, static_cast<Index>(this->Groups.size()), GroupsPerBlock,
     [&](Index begin, Index end)
     {
       std::vector<Source> list;
@@ -293,11 +291,10 @@ void WindingNumbers::sumAtPoints(
 }
 
 //------------------------------------------------------------------------------
-Eigen::VectorXd WindingNumbers::atPoints(
-  const Points& areas, double width, const ParallelFor& parallelFor) const
+Eigen::VectorXd WindingNumbers::atPoints(const Points& areas, double width, const Run& run) const
 {
   Eigen::VectorXd numbers(this->size());
-  this->sumAtPoints(this->sourcesOf(areas), width, parallelFor,
+  this->sumAtPoints(this->sourcesOf(areas), width, run,
     [&](const int* ids, int count, const LanePlaces& places, const std::vector<Source>& list)
     {
       const Lanes sum = numbersOf(places, list, squareOf(width));
@@ -310,11 +307,10 @@ Eigen::VectorXd WindingNumbers::atPoints(
 }
 
 //------------------------------------------------------------------------------
-Points WindingNumbers::descentAtPoints(
-  const Points& areas, double width, const ParallelFor& parallelFor) const
+Points WindingNumbers::descentAtPoints(const Points& areas, double width, const Run& run) const
 {
   Points descent(this->size(), 3);
-  this->sumAtPoints(this->sourcesOf(areas), width, parallelFor,
+  this->sumAtPoints(this->sourcesOf(areas), width, run,
     [&](const int* ids, int count, const LanePlaces& places, const std::vector<Source>& list)
     {
       const std::array<Lanes, 3> sum = descentOf(places, list, squareOf(width));
@@ -327,11 +323,10 @@ Points WindingNumbers::descentAtPoints(
 }
 
 //------------------------------------------------------------------------------
-Points WindingNumbers::transposed(
-  const Eigen::VectorXd& values, double width, const ParallelFor& parallelFor) const
+Points WindingNumbers::transposed(const Eigen::VectorXd& values, double width, const Run& run) const
 {
   Points result(this->size(), 3);
-  this->sumAtPoints(this->sourcesOf(values), width, parallelFor,
+  this->sumAtPoints(this->sourcesOf(values), width, run,
     [&](const int* ids, int count, const LanePlaces& places, const std::vector<Source>& list)
     {
       const std::array<Lanes, 3> sum = attractionOf(places, list, squareOf(width));
@@ -345,10 +340,10 @@ Points WindingNumbers::transposed(
 
 //------------------------------------------------------------------------------
 Eigen::VectorXd WindingNumbers::at(
-  const Points& places, const Sources& sources, double width, const ParallelFor& parallelFor) const
+  const Points& places, const Sources& sources, double width, const Run& run) const
 {
   Eigen::VectorXd numbers(places.rows());
-  forBlocks(parallelFor, places.rows(), RunSize,
+  forBlocks(run, places.rows(), RunSize,
     [&](Index begin, Index end)
     {
       Box bounds;

@@ -3,7 +3,7 @@
 #ifndef ConformalWindingNumbers_h
 #define ConformalWindingNumbers_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -28,23 +28,19 @@ public:
   WindingNumbers() = default;
 
   /// @param[in] points  #P by 3, finite; copied
-  explicit WindingNumbers(
-    const Points& points, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  explicit WindingNumbers(const Points& points, const Run& run = {});
 
   const Points& points() const { return this->Places; }
   Index size() const { return this->Places.rows(); }
 
   /// A a at the points.
-  Eigen::VectorXd atPoints(
-    const Points& areas, double width, const ParallelFor& parallelFor = {}) const;
+  Eigen::VectorXd atPoints(const Points& areas, double width, const Run& run = {}) const;
 
   /// Minus the gradient of A a at the points: outward, where a is about right.
-  Points descentAtPoints(
-    const Points& areas, double width, const ParallelFor& parallelFor = {}) const;
+  Points descentAtPoints(const Points& areas, double width, const Run& run = {}) const;
 
   /// The transpose of A at the points times values at the points.
-  Points transposed(
-    const Eigen::VectorXd& values, double width, const ParallelFor& parallelFor = {}) const;
+  Points transposed(const Eigen::VectorXd& values, double width, const Run& run = {}) const;
 
   /// What adds to a sum: a point, or a cluster of points seen from afar.
   struct Source
@@ -61,8 +57,8 @@ public:
   /// A a at any places. Runs of 64 of them, from the first, should lie close together: what is far
   /// is decided for a run.
   /// @param[in] sources  of the area vectors
-  Eigen::VectorXd at(const Points& places, const Sources& sources, double width,
-    const ParallelFor& parallelFor = {}) const;
+  Eigen::VectorXd at(
+    const Points& places, const Sources& sources, double width, const Run& run = {}) const;
 
 private:
   // Clusters in depth-first order; the first child of a cluster follows it.
@@ -79,8 +75,7 @@ private:
   void gather(const Sources& sources, const Vector3& lower, const Vector3& upper, double width,
     std::vector<Source>& list) const;
   template <typename Sum>
-  void sumAtPoints(
-    const Sources& sources, double width, const ParallelFor& parallelFor, const Sum& sum) const;
+  void sumAtPoints(const Sources& sources, double width, const Run& run, const Sum& sum) const;
 
   Points Places;
   std::vector<int> Order; ///< of the points in the tree

@@ -60,7 +60,7 @@ Vector3 stepsOver(const Box& bounds, double spacing)
 }
 
 // The smallest spacing of a lattice that does not have too many nodes, rounded up to a millionth.
-double smallestSpacing(const Box& bounds, double tooSmall, int margin)
+double minimumSpacing(const Box& bounds, double tooSmall, int margin)
 {
   const auto fits = [&](double spacing)
   {
@@ -85,12 +85,11 @@ double smallestSpacing(const Box& bounds, double tooSmall, int margin)
 class NearestSamples
 {
 public:
-  NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples,
-    const ParallelFor& parallelFor)
+  NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples, const Run& run)
     : Lattice(lattice)
     , Taken(
         selectSamples(samples, SamplesPerSquare / (lattice.Spacing * lattice.Spacing)).Positions)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Entries(lattice.numberOfNodes())
   {
     forBlocks(this->Threads, lattice.numberOfNodes(), 1 << 16,
@@ -104,16 +103,13 @@ public:
   }
 
   // Forget samples beside the surface, which would be bumps on it.
-  void dropStray(const Progress& progress)
-  {
-    this->Stray = strayPoints(this->Taken, this->Threads, progress);
-  }
+  void dropStray(const Run& run) { this->Stray = strayPoints(this->Taken, run); }
 
   // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
-  void scatter(const Progress& progress)
+  void scatter(const Run& run)
   {
     const std::array<int, 8> steps = this->Lattice.cornerSteps();
-    forBlocks(this->Threads, this->Taken.rows(), SamplesPerBlock, progress,
+    forBlocksReporting(run, this->Taken.rows(), SamplesPerBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -139,12 +135,12 @@ public:
 
   // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few and
   // the cloud is dense, so that there is a meaning in being alone.
-  void dropIsolated(const Progress& progress)
+  void dropIsolated(const Run& run)
   {
     constexpr std::uint8_t untouched = 0, touched = 1, large = 2, small = 3;
-    constexpr std::size_t largestIsolated = 32; // corners of four cubes that are apart
+    constexpr std::size_t maximumIsolated = 32; // corners of four cubes that are apart
     constexpr Index nodesPerSample = 4;         // 8 for a cube alone, 1 or 2 for a sheet of cubes
-    constexpr Index leastRatio = 20;            // of all samples to those isolated
+    constexpr Index minimumRatio = 20;          // of all samples to those isolated
     const Index size = this->Lattice.numberOfNodes();
     std::vector<std::uint8_t> marks(size);
     Index numberTouched = 0;
@@ -162,8 +158,8 @@ public:
     {
       if (marks[node] == touched)
       {
-        markPiece(this->Lattice, marks, static_cast<int>(node), large, piece, progress);
-        if (piece.size() <= largestIsolated)
+        markPiece(this->Lattice, marks, static_cast<int>(node), large, piece, run);
+        if (piece.size() <= maximumIsolated)
         {
           isolated.insert(isolated.end(), piece.begin(), piece.end());
         }
@@ -178,20 +174,20 @@ public:
     {
       count += marks[this->cubeOf(this->place(i))] == small;
     }
-    if (leastRatio * count <= this->Taken.rows())
+    if (minimumRatio * count <= this->Taken.rows())
     {
       for (const int node : isolated)
       {
         this->Entries[node].store(NoEntry, std::memory_order_relaxed);
       }
     }
-    report(progress, 1.0);
+    run.report(1.0);
   }
 
   // From now on ids name places in a small table: nodes share few samples of a large cloud.
-  void gatherSeeds(const Progress& progress)
+  void gatherSeeds(const Run& run)
   {
-    forBlocks({}, this->Lattice.numberOfNodes(), 1 << 10, progress,
+    forBlocksReporting(run.inOrder(), this->Lattice.numberOfNodes(), 1 << 10,
       [&](Index begin, Index end)
       {
         for (Index node = begin; node < end; ++node)
@@ -210,7 +206,7 @@ public:
   }
 
   // Hand seeds on, there and back, along all lines of an axis.
-  void sweep(int axis, const Progress& progress)
+  void sweep(int axis, const Run& run)
   {
     // Planes that hold the lines; within them, steps along the lines and across.
     const std::array<int, 3>& size = this->Lattice.Size;
@@ -233,7 +229,7 @@ public:
             this->sweepPlane(axis, normal, plane);
           }
         });
-      report(progress, (group + 1.0) / groups);
+      run.report((group + 1.0) / groups);
     }
   }
 
@@ -332,8 +328,8 @@ private:
   }
 
   const FreudenthalLattice& Lattice;
-  const Points Taken; ///< the samples that count
-  const ParallelFor& Threads;
+  const Points Taken;              ///< the samples that count
+  const Run Threads;               // nobody watches
   std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
@@ -349,11 +345,11 @@ double workOfDistances(const FreudenthalLattice& lattice, const TrainingSamples&
 }
 
 //------------------------------------------------------------------------------
-FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
-  const ParallelFor& parallelFor, const Progress& progress)
+FreudenthalLattice latticeAround(
+  const TrainingSamples& samples, double spacing, int margin, const Run& run)
 {
   std::vector<Box> boxes((samples.size() + SamplesPerBlock - 1) / SamplesPerBlock);
-  forBlocks(parallelFor, samples.size(), SamplesPerBlock, progress,
+  forBlocksReporting(run, samples.size(), SamplesPerBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -388,7 +384,7 @@ FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin)
       " times the largest radius would have " + std::to_string(std::llround(nodes)) +
       " nodes around these points; the limit is " + std::to_string(MaximumNumberOfNodes) +
       ", and the smallest spacing possible here " +
-      std::to_string(smallestSpacing(bounds, spacing, margin)));
+      std::to_string(minimumSpacing(bounds, spacing, margin)));
   }
   FreudenthalLattice lattice;
   lattice.Spacing = spacing;
@@ -403,8 +399,8 @@ FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin)
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
-  const TrainingSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+std::vector<float> distanceToSamples(
+  const FreudenthalLattice& lattice, const TrainingSamples& samples, const Run& run)
 {
   const auto nodes = static_cast<double>(lattice.numberOfNodes());
   const double size = numberOfSelected(lattice, samples);
@@ -412,9 +408,9 @@ std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
     WorkOfIsolated * nodes, 3.0 * nodes };
   work.insert(work.end(), NumberOfSweeps, WorkOfSweep * nodes);
   work.push_back(2.0 * nodes);
-  Steps steps(progress, work);
+  Steps steps(run, work);
   steps.next();
-  NearestSamples nearest(lattice, samples, parallelFor);
+  NearestSamples nearest(lattice, samples, run);
   nearest.dropStray(steps.next());
   nearest.scatter(steps.next());
   nearest.dropIsolated(steps.next());

@@ -3,7 +3,7 @@
 #ifndef ConformalCloudDistance_h
 #define ConformalCloudDistance_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/FreudenthalLattice.h"
@@ -16,8 +16,8 @@ namespace conformal
 /// A lattice around the samples, `margin` nodes wider than their bounding box on each side.
 /// @throws std::length_error if it would have more than MaximumNumberOfNodes; says which spacing
 ///   would do
-FreudenthalLattice latticeAround(const TrainingSamples& samples, double spacing, int margin,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+FreudenthalLattice latticeAround(
+  const TrainingSamples& samples, double spacing, int margin, const Run& run = {});
 
 /// A lattice around a box likewise.
 FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin);
@@ -41,9 +41,8 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 ///
 /// @param[in] lattice  has the samples within
 /// @post the result depends on the samples only, not on threads
-std::vector<float> distanceToSamples(const FreudenthalLattice& lattice,
-  const TrainingSamples& samples, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+std::vector<float> distanceToSamples(
+  const FreudenthalLattice& lattice, const TrainingSamples& samples, const Run& run = {});
 
 /// What distanceToSamples() takes, in nanoseconds as in Steps.
 double workOfDistances(const FreudenthalLattice& lattice, const TrainingSamples& samples);

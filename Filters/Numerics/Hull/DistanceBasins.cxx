@@ -59,12 +59,11 @@ private:
 
 // The node each node climbs to, one step up.
 std::vector<int> climbOneStep(const FreudenthalLattice& lattice,
-  const std::vector<float>& distances, float offset, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const std::vector<float>& distances, float offset, const Run& run)
 {
   std::vector<int> above(distances.size(), 0); // the faces are one basin, that of node 0
   const std::array<int, 14> steps = lattice.neighborSteps();
-  forInnerRows(lattice, parallelFor, progress,
+  forInnerRows(lattice, run,
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -96,13 +95,12 @@ struct Basins
 };
 
 // Basins from each node's step up. The first is that of the faces.
-Basins numberBasins(
-  std::vector<int> above, const std::vector<float>& distances, const Progress& progress)
+Basins numberBasins(std::vector<int> above, const std::vector<float>& distances, const Run& run)
 {
   Basins basins;
   const int size = static_cast<int>(above.size());
   // Shorten the ways to the top, then number the tops.
-  forBlocks({}, size, 1 << 10, progress,
+  forBlocksReporting(run.inOrder(), size, 1 << 10,
     [&](Index begin, Index end)
     {
       for (int node = static_cast<int>(begin); node < end; ++node)
@@ -155,11 +153,11 @@ Basins numberBasins(
 
 // The highest saddle between every two basins that touch, highest first.
 std::vector<Saddle> findSaddles(const FreudenthalLattice& lattice, const std::vector<int>& basins,
-  const std::vector<float>& distances, const Progress& progress)
+  const std::vector<float>& distances, const Run& run)
 {
   std::unordered_map<std::uint64_t, float> heights;
   const std::array<int, 14> steps = lattice.neighborSteps();
-  forInnerRows(lattice, {}, progress,
+  forInnerRows(lattice, run.inOrder(),
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -241,7 +239,7 @@ struct Division
 Division divide(
   const std::vector<Saddle>& saddles, const Basins& basins, double persistence, int kept)
 {
-  constexpr double leastRise = 1.1;
+  constexpr double minimumRise = 1.1;
   Joined joined(basins.Peaks);
   Division result;
   for (const Saddle& saddle : saddles)
@@ -263,7 +261,7 @@ Division divide(
         }
         continue;
       }
-      if (peak > leastRise * height)
+      if (peak > minimumRise * height)
       {
         result.Lost.push_back({ basin, peak, height });
       }
@@ -283,13 +281,13 @@ Division divide(
 int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& distances,
   double offset, const Basins& basins, const std::vector<LostBasin>& lost)
 {
-  constexpr double leastEnclosure = 2.0 / 3.0;
+  constexpr double minimumEnclosure = 2.0 / 3.0;
   int best = -1;
   double rise = 0.0;
   for (const LostBasin& basin : lost)
   {
     if (basin.Peak - basin.Saddle > rise &&
-      enclosure(lattice, distances, offset, basins.Tops[basin.Basin]) >= leastEnclosure)
+      enclosure(lattice, distances, offset, basins.Tops[basin.Basin]) >= minimumEnclosure)
     {
       best = basin.Basin;
       rise = basin.Peak - basin.Saddle;
@@ -301,9 +299,9 @@ int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& d
 
 //------------------------------------------------------------------------------
 OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
-  double offset, double persistence, const ParallelFor& parallelFor, const Progress& progress)
+  double offset, double persistence, const Run& run)
 {
-  Steps steps(progress, { 25.0, 12.0, 14.0, 4.0 }); // for each node
+  Steps steps(run, { 25.0, 12.0, 14.0, 4.0 }); // for each node
   const std::array<int, 3>& size = lattice.Size;
   for (int z = 0; z < size[2]; ++z)
   {
@@ -317,16 +315,16 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
     }
   }
   std::vector<int> above =
-    climbOneStep(lattice, distances, static_cast<float>(offset), parallelFor, steps.next());
+    climbOneStep(lattice, distances, static_cast<float>(offset), steps.next());
   const Basins basins = numberBasins(std::move(above), distances, steps.next());
   const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, steps.next());
   steps.next();
 
   OutsideNodes result;
   Division division = divide(saddles, basins, persistence, -1);
-  constexpr double leastShare = 0.01; // of the nodes near the data
+  constexpr double minimumShare = 0.01; // of the nodes near the data
   const Index near = std::count(basins.Of.begin(), basins.Of.end(), NotBeyond);
-  if (static_cast<double>(division.NumberOfInsideNodes) < leastShare * static_cast<double>(near))
+  if (static_cast<double>(division.NumberOfInsideNodes) < minimumShare * static_cast<double>(near))
   {
     const int likeliest = findLikeliest(lattice, distances, offset, basins, division.Lost);
     if (likeliest >= 0)
@@ -337,7 +335,7 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
   }
   result.LargestHole = division.LargestHole;
   result.Outside.resize(basins.Of.size());
-  forBlocks(parallelFor, static_cast<Index>(basins.Of.size()), 1 << 16,
+  forBlocks(run, static_cast<Index>(basins.Of.size()), 1 << 16,
     [&](Index begin, Index end)
     {
       for (Index node = begin; node < end; ++node)

@@ -3,7 +3,7 @@
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Hull/FreudenthalLattice.h"
 
@@ -44,8 +44,7 @@ struct OutsideNodes
 /// @param[in] offset         in the unit of the distances
 /// @param[in] persistence    at least 1
 OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
-  double offset, double persistence, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  double offset, double persistence, const Run& run = {});
 }
 
 #endif

@@ -130,12 +130,12 @@ std::array<int, 14> FreudenthalLattice::neighborSteps() const
 }
 
 //------------------------------------------------------------------------------
-void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallelFor,
-  const Progress& progress, const std::function<void(int, int)>& body)
+void forInnerRows(
+  const FreudenthalLattice& lattice, const Run& run, const std::function<void(int, int)>& body)
 {
   constexpr Index blockSize = 16;
   const int width = lattice.Size[1] - 2;
-  forBlocks(parallelFor, static_cast<Index>(width) * (lattice.Size[2] - 2), blockSize, progress,
+  forBlocksReporting(run, static_cast<Index>(width) * (lattice.Size[2] - 2), blockSize,
     [&](Index begin, Index end)
     {
       for (Index row = begin; row < end; ++row)
@@ -149,7 +149,7 @@ void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallel
 
 //------------------------------------------------------------------------------
 void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
-  std::uint8_t mark, std::vector<int>& reached, const Progress& progress)
+  std::uint8_t mark, std::vector<int>& reached, const Run& run)
 {
   constexpr std::size_t nodesPerReport = 1 << 18;
   const std::array<int, 14> steps = lattice.neighborSteps();
@@ -169,18 +169,18 @@ void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& mar
     }
     if ((next + 1) % nodesPerReport == 0)
     {
-      report(progress, static_cast<double>(next) / static_cast<double>(marks.size()));
+      run.report(static_cast<double>(next) / static_cast<double>(marks.size()));
     }
   }
 }
 
 //------------------------------------------------------------------------------
-Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  const Progress& progress)
+Index eulerNumber(
+  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside, const Run& run)
 {
   const EulerShares shares(lattice, inside);
   Index sum = 0;
-  forInnerRows(lattice, {}, progress,
+  forInnerRows(lattice, run.inOrder(),
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)

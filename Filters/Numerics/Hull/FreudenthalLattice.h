@@ -3,7 +3,7 @@
 #ifndef ConformalFreudenthalLattice_h
 #define ConformalFreudenthalLattice_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <array>
@@ -51,8 +51,8 @@ struct FreudenthalLattice
 
 /// Run body(first, last) for the nodes [first, last) of every row, the lattice's faces left out:
 /// there all 14 neighbors exist.
-void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallelFor,
-  const Progress& progress, const std::function<void(int first, int last)>& body);
+void forInnerRows(const FreudenthalLattice& lattice, const Run& run,
+  const std::function<void(int first, int last)>& body);
 
 /// Mark all nodes that hang together with a node and bear the same mark.
 ///
@@ -60,12 +60,12 @@ void forInnerRows(const FreudenthalLattice& lattice, const ParallelFor& parallel
 /// @param[in] mark       the new one, other than the old
 /// @param[out] reached   the nodes marked, start first
 void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
-  std::uint8_t mark, std::vector<int>& reached, const Progress& progress = {});
+  std::uint8_t mark, std::vector<int>& reached, const Run& run = {});
 
 /// Euler number (vertices - edges + triangles - tetrahedra) of a set of nodes.
 /// @param[in] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
-Index eulerNumber(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  const Progress& progress = {});
+Index eulerNumber(
+  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// The part in the Euler number of a set of nodes that nodes have in it together with those around
 /// them: what a change of these nodes changes in it.

@@ -27,12 +27,11 @@ void requireRange(double value, double lowest, double highest, const char* name)
 }
 
 // Samples that are data, on all processes.
-Index countSamples(const TrainingSamples& samples, const HullData& data,
-  const ParallelFor& parallelFor, const Progress& progress)
+Index countSamples(const TrainingSamples& samples, const HullData& data, const Run& run)
 {
   constexpr Index blockSize = 1 << 12;
   std::vector<Index> counts((samples.size() + blockSize - 1) / blockSize, 0);
-  forBlocks(parallelFor, samples.size(), blockSize, progress,
+  forBlocksReporting(run, samples.size(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -52,7 +51,7 @@ Index countSamples(const TrainingSamples& samples, const HullData& data,
 // Of the nodes next to data, 1, leave those that hang together with one next to the outside.
 // Returns how many are left out.
 Index keepSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  std::vector<std::uint8_t>& nodes, const Progress& progress)
+  std::vector<std::uint8_t>& nodes, const Run& run)
 {
   constexpr std::uint8_t inner = 1, surface = 2;
   const std::array<int, 14> steps = lattice.neighborSteps();
@@ -62,7 +61,7 @@ Index keepSurface(const FreudenthalLattice& lattice, const std::vector<std::uint
     if (nodes[node] == inner &&
       std::any_of(steps.begin(), steps.end(), [&](int step) { return !inside[node + step]; }))
     {
-      markPiece(lattice, nodes, node, surface, piece, progress);
+      markPiece(lattice, nodes, node, surface, piece, run);
     }
   }
   Index leftOut = 0;
@@ -87,37 +86,36 @@ Index countInside(
 
 // Of the largest cut that handles need, however well it avoids the data, the nodes near these.
 Index countCutData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& solid,
-  const std::vector<float>& distances, double offset, const Progress& progress)
+  const std::vector<float>& distances, double offset, const Run& run)
 {
   // Data as dense as the lattice have nodes this near in a row, without a gap.
   constexpr double nearness = 0.6; // offsets
   std::vector<std::uint8_t> opened = solid;
-  cutHandles(lattice, opened, distances, offset, HandleCut::FarFromData, progress);
+  cutHandles(lattice, opened, distances, offset, HandleCut::FarFromData, run);
   return largestCutNearData(lattice, solid, opened, distances, nearness * offset);
 }
 
 void addSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  const std::vector<float>& values, double level, int smoothingPasses,
-  const ParallelFor& parallelFor, const Progress& progress, GenusZeroHullResult& result)
+  const std::vector<float>& values, double level, int smoothingPasses, const Run& run,
+  GenusZeroHullResult& result)
 {
   const auto nodes = static_cast<double>(lattice.numberOfNodes());
   const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
   Steps steps(
-    progress, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
+    run, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
   Mesh surface = makeLevelSetSurface(lattice, inside, values, level, steps.next());
-  smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, parallelFor, steps.next());
+  smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, steps.next());
   result.Positions.swap(surface.Positions);
   result.Triangles.swap(surface.Triangles);
 }
 
 GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
-  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+  const GenusZeroHullOptions& options, const Run& run)
 {
   const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
   const auto size = static_cast<double>(samples.size());
-  Steps steps(progress, { 1.0, 20.0 }); // until the lattice is known
-  const FreudenthalLattice lattice =
-    latticeAround(samples, spacing, margin, parallelFor, steps.next());
+  Steps steps(run, { 1.0, 20.0 }); // until the lattice is known
+  const FreudenthalLattice lattice = latticeAround(samples, spacing, margin, steps.next());
   const auto nodes = static_cast<double>(lattice.numberOfNodes());
   const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
   // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
@@ -125,14 +123,14 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
     22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes,
     12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
-  std::vector<float> distances = distanceToSamples(lattice, samples, parallelFor, steps.next());
+  std::vector<float> distances = distanceToSamples(lattice, samples, steps.next());
 
   GenusZeroHullResult result;
   result.Spacing = spacing;
   std::vector<std::uint8_t> inside;
   {
-    OutsideNodes outside = findOutside(
-      lattice, distances, options.Offset, options.Persistence, parallelFor, steps.next());
+    OutsideNodes outside =
+      findOutside(lattice, distances, options.Offset, options.Persistence, steps.next());
     result.Leaks = outside.Leaks;
     result.LargestHole = { outside.LargestHole.Saddle * spacing,
       outside.LargestHole.Peak * spacing };
@@ -143,19 +141,19 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     mark = !mark;
   }
   keepLargestPiece(lattice, inside, steps.next());
-  const Progress counting = steps.next();
+  const Run counting = steps.next();
   result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
   result.EulerNumber = eulerNumber(lattice, inside, counting);
-  const Progress cutting = steps.next();
+  const Run cutting = steps.next();
   if (result.EulerNumber != 1)
   {
     const std::vector<std::uint8_t> uncut = inside;
     result.NumberOfCutNodes = cutHandles(
-      lattice, inside, distances, options.Offset, HandleCut::HalfWay, partOf(cutting, 0.0, 0.5));
+      lattice, inside, distances, options.Offset, HandleCut::HalfWay, cutting.part(0.0, 0.5));
     result.NumberOfCutInsideNodes =
       result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
     result.NumberOfCutDataNodes =
-      countCutData(lattice, uncut, distances, options.Offset, partOf(cutting, 0.5, 1.0));
+      countCutData(lattice, uncut, distances, options.Offset, cutting.part(0.5, 1.0));
   }
   steps.next();
   {
@@ -165,12 +163,12 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
       data[node] = inside[node] && distances[node] <= options.Offset;
     }
     result.Data = HullData(lattice, data);
-    const Index all = countSamples(samples, result.Data, parallelFor, steps.next());
+    const Index all = countSamples(samples, result.Data, steps.next());
     result.NumberOfSamplesOutside = samples.totalSize() - all;
     if (keepSurface(lattice, inside, data, steps.next()) > 0)
     {
       result.NumberOfSamplesInside =
-        all - countSamples(samples, HullData(lattice, data), parallelFor, {});
+        all - countSamples(samples, HullData(lattice, data), run.unwatched());
     }
   }
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
@@ -178,8 +176,8 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   {
     return result; // too coarse a cloud: no surface is asked for
   }
-  addSurface(lattice, inside, distances, options.Offset, options.SmoothingPasses, parallelFor,
-    steps.next(), result);
+  addSurface(
+    lattice, inside, distances, options.Offset, options.SmoothingPasses, steps.next(), result);
   return result;
 }
 
@@ -190,7 +188,7 @@ std::vector<std::uint8_t> nodesAlongSurface(
   const std::array<int, 14> steps = lattice.neighborSteps();
   std::vector<std::uint8_t> near(inside.size(), 0);
   std::vector<int> front, next;
-  forInnerRows(lattice, {}, {},
+  forInnerRows(lattice, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -225,16 +223,16 @@ std::vector<std::uint8_t> nodesAlongSurface(
 }
 
 // No triangles where winding numbers do not tell inside from outside.
-GenusZeroHullResult makeHullByWindingNumbers(const TrainingSamples& samples,
-  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+GenusZeroHullResult makeHullByWindingNumbers(
+  const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
   const auto size = static_cast<double>(samples.size());
   const double nodes = 6.0 / std::pow(options.Spacing, 3);
   const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  Steps steps(progress,
+  Steps steps(run,
     { workOfIndicatorSolid(samples, options.Spacing), 44.0 * size,
       12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
-  IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, parallelFor, steps.next());
+  IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, steps.next());
   GenusZeroHullResult result;
   if (solid.Inside.empty())
   {
@@ -252,17 +250,15 @@ GenusZeroHullResult makeHullByWindingNumbers(const TrainingSamples& samples,
   // Noise goes as far as the width that was needed for it.
   constexpr double reach = 1.5;
   const int layers = std::max(1, static_cast<int>(reach * solid.Width / options.Spacing));
-  const Progress counting = steps.next();
+  const Run counting = steps.next();
   std::vector<std::uint8_t> near = nodesAlongSurface(solid.Lattice, solid.Inside, layers);
   result.Data = HullData(solid.Lattice, near);
-  const Index atSurface =
-    countSamples(samples, result.Data, parallelFor, partOf(counting, 0.0, 0.5));
+  const Index atSurface = countSamples(samples, result.Data, counting.part(0.0, 0.5));
   for (std::size_t node = 0; node < near.size(); ++node)
   {
     near[node] = near[node] || solid.Inside[node];
   }
-  const Index all =
-    countSamples(samples, HullData(solid.Lattice, near), parallelFor, partOf(counting, 0.5, 1.0));
+  const Index all = countSamples(samples, HullData(solid.Lattice, near), counting.part(0.5, 1.0));
   result.NumberOfSamplesOutside = samples.totalSize() - all;
   result.NumberOfSamplesInside = all - atSurface;
 
@@ -271,7 +267,7 @@ GenusZeroHullResult makeHullByWindingNumbers(const TrainingSamples& samples,
     value = -value; // rising outward, as a distance
   }
   addSurface(solid.Lattice, solid.Inside, solid.Field.Values, -solid.Field.Level,
-    options.SmoothingPasses, parallelFor, steps.next(), result);
+    options.SmoothingPasses, steps.next(), result);
   return result;
 }
 }
@@ -319,6 +315,15 @@ bool hasHandles(const GenusZeroHullResult& hull)
 }
 
 //------------------------------------------------------------------------------
+double workOfGenusZeroHull(double numberOfSamples, double spacing)
+{
+  // Of the nodes that a usual object has, and of no more samples than are worth the spacing.
+  const double perSquare = 1.0 / (spacing * spacing);
+  return 220.0 * 4.7 * perSquare / spacing + 40.0 * numberOfSamples +
+    1900.0 * std::min(numberOfSamples, 32.0 * perSquare);
+}
+
+//------------------------------------------------------------------------------
 double cutFraction(const GenusZeroHullResult& hull)
 {
   const double area = surfaceArea(hull.Positions, hull.Triangles);
@@ -334,20 +339,21 @@ double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing
 }
 
 //------------------------------------------------------------------------------
-GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
-  const GenusZeroHullOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+GenusZeroHullResult makeGenusZeroHull(
+  const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
   if (samples.empty())
   {
     throw std::invalid_argument("there are no samples for a hull");
   }
   using Limits = GenusZeroHullLimits;
-  requireRange(options.Spacing, Limits::LeastSpacing, Limits::LargestSpacing, "lattice's spacing");
-  requireRange(options.Offset, Limits::LeastOffset, Limits::LargestOffset, "offset");
   requireRange(
-    options.Persistence, Limits::LeastPersistence, Limits::LargestPersistence, "persistence");
+    options.Spacing, Limits::MinimumSpacing, Limits::MaximumSpacing, "lattice's spacing");
+  requireRange(options.Offset, Limits::MinimumOffset, Limits::MaximumOffset, "offset");
   requireRange(
-    options.SmoothingPasses, 0, Limits::LargestSmoothingPasses, "number of smoothing passes");
+    options.Persistence, Limits::MinimumPersistence, Limits::MaximumPersistence, "persistence");
+  requireRange(
+    options.SmoothingPasses, 0, Limits::MaximumSmoothingPasses, "number of smoothing passes");
 
   // An attempt that has to be repeated has come far; the next ones, quick on a lattice of an eighth
   // of the nodes, share what is left.
@@ -355,23 +361,25 @@ GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
   const auto attempt = [&](double spacing)
   {
     const double begin = reached;
-    return makeHull(samples, spacing, options, parallelFor,
-      [&, begin](double fraction)
-      {
-        reached = begin + fraction * (1.0 - begin);
-        report(progress, reached);
-        return true;
-      });
+    return makeHull(samples, spacing, options,
+      run.watchedBy(
+        [&, begin](double fraction)
+        {
+          reached = begin + fraction * (1.0 - begin);
+          run.report(reached);
+          return true;
+        }));
   };
-  if (options.Indicator == HullIndicator::WindingNumbers && samples.rank() == 3)
+  if (options.Indicator == HullIndicator::WindingNumbers && samples.dimension() == 3)
   {
-    GenusZeroHullResult byAll = makeHullByWindingNumbers(samples, options, parallelFor,
-      [&](double fraction)
-      {
-        reached = fraction;
-        report(progress, fraction);
-        return true;
-      });
+    GenusZeroHullResult byAll = makeHullByWindingNumbers(samples, options,
+      run.watchedBy(
+        [&](double fraction)
+        {
+          reached = fraction;
+          run.report(fraction);
+          return true;
+        }));
     if (byAll.Triangles.rows() > 0)
     {
       return byAll;

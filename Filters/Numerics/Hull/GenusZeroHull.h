@@ -3,7 +3,7 @@
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/DistanceBasins.h"
@@ -33,10 +33,10 @@ struct GenusZeroHullOptions
 /// What the options may be. An offset below 0.87 would let samples slip between the nodes.
 struct GenusZeroHullLimits
 {
-  static constexpr double LeastSpacing = 0.002, LargestSpacing = 0.2;
-  static constexpr double LeastOffset = 0.9, LargestOffset = 10.0;
-  static constexpr double LeastPersistence = 1.1, LargestPersistence = 10.0;
-  static constexpr int LargestSmoothingPasses = 1000;
+  static constexpr double MinimumSpacing = 0.002, MaximumSpacing = 0.2;
+  static constexpr double MinimumOffset = 0.9, MaximumOffset = 10.0;
+  static constexpr double MinimumPersistence = 1.1, MaximumPersistence = 10.0;
+  static constexpr int MaximumSmoothingPasses = 1000;
 };
 
 /// Where the data are that a hull was made of.
@@ -78,6 +78,9 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfSamplesInside = 0;  ///< samples inside, apart from the surface: inner parts
 };
 
+/// What makeGenusZeroHull() takes, in nanoseconds as in Steps.
+double workOfGenusZeroHull(double numberOfSamples, double spacing);
+
 /// Whether the object itself seems to have handles, or parts that touch: then a cut goes through
 /// its inside, or through its data however well it avoids them. Handles of the offset, between
 /// limbs closer than it, need neither; one node inside for each handle may be a gap in sparse data.
@@ -112,9 +115,8 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
 ///   (CloudDistance.h)
 /// @post the result depends only on the arguments, not on threads
-GenusZeroHullResult makeGenusZeroHull(const TrainingSamples& samples,
-  const GenusZeroHullOptions& options = {}, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+GenusZeroHullResult makeGenusZeroHull(
+  const TrainingSamples& samples, const GenusZeroHullOptions& options = {}, const Run& run = {});
 
 /// What makeGenusZeroHull() takes with WindingNumbers, in nanoseconds as in Steps.
 double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing);

@@ -62,8 +62,7 @@ double middleOf(const Eigen::VectorXd& values)
 
 // The winding numbers of the coarse grid, evaluated in cubes of nodes that are close together.
 std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const CoarseGrid& grid,
-  const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width, const Run& run)
 {
   constexpr int side = 4;
   std::vector<Index> order;
@@ -100,12 +99,12 @@ std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const Coarse
       const Triple x = grid.coordinates(order[start + i]);
       places.row(i) = lattice.Origin + lattice.Spacing * Stride * Vector3(x[0], x[1], x[2]);
     }
-    const Eigen::VectorXd found = cloud.at(places, sources, width, parallelFor);
+    const Eigen::VectorXd found = cloud.at(places, sources, width, run);
     for (Index i = 0; i < count; ++i)
     {
       numbers[order[start + i]] = static_cast<float>(found[i]);
     }
-    report(progress, static_cast<double>(start + count) / static_cast<double>(size));
+    run.report(static_cast<double>(start + count) / static_cast<double>(size));
   }
   return numbers;
 }
@@ -163,10 +162,10 @@ std::vector<Index> cubesToEvaluate(const FreudenthalLattice& lattice, const Coar
 
 // All nodes between those of the coarse grid.
 std::vector<float> interpolate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
-  const std::vector<float>& coarse, const ParallelFor& parallelFor)
+  const std::vector<float>& coarse, const Run& run)
 {
   std::vector<float> values(lattice.numberOfNodes());
-  forBlocks(parallelFor, lattice.Size[2], 1,
+  forBlocks(run, lattice.Size[2], 1,
     [&](Index begin, Index)
     {
       const int z = static_cast<int>(begin), cz = std::min(z / Stride, grid.Size[2] - 2);
@@ -205,8 +204,7 @@ std::vector<float> interpolate(const FreudenthalLattice& lattice, const CoarseGr
 
 void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
   const std::vector<Index>& cubes, const WindingNumbers& cloud,
-  const WindingNumbers::Sources& sources, double width, std::vector<float>& values,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const WindingNumbers::Sources& sources, double width, std::vector<float>& values, const Run& run)
 {
   const auto size = static_cast<Index>(cubes.size());
   Points places;
@@ -220,7 +218,7 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
       return Triple{ Stride * cube[0] + k % Stride, Stride * cube[1] + k / Stride % Stride,
         Stride * cube[2] + k / (Stride * Stride) };
     };
-    forBlocks(parallelFor, count, 64,
+    forBlocks(run, count, 64,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -233,7 +231,7 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
           }
         }
       });
-    const Eigen::VectorXd found = cloud.at(places, sources, width, parallelFor);
+    const Eigen::VectorXd found = cloud.at(places, sources, width, run);
     for (Index i = 0; i < count; ++i)
     {
       for (int k = 0; k < NodesPerCube; ++k)
@@ -245,18 +243,17 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
         }
       }
     }
-    report(progress, static_cast<double>(start + count) / static_cast<double>(size));
+    run.report(static_cast<double>(start + count) / static_cast<double>(size));
   }
 }
 
 // Each node with half its weight, its two neighbors along an axis with a quarter each; in place.
-void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& values,
-  const ParallelFor& parallelFor)
+void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& values, const Run& run)
 {
   const int across = axis == 2 ? 1 : 2; // planes that hold the lines
   const int rows = axis == 0 ? lattice.Size[1] : lattice.Size[axis];
   const int length = lattice.Size[0];
-  forBlocks(parallelFor, lattice.Size[across], 1,
+  forBlocks(run, lattice.Size[across], 1,
     [&](Index plane, Index)
     {
       Triple at = { 0, 0, 0 };
@@ -328,24 +325,23 @@ double workOfIndicator(double nodes)
 
 //------------------------------------------------------------------------------
 Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
-  const Points& areas, double width, const ParallelFor& parallelFor, const Progress& progress)
+  const Points& areas, double width, const Run& run)
 {
   const CoarseGrid grid(lattice);
   const auto nodes = static_cast<double>(lattice.numberOfNodes());
-  Steps steps(
-    progress, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
+  Steps steps(run, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
   const WindingNumbers::Sources sources = cloud.sources(areas);
   const std::vector<float> coarse =
-    coarseNumbers(lattice, grid, cloud, sources, width, parallelFor, steps.next());
+    coarseNumbers(lattice, grid, cloud, sources, width, steps.next());
   Indicator indicator;
-  indicator.Level = middleOf(cloud.atPoints(areas, width, parallelFor));
-  indicator.Values = interpolate(lattice, grid, coarse, parallelFor);
+  indicator.Level = middleOf(cloud.atPoints(areas, width, run));
+  indicator.Values = interpolate(lattice, grid, coarse, run);
   evaluate(lattice, grid, cubesToEvaluate(lattice, grid, coarse, cloud.points(), indicator.Level),
-    cloud, sources, width, indicator.Values, parallelFor, steps.next());
+    cloud, sources, width, indicator.Values, steps.next());
   steps.next();
   for (int axis = 0; axis < 3; ++axis)
   {
-    blur(lattice, axis, indicator.Values, parallelFor);
+    blur(lattice, axis, indicator.Values, run);
   }
   Eigen::VectorXd ofPoints(cloud.size());
   for (Index i = 0; i < cloud.size(); ++i)
@@ -353,7 +349,7 @@ Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& c
     ofPoints[i] = interpolated(lattice, indicator.Values, cloud.points().row(i));
   }
   indicator.Level = middleOf(ofPoints);
-  report(progress, 1.0);
+  run.report(1.0);
   return indicator;
 }
 }

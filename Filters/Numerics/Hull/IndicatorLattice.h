@@ -3,7 +3,7 @@
 #ifndef ConformalIndicatorLattice_h
 #define ConformalIndicatorLattice_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/WindingNumbers.h"
 #include "Hull/FreudenthalLattice.h"
@@ -31,8 +31,7 @@ struct Indicator
 /// @param[in] width   of the winding numbers
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
-  const Points& areas, double width, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const Points& areas, double width, const Run& run = {});
 
 /// What indicatorOn() takes on so many nodes around a usual object, in nanoseconds as in Steps.
 double workOfIndicator(double nodes);

@@ -16,10 +16,10 @@ namespace
 {
 constexpr double SelectedPoints = 50000.0;
 constexpr Index ThinnedPoints = 10000;
-constexpr Index LeastPoints = 20; // of which anything can be told
+constexpr Index MinimumPoints = 20; // of which anything can be told
 
 // Widths, in units of the largest radius and of the typical spacing of the thinned points.
-constexpr double LeastWidth = 0.01, WidthOfSpacing = 0.6, FirstToLastWidth = 4.0;
+constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.6, FirstToLastWidth = 4.0;
 
 // Noise that is no smaller against the spacing asks for a width of its own, and for wider ones
 // while there are more handles and cavities than these.
@@ -93,18 +93,17 @@ double workOfIndicatorSolid(const TrainingSamples& samples, double spacing)
 }
 
 //------------------------------------------------------------------------------
-IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing,
-  const ParallelFor& parallelFor, const Progress& progress)
+IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing, const Run& run)
 {
   IndicatorSolid solid;
   OrientedPoints cloud = selectSamples(samples, SelectedPoints);
   const auto selected = static_cast<double>(cloud.Positions.rows());
-  Steps steps(progress,
+  Steps steps(run,
     { WorkOfIsolated * selected, WorkOfThinning * selected,
       workOfIndicatorSolid(samples, spacing) - (WorkOfIsolated + WorkOfThinning) * selected });
-  cloud = without(cloud, isolatedPoints(cloud.Positions, parallelFor, steps.next()));
+  cloud = without(cloud, isolatedPoints(cloud.Positions, steps.next()));
   cloud = thin(cloud, ThinnedPoints, steps.next());
-  if (cloud.Positions.rows() < LeastPoints)
+  if (cloud.Positions.rows() < MinimumPoints)
   {
     return solid;
   }
@@ -123,29 +122,29 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   work.insert(work.begin(), WorkOfNeighbors * size);
   steps.replan(work);
   steps.next();
-  const WindingNumbers numbers(cloud.Positions, parallelFor);
-  const double spacingOfPoints = typicalSpacing(cloud.Positions, parallelFor);
-  double width = std::max(LeastWidth, WidthOfSpacing * spacingOfPoints);
+  const WindingNumbers numbers(cloud.Positions, run.unwatched());
+  const double spacingOfPoints = typicalSpacing(cloud.Positions, run.unwatched());
+  double width = std::max(MinimumWidth, WidthOfSpacing * spacingOfPoints);
   Points areas;
   if (samples.oriented())
   {
-    areas = areaVectors(cloud.Positions, cloud.Normals, parallelFor);
-    solid.NormalsUsed = turnOutward(numbers, areas, width, parallelFor);
+    areas = areaVectors(cloud.Positions, cloud.Normals, run.unwatched());
+    solid.NormalsUsed = turnOutward(numbers, areas, width, run);
     steps.replan(workFromOrientation());
   }
   const auto orientAnew = [&]
   {
-    const Progress orienting = steps.next();
+    const Run orienting = steps.next();
     if (!solid.NormalsUsed)
     {
       OrientationOptions options;
       options.FirstWidth = FirstToLastWidth * width;
       options.LastWidth = width;
-      areas = orient(numbers, options, parallelFor, orienting);
+      areas = orient(numbers, options, orienting);
     }
   };
   orientAnew();
-  const double noise = noiseOf(cloud.Positions, areas, parallelFor).Deviation;
+  const double noise = noiseOf(cloud.Positions, areas, run.unwatched()).Deviation;
   const bool noisy = noise > NoiseOfSpacing * spacingOfPoints;
   if (noisy && width < WidthOfNoise * noise)
   {
@@ -162,7 +161,7 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
       steps.replan(workFromOrientation());
       orientAnew();
     }
-    Indicator field = indicatorOn(solid.Lattice, numbers, areas, width, parallelFor, steps.next());
+    Indicator field = indicatorOn(solid.Lattice, numbers, areas, width, steps.next());
     steps.next();
     std::vector<std::uint8_t> inside = nodesAbove(solid.Lattice, field);
     const Index faults = faultsOf(solid.Lattice, inside).sum();
@@ -178,11 +177,11 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
       break;
     }
   }
-  const Progress repairing = steps.next();
-  joinPieces(solid.Lattice, solid.Field, solid.Inside, partOf(repairing, 0.0, 0.3));
-  fillCavities(solid.Lattice, solid.Inside, partOf(repairing, 0.3, 0.5));
+  const Run repairing = steps.next();
+  joinPieces(solid.Lattice, solid.Field, solid.Inside, repairing.part(0.0, 0.3));
+  fillCavities(solid.Lattice, solid.Inside, repairing.part(0.3, 0.5));
   solid.EulerNumber = eulerNumber(solid.Lattice, solid.Inside);
-  solid.Repair = openHandles(solid.Lattice, solid.Field, solid.Inside, partOf(repairing, 0.5, 1.0));
+  solid.Repair = openHandles(solid.Lattice, solid.Field, solid.Inside, repairing.part(0.5, 1.0));
   if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
   {
     solid.Inside.clear();

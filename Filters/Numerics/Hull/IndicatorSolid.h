@@ -3,7 +3,7 @@
 #ifndef ConformalIndicatorSolid_h
 #define ConformalIndicatorSolid_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/FreudenthalLattice.h"
@@ -44,8 +44,8 @@ struct IndicatorSolid
 /// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
-IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+IndicatorSolid solidByWindingNumbers(
+  const TrainingSamples& samples, double spacing, const Run& run = {});
 
 /// What solidByWindingNumbers() takes, in nanoseconds as in Steps.
 double workOfIndicatorSolid(const TrainingSamples& samples, double spacing);

@@ -22,7 +22,7 @@ struct Waiting
 };
 
 // Below the steps between layers.
-constexpr float LargestValue = 0.99F;
+constexpr float MaximumValue = 0.99F;
 
 // How many steps each node is away from a set, 0 within it and on the lattice's faces.
 std::vector<int> layersAround(
@@ -30,7 +30,7 @@ std::vector<int> layersAround(
 {
   const std::array<int, 14> steps = lattice.neighborSteps();
   std::vector<int> layers(inside.size(), 0);
-  forInnerRows(lattice, {}, {},
+  forInnerRows(lattice, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -120,7 +120,7 @@ public:
   }
 
   // Returns how many nodes there are then, those of begin() among them.
-  Index grow(Index total, const Progress& progress)
+  Index grow(Index total, const Run& run)
   {
     Index looks = 0;
     while (!this->Queue.empty())
@@ -130,8 +130,7 @@ public:
       this->Waits[next.Node] = 0;
       if (++looks % NodesPerReport == 0)
       {
-        report(
-          progress, std::min(1.0, static_cast<double>(this->Count) / static_cast<double>(total)));
+        run.report(std::min(1.0, static_cast<double>(this->Count) / static_cast<double>(total)));
       }
       unsigned int neighbors = 0;
       for (int i = 0; i < 14; ++i)
@@ -182,7 +181,7 @@ private:
 
 //------------------------------------------------------------------------------
 Index keepLargestPiece(
-  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Progress& progress)
+  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t unseen = 1, seen = 2, kept = 3;
   std::vector<int> piece, largest;
@@ -190,7 +189,7 @@ Index keepLargestPiece(
   {
     if (inside[node] == unseen)
     {
-      markPiece(lattice, inside, node, seen, piece, progress);
+      markPiece(lattice, inside, node, seen, piece, run);
       if (piece.size() > largest.size())
       {
         piece.swap(largest);
@@ -210,7 +209,7 @@ Index keepLargestPiece(
 
 //------------------------------------------------------------------------------
 Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const std::vector<float>& distances, double offset, HandleCut place, const Progress& progress)
+  const std::vector<float>& distances, double offset, HandleCut place, const Run& run)
 {
   int deepest = -1;
   Index total = 0;
@@ -234,14 +233,14 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
   };
   Growth growth(lattice, inside, keyOf);
   growth.begin(deepest);
-  const Index count = growth.grow(total, progress);
+  const Index count = growth.grow(total, run);
   inside.swap(growth.grown());
   return total - count;
 }
 
 //------------------------------------------------------------------------------
 Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const std::vector<float>& values, const Progress& progress)
+  const std::vector<float>& values, const Run& run)
 {
   std::vector<std::uint8_t> outside(inside.size());
   Index total = 0;
@@ -252,9 +251,9 @@ Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& 
   }
   const std::vector<int> layers = layersAround(lattice, inside);
   const auto keyOf = [&](int node, float)
-  { return std::clamp(values[node], 0.0F, LargestValue) - static_cast<float>(layers[node]); };
+  { return std::clamp(values[node], 0.0F, MaximumValue) - static_cast<float>(layers[node]); };
   Growth growth(lattice, outside, keyOf);
-  const Index count = growth.beginAtFaces() + growth.grow(total, progress);
+  const Index count = growth.beginAtFaces() + growth.grow(total, run);
   for (std::size_t node = 0; node < inside.size(); ++node)
   {
     inside[node] = !growth.grown()[node];

@@ -3,6 +3,7 @@
 #ifndef ConformalLatticeSolid_h
 #define ConformalLatticeSolid_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Hull/FreudenthalLattice.h"
 
@@ -14,8 +15,8 @@ namespace conformal
 /// Keep the largest connected piece of a set of nodes; of equals, that of the lowest node.
 /// @param[in,out] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
 /// @return the number of nodes kept
-Index keepLargestPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const Progress& progress = {});
+Index keepLargestPiece(
+  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Where handles are cut that have nothing inside.
 enum class HandleCut
@@ -37,19 +38,19 @@ enum class HandleCut
 /// @return the number of nodes cut
 Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, HandleCut place = HandleCut::HalfWay,
-  const Progress& progress = {});
+  const Run& run = {});
 
 /// Fill a solid up until it has no handles: what is outside is carved away from the lattice's faces
 /// on, by nodes that change nothing in the topology, the farthest from the solid first and of those
-/// equally far the lowest values; what cannot be carved is added to the solid. So a handle is filled
-/// where the way through it is narrowest.
+/// equally far the lowest values; what cannot be carved is added to the solid. So a handle is
+/// filled where the way through it is narrowest.
 ///
 /// @param[in,out] inside  a connected set without cavities, as keepLargestPiece leaves it; 0 on the
 ///                        lattice's faces
 /// @param[in] values      of each node, in [0, 1), larger toward the inside
 /// @return the number of nodes added
 Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const std::vector<float>& values, const Progress& progress = {});
+  const std::vector<float>& values, const Run& run = {});
 
 /// Of the nodes that were cut from a solid, those of one connected piece that are near the data:
 /// the most of any piece.

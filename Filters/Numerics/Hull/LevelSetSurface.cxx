@@ -127,11 +127,11 @@ int countBits(unsigned int bits)
 
 //------------------------------------------------------------------------------
 Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  const std::vector<float>& values, double level, const Progress& progress)
+  const std::vector<float>& values, double level, const Run& run)
 {
   // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
   // next row, but no node near a face is in the set.
-  Steps steps(progress, { 11.0, 20.0, 1.5 }); // for each node
+  Steps steps(run, { 11.0, 20.0, 1.5 }); // for each node
   const CutEdges edges(lattice, inside);
   const Index cubes = lattice.numberOfNodes() - edges.Steps[7];
   std::vector<int> firstEdge(cubes, -1);
@@ -144,7 +144,7 @@ Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<st
     const Vector3 a = lattice.position(node), b = lattice.position(other);
     return Vector3(from ? a + t * (b - a) : b + t * (a - b));
   };
-  forBlocks({}, cubes, 1 << 10, steps.next(),
+  forBlocksReporting(steps.next().inOrder(), cubes, 1 << 10,
     [&](Index begin, Index end)
     {
       for (int node = static_cast<int>(begin); node < end; ++node)
@@ -178,7 +178,7 @@ Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<st
   }
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(2 * positions.size());
-  forBlocks({}, cubes, 1 << 10, steps.next(),
+  forBlocksReporting(steps.next().inOrder(), cubes, 1 << 10,
     [&](Index begin, Index end)
     {
       for (int node = static_cast<int>(begin); node < end; ++node)
@@ -227,13 +227,12 @@ Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<st
     surface.Triangles.row(static_cast<Index>(i)) << triangles[i][0], triangles[i][1],
       triangles[i][2];
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return surface;
 }
 
 //------------------------------------------------------------------------------
-void smoothSurface(Points& positions, const Triangles& triangles, int passes,
-  const ParallelFor& parallelFor, const Progress& progress)
+void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run)
 {
   constexpr double forth = 0.5, back = -0.53;
   if (passes == 0)
@@ -241,12 +240,12 @@ void smoothSurface(Points& positions, const Triangles& triangles, int passes,
     return;
   }
   const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
-  report(progress, 0.2);
+  run.report(0.2);
   Points moved(positions.rows(), 3);
   for (int step = 0; step < 2 * passes; ++step)
   {
     const double factor = step % 2 == 0 ? forth : back;
-    forBlocks(parallelFor, positions.rows(), 1 << 12,
+    forBlocks(run, positions.rows(), 1 << 12,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -261,7 +260,7 @@ void smoothSurface(Points& positions, const Triangles& triangles, int passes,
         }
       });
     positions.swap(moved);
-    report(progress, 0.2 + 0.8 * (step + 1) / (2.0 * passes));
+    run.report(0.2 + 0.8 * (step + 1) / (2.0 * passes));
   }
 }
 }

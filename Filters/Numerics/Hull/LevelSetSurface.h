@@ -3,7 +3,7 @@
 #ifndef ConformalLevelSetSurface_h
 #define ConformalLevelSetSurface_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Hull/FreudenthalLattice.h"
 #include "Mesh/Mesh.h"
@@ -22,12 +22,11 @@ namespace conformal
 /// @param[in] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
 /// @param[in] values  of each node
 Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
-  const std::vector<float>& values, double level, const Progress& progress = {});
+  const std::vector<float>& values, double level, const Run& run = {});
 
 /// Smooth a closed surface without shrinking it: each pass moves vertices towards the centroid of
 /// their neighbors and back a little farther, \cite Taubin1995.
-void smoothSurface(Points& positions, const Triangles& triangles, int passes,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run = {});
 }
 
 #endif

@@ -55,7 +55,7 @@ public:
   }
 
   /// The next node of the mark that is reached, or -1.
-  int next(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Progress& progress)
+  int next(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Run& run)
   {
     constexpr Index nodesPerReport = 1 << 16;
     while (!this->Queue.empty())
@@ -72,7 +72,7 @@ public:
       }
       if (++this->Looks % nodesPerReport == 0)
       {
-        report(progress,
+        run.report(
           std::min(1.0, static_cast<double>(this->Looks) / static_cast<double>(marks.size())));
       }
       for (const int step : this->Steps)
@@ -164,7 +164,7 @@ void addRepairs(const FreudenthalLattice& lattice, const Indicator& indicator,
 
 //------------------------------------------------------------------------------
 Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Progress& progress)
+  std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t outside = 0, unseen = 1, apart = 2, joined = 3;
   std::vector<std::vector<int>> pieces;
@@ -206,7 +206,7 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
     ways.start(pieces.front());
     for (std::size_t left = pieces.size() - 1; left > 0; --left)
     {
-      const int end = ways.next(inside, apart, progress);
+      const int end = ways.next(inside, apart, run);
       if (end < 0)
       {
         break;
@@ -247,7 +247,7 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
 
 //------------------------------------------------------------------------------
 Index fillCavities(
-  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Progress& progress)
+  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t unseen = 0, solid = 1, face = 2, open = 3, cavity = 4;
   for (int z = 0; z < lattice.Size[2]; ++z)
@@ -262,7 +262,7 @@ Index fillCavities(
     }
   }
   std::vector<int> nodes;
-  markPiece(lattice, inside, lattice.node(1, 1, 1), open, nodes, progress);
+  markPiece(lattice, inside, lattice.node(1, 1, 1), open, nodes, run);
   Index count = 0;
   for (int node = 0; node < static_cast<int>(inside.size()); ++node)
   {
@@ -281,7 +281,7 @@ Index fillCavities(
 
 //------------------------------------------------------------------------------
 HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Progress& progress)
+  std::vector<std::uint8_t>& inside, const Run& run)
 {
   HandleRepair done;
   const std::vector<std::uint8_t> before = inside;
@@ -289,7 +289,7 @@ HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& ind
   for (int round = 0; round < NumberOfRounds && euler < 1; ++round)
   {
     constexpr double share = 1.0 / (NumberOfRounds + 1);
-    Steps steps(partOf(progress, round * share, (round + 1) * share), { 1.0, 1.0 });
+    Steps steps(run.part(round * share, (round + 1) * share), { 1.0, 1.0 });
     std::vector<Repair> repairs;
     std::vector<std::uint8_t> changed = inside;
     cutHandles(
@@ -329,7 +329,7 @@ HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& ind
   {
     cutHandles(lattice, inside, indicator.Values, indicator.Level, HandleCut::HalfWay);
   }
-  report(progress, 1.0);
+  run.report(1.0);
   for (std::size_t node = 0; node < inside.size(); ++node)
   {
     if (inside[node] != before[node])

@@ -19,12 +19,12 @@ namespace conformal
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the lattice's faces
 /// @return the number of nodes on the ways
 Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Progress& progress = {});
+  std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Fill what is outside of a solid but enclosed by it.
 /// @return the number of cavities
-Index fillCavities(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
-  const Progress& progress = {});
+Index fillCavities(
+  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// What openHandles() did.
 struct HandleRepair
@@ -39,7 +39,7 @@ struct HandleRepair
 ///
 /// @param[in,out] inside  a connected set without cavities
 HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Progress& progress = {});
+  std::vector<std::uint8_t>& inside, const Run& run = {});
 }
 
 #endif

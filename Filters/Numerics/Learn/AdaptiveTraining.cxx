@@ -38,8 +38,8 @@ constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays 
 
 // Noise shows beside a surface of a quarter of the vertices.
 constexpr Index Coarser = 4;
-constexpr int LeastFrequency = 4; // of the lattice that is learned from the sphere
-constexpr Index LeastCoarse = 50; // vertices that can tell
+constexpr int MinimumFrequency = 4; // of the lattice that is learned from the sphere
+constexpr Index MinimumCoarse = 50; // vertices that can tell
 constexpr double LittleNoise = 0.5;
 
 // By how much vertices of objects lie off the middle of their neighbors, in squares of the edge
@@ -63,7 +63,7 @@ double edgeFor(double area, Index neurons)
 double spacingFor(const TrainingSamples& samples, Index neurons)
 {
   return std::min(std::max(hullSpacing(samples), SpacingForEdge * edgeFor(TypicalArea, neurons)),
-    GenusZeroHullLimits::LargestSpacing);
+    GenusZeroHullLimits::MaximumSpacing);
 }
 
 /// Learning from the sphere on a lattice of a quarter of the vertices: what it leaves to the
@@ -71,7 +71,7 @@ double spacingFor(const TrainingSamples& samples, Index neurons)
 ConformalSOMOptions coarseLattice(const ConformalSOMOptions& options)
 {
   ConformalSOMOptions coarse = options;
-  coarse.Frequency = std::max(LeastFrequency,
+  coarse.Frequency = std::max(MinimumFrequency,
     static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
   return coarse;
 }
@@ -90,9 +90,9 @@ public:
   double work() const { return this->workFromSphere() + this->workFromHull(); }
   double vertices() const { return verticesOfHull(this->Spacing); }
 
-  ConformalSOMResult fromMesh(const Mesh& start, const Progress& progress) const
+  ConformalSOMResult fromMesh(const Mesh& start, const Run& run) const
   {
-    requireGenusZero(start.Triangles, start.Positions.rows(), progress);
+    requireGenusZero(start.Triangles, start.Positions.rows(), run);
     ConformalSOMResult result;
     static_cast<Mesh&>(result) = start;
     if (signedVolume(result.Positions, result.Triangles) < 0.0)
@@ -102,15 +102,14 @@ public:
     return result;
   }
 
-  ConformalSOMResult fromSphereOrHull(
-    PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress) const
+  ConformalSOMResult fromSphereOrHull(PolishOptions& polishing, const Run& run) const
   {
-    Steps steps(progress, { this->workFromSphere(), this->workFromHull() });
-    const Progress learning = steps.next();
+    Steps steps(run, { this->workFromSphere(), this->workFromHull() });
+    const Run learning = steps.next();
     if (this->mayStartFromSphere())
     {
       std::optional<ConformalSOMResult> learned =
-        learnWithoutPolish(this->Samples, this->Options, parallelFor, learning);
+        learnWithoutPolish(this->Samples, this->Options, learning);
       if (learned)
       {
         polishing.NumberOfRounds = RoundsFromSphere;
@@ -118,13 +117,13 @@ public:
         return *std::move(learned);
       }
     }
-    return this->fromHull(polishing, parallelFor, steps.next());
+    return this->fromHull(polishing, steps.next());
   }
 
 private:
   bool mayStartFromSphere() const
   {
-    return this->Options.StartingShape != StartingShape::Hull && this->Samples.rank() == 3;
+    return this->Options.StartingShape != StartingShape::Hull && this->Samples.dimension() == 3;
   }
 
   double workFromSphere() const
@@ -137,12 +136,11 @@ private:
     return workOfHull(this->Samples, this->Spacing, this->Options.HullIndicator);
   }
 
-  ConformalSOMResult fromHull(
-    PolishOptions& polishing, const ParallelFor& parallelFor, const Progress& progress) const
+  ConformalSOMResult fromHull(PolishOptions& polishing, const Run& run) const
   {
     ConformalSOMResult result;
     GenusZeroHullResult hull =
-      makeHull(this->Samples, this->Spacing, this->Options.HullIndicator, parallelFor, progress);
+      makeHull(this->Samples, this->Spacing, this->Options.HullIndicator, run);
     static_cast<Mesh&>(result) = hull;
     result.Hulled = true;
     result.HullLeaks = hull.Leaks;
@@ -174,25 +172,25 @@ struct Noise
 /// From what the surface, polished, leaves of the patterns, beside what one of a quarter of its
 /// vertices does.
 Noise noiseBeside(const ConformalSOMResult& result, const TrainingSamples& samples,
-  PolishOptions polishing, const ParallelFor& parallelFor, const Progress& progress)
+  PolishOptions polishing, const Run& run)
 {
   const Index neurons = result.Positions.rows() / Coarser;
   const Index patterns = polishing.SamplesPerRound / Coarser;
-  if (neurons < LeastCoarse)
+  if (neurons < MinimumCoarse)
   {
     return {};
   }
-  Steps steps(progress, { 1.0, 4.0, 4.0, 1.0 });
+  Steps steps(run, { 1.0, 4.0, 4.0, 1.0 });
   const auto error = [&](const ConformalSOMResult& surface)
   {
     return typicalSquareError(
-      samples, surface.Positions, surface.Triangles, patterns, parallelFor, steps.next());
+      samples, surface.Positions, surface.Triangles, patterns, steps.next());
   };
   const double fine = error(result);
   ConformalSOMResult coarse = result;
-  remesh(coarse, remeshingTo(neurons, Iterations), parallelFor, steps.next());
+  remesh(coarse, remeshingTo(neurons, Iterations), steps.next());
   polishing.SamplesPerRound = patterns;
-  polish(samples, polishing, parallelFor, steps.next(), coarse);
+  polish(samples, polishing, coarse, steps.next());
   const double rough = error(coarse);
   return { noiseToDetail(rough, fine), noiseVariance(rough, fine) };
 }
@@ -212,7 +210,7 @@ double smoothnessFor(const Noise& noise, const ConformalSOMResult& result, Index
 }
 
 ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const Mesh* start, const ParallelFor& parallelFor, const Progress& progress)
+  const Mesh* start, const Run& run)
 {
   const Index neurons = options.NumberOfNeurons;
   PolishOptions polishing; // of a turn
@@ -247,9 +245,9 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   std::vector<double> work = workFrom(
     start ? static_cast<double>(start->Positions.rows()) : first.vertices(), TurnsFromHull);
   work.insert(work.begin(), start ? 300.0 * start->Positions.rows() : first.work());
-  Steps steps(progress, work);
-  ConformalSOMResult result = start ? first.fromMesh(*start, steps.next())
-                                    : first.fromSphereOrHull(polishing, parallelFor, steps.next());
+  Steps steps(run, work);
+  ConformalSOMResult result =
+    start ? first.fromMesh(*start, steps.next()) : first.fromSphereOrHull(polishing, steps.next());
   last.NumberOfRounds = options.NumberOfPolishRounds -
     std::min(options.NumberOfPolishRounds / 2, polishing.NumberOfRounds);
   last.OutlierRatio = polishing.OutlierRatio;
@@ -258,21 +256,21 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   const int turns = start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
   steps.replan(workFrom(static_cast<double>(result.Positions.rows()), turns));
 
-  remesh(result, remeshingTo(neurons, FirstIterations), parallelFor, steps.next());
+  remesh(result, remeshingTo(neurons, FirstIterations), steps.next());
   for (int turn = 0; turn < turns; ++turn)
   {
-    polish(samples, polishing, parallelFor, steps.next(), result);
+    polish(samples, polishing, result, steps.next());
     remeshing.MeetNumber = turn + 1 == turns;
-    remesh(result, remeshing, parallelFor, steps.next());
+    remesh(result, remeshing, steps.next());
   }
-  const Noise noise = noiseBeside(result, samples, polishing, parallelFor, steps.next());
+  const Noise noise = noiseBeside(result, samples, polishing, steps.next());
   result.NoiseToDetail = noise.ToDetail;
   last.LastSmoothness +=
     smoothnessFor(noise, result, std::min(last.SamplesPerRound, samples.totalSize()));
   last.FirstSmoothness = last.LastSmoothness;
   last.AutomaticPriority = options.AutomaticPriority && noise.ToDetail < LittleNoise;
-  const std::vector<double> masses = polish(samples, last, parallelFor, steps.next(), result);
-  sharpenEdges(result, parallelFor, steps.next());
+  const std::vector<double> masses = polish(samples, last, result, steps.next());
+  sharpenEdges(result, steps.next());
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);

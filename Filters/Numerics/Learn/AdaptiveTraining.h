@@ -3,7 +3,7 @@
 #ifndef ConformalAdaptiveTraining_h
 #define ConformalAdaptiveTraining_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
@@ -36,7 +36,7 @@ namespace conformal
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
 ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const Mesh* start, const ParallelFor& parallelFor, const Progress& progress);
+  const Mesh* start, const Run& run);
 }
 
 #endif

@@ -51,10 +51,10 @@ using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// One step of diffusion over the lattice: every neuron keeps half and hands half to its
 /// neighbors in equal parts.
-void diffuse(const Adjacency& neighbors, Shares& shares, const ParallelFor& parallelFor)
+void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
 {
   Shares spread(shares.rows(), 4);
-  forBlocks(parallelFor, shares.rows(), BlockSize,
+  forBlocks(run, shares.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -73,18 +73,18 @@ void diffuse(const Adjacency& neighbors, Shares& shares, const ParallelFor& para
 /// in one direction is a quarter of the square edge length, half of the neighbors' half share.
 double diffusionRadius(int steps, Index triangles)
 {
-  const double area = 4.0 * std::acos(-1.0) / static_cast<double>(triangles);
+  const double area = 4.0 * Pi / static_cast<double>(triangles);
   const double squareEdge = 4.0 / std::sqrt(3.0) * area;
   return std::sqrt(0.25 * steps * squareEdge);
 }
 
 /// S / C. A neuron without patterns follows its neighbors.
-Points means(const Shares& shares, const Adjacency& neighbors, const Points& weights,
-  const ParallelFor& parallelFor)
+Points means(
+  const Shares& shares, const Adjacency& neighbors, const Points& weights, const Run& run)
 {
   const double negligible = 1e-6 * shares.col(0).mean();
   Points moved(weights.rows(), 3);
-  forBlocks(parallelFor, moved.rows(), BlockSize,
+  forBlocks(run, moved.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -104,7 +104,7 @@ Points means(const Shares& shares, const Adjacency& neighbors, const Points& wei
 /// What is to be smoothed more the more noise there is; far patterns are noise then, not tips.
 PolishOptions polishFor(const ConformalSOMOptions& options, double noise)
 {
-  const Index numberOfNeurons = 10 * Index(options.Frequency) * options.Frequency + 2;
+  const Index numberOfNeurons = geodesicSphereSize(options.Frequency);
   PolishOptions polish;
   polish.NumberOfRounds = options.NumberOfPolishRounds;
   polish.LastSmoothness = options.Smoothness + SmoothnessForNoise * noise * noise;
@@ -122,24 +122,19 @@ double workOfWinners(const TrainingSamples& samples, Index wanted)
   return 650.0 * static_cast<double>(std::min(wanted, samples.totalSize()));
 }
 
-double numberOfNeurons(int frequency)
-{
-  return 10.0 * frequency * frequency + 2.0;
-}
-
 double workOfLattice(int frequency)
 {
-  return 1400.0 * numberOfNeurons(frequency);
+  return 1400.0 * static_cast<double>(geodesicSphereSize(frequency));
 }
 
 double workOfPass(const TrainingSamples& samples, const ConformalSOMOptions& options, int frequency)
 {
-  const double neurons = numberOfNeurons(frequency);
+  const auto neurons = static_cast<double>(geodesicSphereSize(frequency));
   return workOfWinners(samples, static_cast<Index>(options.SamplesPerNeuron * neurons)) +
     500.0 * neurons;
 }
 
-/// Of the levels from this frequency on, step by step.
+/// Of the levels from this frequency on: for each its network, then its passes.
 std::vector<double> workOfLevels(
   const TrainingSamples& samples, const ConformalSOMOptions& options, int first)
 {
@@ -148,8 +143,8 @@ std::vector<double> workOfLevels(
   {
     if (f >= first)
     {
-      work.push_back(workOfLattice(f));
-      work.insert(work.end(), options.PassesPerLevel, workOfPass(samples, options, f));
+      work.insert(
+        work.end(), { workOfLattice(f), options.PassesPerLevel * workOfPass(samples, options, f) });
     }
   }
   return work;
@@ -179,8 +174,8 @@ using Forecast =
 /// @param[in] rest      the work that is expected after the last level, before anything is known
 /// @param[in] forecast  what is expected when a level is done
 ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, double rest,
-  const Forecast& forecast, Steps& steps)
+  const ConformalSOMOptions& options, const Run& run, double rest, const Forecast& forecast,
+  Steps& steps)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   ConformalSOMResult result;
@@ -193,12 +188,11 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     steps.replan(work);
     Steps preparing(steps.next(), { 25.0, 700.0, 65.0, 620.0 }); // for each neuron
     {
-      Mesh finer = makeGeodesicSphere(f, parallelFor, preparing.next());
-      const Progress resampling = preparing.next();
-      result.Positions = f == levels.front()
-        ? finer.Positions
-        : resample(result.SpherePositions, result.Positions, result.Triangles, finer.Positions,
-            parallelFor, resampling);
+      Mesh finer = makeGeodesicSphere(f, preparing.next());
+      const Run resampling = preparing.next();
+      result.Positions = f == levels.front() ? finer.Positions
+                                             : resample(result.SpherePositions, result.Positions,
+                                                 result.Triangles, finer.Positions, resampling);
       result.SpherePositions = std::move(finer.Positions);
       result.Triangles = std::move(finer.Triangles);
     }
@@ -206,22 +200,24 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     const Points& positions = result.SpherePositions;
     const Triangles& triangles = result.Triangles;
     const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
-    TriangleTree surface(result.Positions, triangles, parallelFor, preparing.next());
+    TriangleTree surface(result.Positions, triangles, preparing.next());
     std::vector<double> masses(triangles.rows(), 0.0);
 
+    const Run level = steps.next();
+    const double passes = options.PassesPerLevel;
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
-      const Progress passing = steps.next();
+      const Run passing = level.part(pass / passes, (pass + 1) / passes);
       rotation.turn(options.SamplesPerNeuron * positions.rows());
       FixedPointSums sums(4 * positions.rows());
-      constexpr double LogUnit = 64.0; // no logarithm of a square distance is larger
-      FixedPointSums errors(2);        // square distances, and their logarithms
+      FixedPointSums errors(1);
+      TypicalSquare typical;
       forEachFoot(
         samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
         [&](Index id, const Vector3& x, const FootPoint& foot)
         {
           errors.add(0, foot.SquareDistance);
-          errors.add(1, std::log(std::max(foot.SquareDistance, 1e-16)) / LogUnit);
+          typical.add(foot.SquareDistance);
           for (int k = 0; k < 3; ++k)
           {
             const double share = samples.weight(id) * foot.Barycentric[k];
@@ -233,7 +229,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
             }
           }
         },
-        parallelFor, partOf(passing, 0.0, 0.9));
+        passing.part(0.0, 0.9));
       sums.reduce(samples.reduce());
       errors.reduce(samples.reduce());
       const double count = static_cast<double>(rotation.totalCount());
@@ -250,10 +246,10 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
         std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
       for (int step = 0; step < diffusions; ++step)
       {
-        diffuse(neighbors, shares, parallelFor);
-        report(passing, 0.9);
+        diffuse(neighbors, shares, run);
+        passing.report(0.9);
       }
-      const Points moved = means(shares, neighbors, result.Positions, parallelFor);
+      const Points moved = means(shares, neighbors, result.Positions, run);
 
       TrainingRecord record;
       record.Frequency = f;
@@ -263,9 +259,8 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       record.MeanDisplacement = (moved - result.Positions).rowwise().norm().mean();
       result.History.push_back(record);
       result.Positions = moved;
-      surface.refit(result.Positions, triangles, parallelFor);
-      // The geometric mean, which a few outliers do not change.
-      typicalErrors[1] = std::exp(LogUnit * errors[1] / count);
+      surface.refit(result.Positions, triangles, run);
+      typicalErrors[1] = typical.mean(samples.reduce(), rotation.totalCount());
     }
     if (f != levels.front() && options.PassesPerLevel > 0)
     {
@@ -284,10 +279,10 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
 
 /// The polish, and how much of the surface then has no patterns.
 void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+  ConformalSOMResult& result, const Run& run)
 {
-  Steps steps(progress, { 0.97, 0.03 });
-  const std::vector<double> masses = polish(samples, options, parallelFor, steps.next(), result);
+  Steps steps(run, { 0.97, 0.03 });
+  const std::vector<double> masses = polish(samples, options, result, steps.next());
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);
@@ -334,11 +329,10 @@ double hullReserve(const ConformalSOMResult& result, const std::vector<double>& 
 /// From a start that is rough, from smooth to fine.
 /// @param[in] hull  what the weights come from; may be null
 ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hull,
-  const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
 {
   ConformalSOMResult result;
-  Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
+  Mesh network = makeGeodesicSphere(options.Frequency, run.unwatched());
   result.SpherePositions = std::move(network.Positions);
   result.Triangles = std::move(network.Triangles);
   result.Positions = std::move(weights);
@@ -353,25 +347,25 @@ ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hul
     polish.Belongs = [=](const Vector3& x) { return hull->Data.contains(x); };
     polish.DrawsIdle = hull->Indicator == HullIndicator::Distance;
   }
-  polishAndCheck(samples, polish, parallelFor, progress, result);
+  polishAndCheck(samples, polish, result, run);
   return result;
 }
 }
 
 ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+  const ConformalSOMOptions& options, const Run& run)
 {
-  return polishFrom(std::move(weights), 0.0, nullptr, samples, options, parallelFor, progress);
+  return polishFrom(std::move(weights), 0.0, nullptr, samples, options, run);
 }
 
-std::optional<ConformalSOMResult> learnWithoutPolish(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+std::optional<ConformalSOMResult> learnWithoutPolish(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
 {
   const bool anyway = options.StartingShape == StartingShape::Sphere;
   bool good = true;
-  Steps steps(progress, {});
+  Steps steps(run, {});
   ConformalSOMResult result = learnFromSphere(
-    samples, options, parallelFor, 0.0,
+    samples, options, run, 0.0,
     [&](const ConformalSOMResult& level, const std::vector<double>& masses) -> std::optional<double>
     {
       good = anyway || !needsHull(level, masses, samples);
@@ -387,19 +381,19 @@ double workWithoutPolish(const TrainingSamples& samples, const ConformalSOMOptio
   return std::accumulate(levels.begin(), levels.end(), 0.0);
 }
 
-ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+ConformalSOMResult trainBatch(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
 {
-  const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.rank() == 3;
+  const bool mayHull = options.StartingShape != StartingShape::Sphere && samples.dimension() == 3;
   const bool mustHull = mayHull && options.StartingShape == StartingShape::Hull;
   PolishOptions polishing = polishFor(options, 0.0);
-  const auto neurons = static_cast<Index>(numberOfNeurons(options.Frequency));
+  const auto neurons = geodesicSphereSize(options.Frequency);
   const double ownPolish = workOfPolish(samples, polishing, neurons);
   polishing.NumberOfRounds *= 2;
   const double ofHull = workOfHullStart(samples, options.HullIndicator);
   const double hullPolish = workOfPolish(samples, polishing, neurons);
   ConformalSOMResult fromSphere;
-  Steps steps(progress, {});
+  Steps steps(run, {});
   if (!mustHull)
   {
     const std::vector<double> levels = workOfLevels(samples, options, 1);
@@ -407,7 +401,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
     const double hulling = ofHull + hullPolish;
     double reserve = mayHull ? std::sqrt(ofSphere * (ofSphere + hulling)) - ofSphere : 0.0;
     fromSphere = learnFromSphere(
-      samples, options, parallelFor, ownPolish + reserve,
+      samples, options, run, ownPolish + reserve,
       [&](const ConformalSOMResult& result, const std::vector<double>& masses)
       {
         reserve = mayHull ? hullReserve(result, masses, samples, ofSphere, hulling) : 0.0;
@@ -415,8 +409,7 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
       },
       steps);
     steps.replan({ ownPolish, reserve });
-    polishAndCheck(
-      samples, polishFor(options, fromSphere.NoiseToDetail), parallelFor, steps.next(), fromSphere);
+    polishAndCheck(samples, polishFor(options, fromSphere.NoiseToDetail), fromSphere, steps.next());
   }
   const bool webs = fromSphere.UnsupportedFraction > ToleratedArea;
   if (!mayHull || (!mustHull && !webs && stretchedFraction(fromSphere) <= ToleratedTriangles))
@@ -425,8 +418,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   }
   steps.replan({ ofHull, hullPolish });
   const std::optional<HullStart> start =
-    startFromHull(samples, makeGeodesicSphere(options.Frequency, parallelFor).Positions,
-      options.HullIndicator, parallelFor, steps.next());
+    startFromHull(samples, makeGeodesicSphere(options.Frequency, run.unwatched()).Positions,
+      options.HullIndicator, steps.next());
   if (!start && mustHull)
   {
     throw std::runtime_error(
@@ -437,8 +430,8 @@ ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOM
   {
     return fromSphere;
   }
-  ConformalSOMResult fromHull = polishFrom(start->Positions, fromSphere.NoiseToDetail, &*start,
-    samples, options, parallelFor, steps.next());
+  ConformalSOMResult fromHull =
+    polishFrom(start->Positions, fromSphere.NoiseToDetail, &*start, samples, options, steps.next());
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;

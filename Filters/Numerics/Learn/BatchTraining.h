@@ -3,7 +3,7 @@
 #ifndef ConformalBatchTraining_h
 #define ConformalBatchTraining_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
@@ -23,20 +23,20 @@ namespace conformal
 /// From a hull (HullStart.h): where the surface so learned has parts without patterns, or always,
 /// as options.StartingShape says. Averages over neighborhoods would cut across the creases between
 /// limbs and grow webs anew, so the hull is polished only, from smooth to fine.
-ConformalSOMResult trainBatch(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress);
+ConformalSOMResult trainBatch(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run);
 
 /// The learning from the sphere alone, not polished; or nothing, as soon as a lattice of it shows
 /// that trainBatch() would have to start anew from a hull, unless options.StartingShape is Sphere.
-std::optional<ConformalSOMResult> learnWithoutPolish(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress);
+std::optional<ConformalSOMResult> learnWithoutPolish(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run);
 
 /// What learnWithoutPolish() takes, in nanoseconds as in Steps.
 double workWithoutPolish(const TrainingSamples& samples, const ConformalSOMOptions& options);
 
 /// From weights given, in the samples' unit: polished only, from smooth to fine.
 ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const ParallelFor& parallelFor, const Progress& progress);
+  const ConformalSOMOptions& options, const Run& run);
 }
 
 #endif

@@ -50,8 +50,8 @@ void check(const ConformalSOMOptions& options)
   const bool adaptive = options.Lattice == Lattice::Adaptive;
   require(!adaptive || options.TrainingMode == TrainingMode::Batch,
     "the adaptive lattice can be learned in Batch mode only; in Online mode take the geodesic one");
-  require(!adaptive || options.NumberOfNeurons >= LeastNeurons,
-    "NumberOfNeurons must be at least " + std::to_string(LeastNeurons));
+  require(!adaptive || options.NumberOfNeurons >= MinimumNeurons,
+    "NumberOfNeurons must be at least " + std::to_string(MinimumNeurons));
   require(
     options.AreaBalance >= 0.0 && options.AreaBalance <= 1.0, "AreaBalance must lie in [0, 1]");
   require(options.NumberOfEpochs >= 0, "NumberOfEpochs must not be negative");
@@ -83,41 +83,40 @@ Points normalized(Points points, const TrainingSamples& samples)
 
 /// In the samples' unit.
 ConformalSOMResult trainGeodesic(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const MappedMesh* start, const ParallelFor& parallelFor, const Progress& progress)
+  const MappedMesh* start, const Run& run)
 {
   const bool online = options.TrainingMode == TrainingMode::Online;
   if (!online && !start)
   {
-    return trainBatch(samples, options, parallelFor, progress);
+    return trainBatch(samples, options, run);
   }
-  Steps steps(progress, { 1.0, 40.0 }); // parts of the polish
-  const Mesh network = makeGeodesicSphere(options.Frequency, parallelFor);
-  const Progress starting = steps.next();
+  Steps steps(run, { 1.0, 40.0 }); // parts of the polish
+  const Mesh network = makeGeodesicSphere(options.Frequency, run.unwatched());
+  const Run starting = steps.next();
   Points weights = network.Positions; // step 1
   if (start)
   {
-    weights = normalized(resample(start->SpherePositions, start->Positions, start->Triangles,
-                           weights, parallelFor, starting),
+    weights = normalized(
+      resample(start->SpherePositions, start->Positions, start->Triangles, weights, starting),
       samples);
     requireNear(weights);
   }
   return online ? trainOnline(samples, network, weights, options, steps.next())
-                : trainBatchFrom(std::move(weights), samples, options, parallelFor, steps.next());
+                : trainBatchFrom(std::move(weights), samples, options, steps.next());
 }
 
 /// In the samples' unit, and not mapped yet.
 ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const MappedMesh* start, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const ConformalSOMOptions& options, const MappedMesh* start, const Run& run)
 {
   if (!start)
   {
-    return trainAdaptive(samples, options, nullptr, parallelFor, progress);
+    return trainAdaptive(samples, options, nullptr, run);
   }
   MappedMesh own = *start;
   own.Positions = normalized(std::move(own.Positions), samples);
   requireNear(own.Positions);
-  return trainAdaptive(samples, options, &own, parallelFor, progress);
+  return trainAdaptive(samples, options, &own, run);
 }
 
 /// Whether the learned surface is to be mapped to the sphere anew.
@@ -133,57 +132,63 @@ GlobalConformalMapOptions mapOptions(const ConformalSOMOptions& options)
   return map;
 }
 
-// In nanoseconds as in Steps: the middle of what learning takes for each neuron, or pattern.
-double workOfLearning(const ConformalSOMOptions& options, Index neurons)
+// The middle of what learning takes for each neuron, or pattern.
+double workOfLearning(const ConformalSOMOptions& options)
 {
   return options.TrainingMode == TrainingMode::Online
     ? 5000.0 * options.NumberOfEpochs * options.SamplesPerEpoch
-    : 150000.0 * static_cast<double>(neurons);
+    : 150000.0 * static_cast<double>(numberOfNeurons(options));
+}
+
+double workOfMap(const ConformalSOMOptions& options)
+{
+  return mapsAnew(options) ? workOfGlobalConformalMap(mapOptions(options), numberOfNeurons(options))
+                           : 0.0;
 }
 }
 
 Index numberOfNeurons(const ConformalSOMOptions& options)
 {
-  return options.Lattice == Lattice::Adaptive
-    ? options.NumberOfNeurons
-    : 10 * Index(options.Frequency) * options.Frequency + 2;
+  return options.Lattice == Lattice::Adaptive ? options.NumberOfNeurons
+                                              : geodesicSphereSize(options.Frequency);
+}
+
+double workOfConformalSOM(const ConformalSOMOptions& options)
+{
+  return workOfLearning(options) + workOfMap(options);
 }
 
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const MappedMesh* start, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const ConformalSOMOptions& options, const MappedMesh* start, const Run& run)
 {
   require(!samples.empty(), "there is no point to learn from");
   check(options);
-  report(progress, 0.0);
-  const Index neurons = numberOfNeurons(options);
-  const bool maps = mapsAnew(options);
-  const GlobalConformalMapOptions map = mapOptions(options);
-  Steps steps(progress,
-    { workOfLearning(options, neurons), maps ? workOfGlobalConformalMap(map, neurons) : 0.0 });
+  run.report(0.0);
+  Steps steps(run, { workOfLearning(options), workOfMap(options) });
   const auto learn = options.Lattice == Lattice::Adaptive ? trainAdaptiveFrom : trainGeodesic;
-  ConformalSOMResult result = learn(samples, options, start, parallelFor, steps.next());
-  if (maps)
+  ConformalSOMResult result = learn(samples, options, start, steps.next());
+  if (mapsAnew(options))
   {
-    result.SpherePositions = globalConformalMap(result, map, parallelFor, steps.next()).Positions;
+    result.SpherePositions =
+      globalConformalMap(result, mapOptions(options), steps.next()).Positions;
   }
   for (Index i = 0; i < result.Positions.rows(); ++i)
   {
     result.Positions.row(i) = samples.restore(result.Positions.row(i));
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 
-std::vector<double> quantizationErrors(const TrainingSamples& samples,
-  const ConformalSOMResult& result, const ParallelFor& parallelFor, const Progress& progress)
+std::vector<double> quantizationErrors(
+  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run)
 {
-  Steps steps(progress,
+  Steps steps(run,
     { 1000.0 * static_cast<double>(result.Positions.rows()),
       1000.0 * static_cast<double>(samples.size()) });
   const Points weights = normalized(result.Positions, samples);
   FixedPointSums squares(weights.rows()), counts(weights.rows());
-  const TriangleTree tree(weights, result.Triangles, parallelFor, steps.next());
+  const TriangleTree tree(weights, result.Triangles, steps.next());
   forEachFoot(
     samples, tree, samples.size(), {},
     [&](Index, const Vector3& x, const FootPoint& foot)
@@ -194,7 +199,7 @@ std::vector<double> quantizationErrors(const TrainingSamples& samples,
       squares.add(neuron, (x - Vector3(weights.row(neuron))).squaredNorm());
       counts.add(neuron, 1.0);
     },
-    parallelFor, steps.next());
+    steps.next());
   squares.reduce(samples.reduce());
   counts.reduce(samples.reduce());
   std::vector<double> errors(weights.rows(), 0.0);

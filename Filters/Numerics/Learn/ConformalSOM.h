@@ -3,7 +3,7 @@
 #ifndef ConformalConformalSOM_h
 #define ConformalConformalSOM_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
@@ -30,18 +30,20 @@ namespace conformal
 /// @post the result depends only on the arguments: same input, same bits, any number of threads;
 ///       points scaled by a power of two give weights scaled by it, bit by bit
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
-  const ConformalSOMOptions& options = {}, const MappedMesh* start = nullptr,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const ConformalSOMOptions& options = {}, const MappedMesh* start = nullptr, const Run& run = {});
 
 /// As many as the network of these options has.
 Index numberOfNeurons(const ConformalSOMOptions& options);
 
+/// What trainConformalSOM() takes, in nanoseconds as in Steps: the middle of what the shapes of
+/// objects make of it.
+double workOfConformalSOM(const ConformalSOMOptions& options);
+
 /// Root mean square distance between each neuron and the patterns it stands for: those in whose
 /// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
 /// @return #N values
-std::vector<double> quantizationErrors(const TrainingSamples& samples,
-  const ConformalSOMResult& result, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+std::vector<double> quantizationErrors(
+  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run = {});
 }
 
 #endif

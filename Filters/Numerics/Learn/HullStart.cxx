@@ -1,5 +1,6 @@
 #include "Learn/HullStart.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Mesh/MeshDecimation.h"
 #include "Sphere/Resampling.h"
@@ -42,9 +43,7 @@ double workOfHull(const TrainingSamples& samples, double spacing, HullIndicator 
   {
     return workOfHullByWindingNumbers(samples, spacing);
   }
-  const double nodes = 4.7 / (spacing * spacing * spacing);
-  return 220.0 * nodes +
-    1900.0 * std::min(static_cast<double>(samples.totalSize()), 32.0 / (spacing * spacing));
+  return workOfGenusZeroHull(static_cast<double>(samples.totalSize()), spacing);
 }
 
 double verticesOfHull(double spacing)
@@ -52,13 +51,13 @@ double verticesOfHull(double spacing)
   return 29.0 / (spacing * spacing);
 }
 
-GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
-  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress)
+GenusZeroHullResult makeHull(
+  const TrainingSamples& samples, double spacing, HullIndicator indicator, const Run& run)
 {
   GenusZeroHullOptions options;
   options.Indicator = indicator;
   options.Spacing = spacing;
-  return makeGenusZeroHull(samples, options, parallelFor, progress);
+  return makeGenusZeroHull(samples, options, run);
 }
 
 double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
@@ -68,13 +67,13 @@ double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
     WorkOfMap;
 }
 
-std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
-  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress)
+std::optional<HullStart> startFromHull(
+  const TrainingSamples& samples, const Points& directions, HullIndicator indicator, const Run& run)
 {
   const double spacing = hullSpacing(samples);
   const double ofHull = workOfHull(samples, spacing, indicator);
-  Steps steps(progress, { ofHull, workOfHullStart(samples, indicator) - ofHull });
-  const GenusZeroHullResult hull = makeHull(samples, spacing, indicator, parallelFor, steps.next());
+  Steps steps(run, { ofHull, workOfHullStart(samples, indicator) - ofHull });
+  const GenusZeroHullResult hull = makeHull(samples, spacing, indicator, steps.next());
   const auto size = static_cast<double>(hull.Positions.rows());
   steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
   const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
@@ -85,7 +84,7 @@ std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Poi
   {
     map = mapToSphere(thinned, mapOptions, steps.next());
   }
-  catch (const std::runtime_error&)
+  catch (const NumericalFailure&)
   {
     return {};
   }
@@ -93,7 +92,7 @@ std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Poi
   steps.next();
   HullStart start;
   start.Positions =
-    resample(map.Positions, thinned.Positions, thinned.Triangles, directions, parallelFor);
+    resample(map.Positions, thinned.Positions, thinned.Triangles, directions, run.unwatched());
   start.Data = hull.Data;
   start.Indicator = hull.Indicator;
   start.Leaks = hull.Leaks;

@@ -3,7 +3,7 @@
 #ifndef ConformalHullStart_h
 #define ConformalHullStart_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/GenusZeroHull.h"
@@ -18,8 +18,8 @@ double hullSpacing(const TrainingSamples& samples);
 /// A genus-zero hull of the samples.
 /// @param[in] indicator  how its inside is told from the outside
 /// @throws Aborted
-GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
-  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress);
+GenusZeroHullResult makeHull(
+  const TrainingSamples& samples, double spacing, HullIndicator indicator, const Run& run);
 
 /// What makeHull() takes, in nanoseconds as in Steps, and how many vertices it makes of a usual
 /// object.
@@ -43,7 +43,7 @@ struct HullStart
 /// it
 /// @throws Aborted
 std::optional<HullStart> startFromHull(const TrainingSamples& samples, const Points& directions,
-  HullIndicator indicator, const ParallelFor& parallelFor, const Progress& progress);
+  HullIndicator indicator, const Run& run);
 
 /// What startFromHull() takes, in nanoseconds as in Steps.
 double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator);

@@ -25,7 +25,7 @@ constexpr double BareStiffness = 30.0;
 
 /// Folds are pressed flat in the last rounds only; earlier it would cost fit without need.
 constexpr int FoldRounds = 5;
-constexpr double FoldStiffening = 3.0, MostFoldStiffness = 30.0;
+constexpr double FoldStiffening = 3.0, MaximumFoldStiffness = 30.0;
 
 /// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
 /// as patterns draw.
@@ -53,15 +53,15 @@ double workOfRound(
 class Polish
 {
 public:
-  Polish(const TrainingSamples& samples, const PolishOptions& options,
-    const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+  Polish(const TrainingSamples& samples, const PolishOptions& options, ConformalSOMResult& result,
+    const Run& run)
     : Samples(samples)
     , Options(options)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Positions(result.Positions)
     , Triangles(result.Triangles)
     , Neighbors(vertexNeighbors(Triangles, Positions.rows()))
-    , Surface(Positions, Triangles, parallelFor, progress)
+    , Surface(Positions, Triangles, run)
     , Equations(Triangles, Neighbors)
     , Scale(Positions.rows(), options.OutlierRatio)
     , Rotation(samples, options.RandomSeed)
@@ -72,19 +72,19 @@ public:
   }
 
   /// Before anything moves: outliers must not pull even once.
-  void measureScale(const Progress& progress)
+  void measureScale(const Run& run)
   {
     this->Rotation.turn(this->Options.SamplesPerRound);
     this->forEachFoot([&](Index, const Vector3&, const FootPoint& foot, double weight)
       { this->Scale.add(foot, this->Triangles, weight); },
-      progress);
+      run);
     this->Scale.update(this->Neighbors, this->Samples.reduce());
   }
 
-  TrainingRecord round(int number, const Progress& progress)
+  TrainingRecord round(int number, const Run& run)
   {
     const auto neurons = static_cast<double>(this->Positions.rows());
-    Steps steps(progress,
+    Steps steps(run,
       { workOfFeet(this->Samples, this->Options), 60.0 * neurons, 4400.0 * neurons, 70.0 * neurons,
         100.0 * neurons });
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
@@ -99,8 +99,8 @@ public:
       std::pow(this->Options.LastSmoothness, way);
     const Eigen::VectorXd stiffness =
       smoothness * this->meanMass() * this->Bareness.cwiseProduct(this->Folds);
-    const Points moved = this->Equations.solve(
-      this->Positions, stiffness, this->Options.Evenness, this->Threads, steps.next());
+    const Points moved =
+      this->Equations.solve(this->Positions, stiffness, this->Options.Evenness, steps.next());
     this->Positions += moved;
     steps.next();
     this->Surface.refit(this->Positions, this->Triangles, this->Threads);
@@ -121,7 +121,7 @@ public:
     record.LearningRate = 1.0;
     record.MeanSquareError = this->MeanSquare;
     record.MeanDisplacement = moved.rowwise().norm().mean();
-    report(progress, 1.0);
+    run.report(1.0);
     return record;
   }
 
@@ -131,7 +131,7 @@ public:
 private:
   /// The body gets the place of a pattern in its turn, itself, its foot and its weight.
   void forEachFoot(const std::function<void(Index, const Vector3&, const FootPoint&, double)>& body,
-    const Progress& progress) const
+    const Run& run) const
   {
     Index place = this->Rotation.begin();
     conformal::forEachFoot(
@@ -145,11 +145,11 @@ private:
         }
         ++place;
       },
-      this->Threads, progress);
+      run);
   }
 
   /// The patterns' part of the equations.
-  void draw(bool keepTargets, const Progress& progress)
+  void draw(bool keepTargets, const Run& run)
   {
     this->Rotation.turn(this->Options.SamplesPerRound);
     const Index stride =
@@ -176,7 +176,7 @@ private:
           targets.insert(targets.end(), x.data(), x.data() + 3);
         }
       },
-      progress);
+      run);
     const Reduce& reduce = this->Samples.reduce();
     this->Scale.update(this->Neighbors, reduce);
     this->Equations.reduce(reduce);
@@ -250,14 +250,14 @@ private:
     }
     for (Index i = 0; i < this->Positions.rows(); ++i)
     {
-      this->Folds[i] =
-        folded[i] ? std::min(this->Folds[i] * FoldStiffening, MostFoldStiffness) : this->Folds[i];
+      this->Folds[i] = folded[i] ? std::min(this->Folds[i] * FoldStiffening, MaximumFoldStiffness)
+                                 : this->Folds[i];
     }
   }
 
   const TrainingSamples& Samples;
   const PolishOptions& Options;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
   Points& Positions;
   const conformal::Triangles& Triangles;
   const Adjacency Neighbors;
@@ -274,7 +274,7 @@ private:
 }
 
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result)
+  ConformalSOMResult& result, const Run& run)
 {
   if (options.NumberOfRounds == 0)
   {
@@ -282,14 +282,16 @@ std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& 
   }
   const double ofFeet = workOfFeet(samples, options);
   const double ofRound = workOfRound(samples, options, result.Positions.rows());
-  std::vector<double> work = { 650.0 * static_cast<double>(result.Positions.rows()), ofFeet };
-  work.insert(work.end(), options.NumberOfRounds, ofRound);
-  Steps steps(progress, work);
-  Polish polish(samples, options, parallelFor, steps.next(), result);
+  const double rounds = options.NumberOfRounds;
+  Steps steps(
+    run, { 650.0 * static_cast<double>(result.Positions.rows()), ofFeet, rounds * ofRound });
+  Polish polish(samples, options, result, steps.next());
   polish.measureScale(steps.next());
+  const Run polishing = steps.next();
   for (int number = 0; number < options.NumberOfRounds; ++number)
   {
-    result.History.push_back(polish.round(number, steps.next()));
+    result.History.push_back(
+      polish.round(number, polishing.part(number / rounds, (number + 1) / rounds)));
   }
   return polish.masses();
 }

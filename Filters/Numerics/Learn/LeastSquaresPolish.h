@@ -4,7 +4,7 @@
 #ifndef ConformalLeastSquaresPolish_h
 #define ConformalLeastSquaresPolish_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
@@ -47,7 +47,7 @@ struct PolishOptions
 ///         round; zeros if there is none
 /// @throws Aborted
 std::vector<double> polish(const TrainingSamples& samples, const PolishOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress, ConformalSOMResult& result);
+  ConformalSOMResult& result, const Run& run = {});
 
 /// What polish() takes, in nanoseconds as in Steps.
 double workOfPolish(

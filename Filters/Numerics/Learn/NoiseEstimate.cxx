@@ -1,6 +1,5 @@
 #include "Learn/NoiseEstimate.h"
 
-#include "Base/FixedPointSums.h"
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
 #include "Search/TriangleTree.h"
@@ -12,14 +11,16 @@ namespace conformal
 {
 namespace
 {
-constexpr double Fall = 6.0; // of the error, where the vertices are four times as many
+constexpr double Fall = 6.0;     // of the error, where the vertices are four times as many
+constexpr double LogUnit = 64.0; // no logarithm of a square distance is larger
 }
 
 double noiseToDetail(double coarseError, double fineError)
 {
-  constexpr double MostNoise = 10.0;
+  constexpr double MaximumNoise = 10.0;
   const double ratio = coarseError / fineError;
-  return ratio > 1.0 ? std::clamp((Fall - 1.0) / (ratio - 1.0) - 1.0, 0.0, MostNoise) : MostNoise;
+  return ratio > 1.0 ? std::clamp((Fall - 1.0) / (ratio - 1.0) - 1.0, 0.0, MaximumNoise)
+                     : MaximumNoise;
 }
 
 double noiseVariance(double coarseError, double fineError)
@@ -29,21 +30,28 @@ double noiseVariance(double coarseError, double fineError)
   return std::max(0.0, fineError - detail) / geometricMean;
 }
 
-double typicalSquareError(const TrainingSamples& samples, const Points& positions,
-  const Triangles& triangles, Index wanted, const ParallelFor& parallelFor,
-  const Progress& progress)
+void TypicalSquare::add(double square)
 {
-  constexpr double least = 1e-16, logUnit = 64.0; // no logarithm of a square distance is larger
-  const TriangleTree surface(positions, triangles, parallelFor);
+  constexpr double minimum = 1e-16;
+  this->Logarithms.add(0, std::log(std::max(square, minimum)) / LogUnit);
+}
+
+double TypicalSquare::mean(const Reduce& reduce, Index count)
+{
+  this->Logarithms.reduce(reduce);
+  return std::exp(LogUnit * this->Logarithms[0] / static_cast<double>(count));
+}
+
+double typicalSquareError(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, Index wanted, const Run& run)
+{
+  const TriangleTree surface(positions, triangles, run.unwatched());
   SampleRotation rotation(samples, 1);
   rotation.turn(wanted);
-  FixedPointSums logarithms(1);
+  TypicalSquare typical;
   forEachFoot(
     samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
-    [&](Index, const Vector3&, const FootPoint& foot)
-    { logarithms.add(0, std::log(std::max(foot.SquareDistance, least)) / logUnit); },
-    parallelFor, progress);
-  logarithms.reduce(samples.reduce());
-  return std::exp(logUnit * logarithms[0] / static_cast<double>(rotation.totalCount()));
+    [&](Index, const Vector3&, const FootPoint& foot) { typical.add(foot.SquareDistance); }, run);
+  return typical.mean(samples.reduce(), rotation.totalCount());
 }
 }

@@ -3,7 +3,9 @@
 #ifndef ConformalNoiseEstimate_h
 #define ConformalNoiseEstimate_h
 
-#include "Base/Parallel.h"
+#include "Base/FixedPointSums.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 
@@ -20,14 +22,27 @@ double noiseToDetail(double coarseError, double fineError);
 /// explains them.
 double noiseVariance(double coarseError, double fineError);
 
-/// The geometric mean of the square distances of patterns to a surface, which a few outliers do not
-/// change.
+/// The geometric mean of square distances, which a few outliers do not change.
+class TypicalSquare
+{
+public:
+  /// @param[in] square  up to 1e27
+  void add(double square);
+
+  /// Of all processes.
+  /// @param[in] count  of what they have added
+  double mean(const Reduce& reduce, Index count);
+
+private:
+  FixedPointSums Logarithms{ 1 };
+};
+
+/// The typical square distance of patterns to a surface.
 /// @param[in] positions  #V by 3, in the samples' unit
 /// @param[in] triangles  #F by 3
 /// @param[in] wanted     how many patterns, evenly spaced
 double typicalSquareError(const TrainingSamples& samples, const Points& positions,
-  const Triangles& triangles, Index wanted, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const Triangles& triangles, Index wanted, const Run& run = {});
 }
 
 #endif

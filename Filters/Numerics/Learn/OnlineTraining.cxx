@@ -81,7 +81,7 @@ private:
 }
 
 ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& network,
-  const Points& start, const ConformalSOMOptions& options, const Progress& progress)
+  const Points& start, const ConformalSOMOptions& options, const Run& run)
 {
   const Adjacency around = vertexTriangles(network.Triangles, network.Positions.rows());
   NeuronBlocks neurons(network.Positions, start); // step 1
@@ -124,7 +124,7 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& netwo
     {
       if (step % reportEvery == 0)
       {
-        report(progress,
+        run.report(
           (t + static_cast<double>(step) / options.SamplesPerEpoch) / options.NumberOfEpochs);
       }
       constexpr int AtATime = 8192;

@@ -3,6 +3,7 @@
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
@@ -13,7 +14,7 @@ namespace conformal
 /// @param[in] network  n_i and triangles
 /// @param[in] start    w_i(0)
 ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& network,
-  const Points& start, const ConformalSOMOptions& options, const Progress& progress);
+  const Points& start, const ConformalSOMOptions& options, const Run& run);
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "Learn/SurfaceEquations.h"
 
 #include "Base/Steps.h"
+#include "Linear/ConjugateGradients.h"
 #include "Mesh/HingeBending.h"
 #include "Mesh/VertexNormals.h"
 
@@ -109,13 +110,13 @@ class Resistance
 {
 public:
   Resistance(const Adjacency& neighbors, HingeBending hinges, Points normals,
-    const Eigen::VectorXd& stiffness, double evenness, const ParallelFor& parallelFor)
+    const Eigen::VectorXd& stiffness, double evenness, const Run& run)
     : Neighbors(neighbors)
     , Hinges(std::move(hinges))
     , Normals(std::move(normals))
     , Stiffness(stiffness)
     , Evenness(evenness)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Bent(stiffness.size(), 3)
   {
   }
@@ -172,20 +173,18 @@ private:
   const Points Normals;
   const Eigen::VectorXd& Stiffness;
   const double Evenness;
-  const ParallelFor& Threads;
-  Points Bent; ///< S L x
+  const Run Threads; // nobody watches
+  Points Bent;       ///< S L x
 };
 
-/// Conjugate gradients from 0, preconditioned with the diagonal's blocks. Not Eigen's: a step has
-/// to be left when the user says so.
-Points solveSystem(Attraction& attraction, Resistance& resistance, const ParallelFor& parallelFor,
-  const Progress& progress)
+/// Preconditioned with the diagonal's blocks.
+Points solveSystem(Attraction& attraction, Resistance& resistance, const Run& run)
 {
   Points& residual = attraction.Right;
   const Index size = residual.rows();
   const auto forVertices = [&](const auto& body)
   {
-    forBlocks(parallelFor, size, BlockSize,
+    forBlocks(run, size, BlockSize,
       [&](Index begin, Index end)
       {
         for (int i = static_cast<int>(begin); i < end; ++i)
@@ -201,33 +200,16 @@ Points solveSystem(Attraction& attraction, Resistance& resistance, const Paralle
       resistance.addDiagonal(i, inverses[i]);
       inverses[i] = inverses[i].inverse();
     });
-  report(progress, 0.0);
+  run.report(0.0);
 
-  Points moved = Points::Zero(size, 3), direction = moved, work(size, 3);
-  double square = 0.0, least = 0.0;
-  for (int step = 0; step <= NumberOfSteps; ++step)
+  const LinearMap product = [&](const Points& x, Points& y)
   {
-    Points& improved = work;
-    forVertices([&](int i) { improved.row(i) = inverses[i] * Vector3(residual.row(i)); });
-    const double before = square;
-    square = residual.cwiseProduct(improved).sum();
-    least = step == 0 ? Converged * square : least;
-    if (step == NumberOfSteps || !(square > least))
-    {
-      break;
-    }
-    direction = improved + (step == 0 ? 0.0 : square / before) * direction;
-    Points& product = work;
-    resistance.bend(direction);
-    forVertices(
-      [&](int i) { product.row(i) = attraction.product(i, direction) + resistance.forceAt(i); });
-    const double length = square / direction.cwiseProduct(product).sum();
-    moved += length * direction;
-    residual -= length * product;
-    report(progress, static_cast<double>(step + 1) / NumberOfSteps);
-  }
-  report(progress, 1.0);
-  return moved;
+    resistance.bend(x);
+    forVertices([&](int i) { y.row(i) = attraction.product(i, x) + resistance.forceAt(i); });
+  };
+  const LinearMap precondition = [&](const Points& x, Points& y)
+  { forVertices([&](int i) { y.row(i) = inverses[i] * Vector3(x.row(i)); }); };
+  return conjugateGradients(residual, product, precondition, { NumberOfSteps, Converged }, run);
 }
 }
 
@@ -270,13 +252,13 @@ void SurfaceEquations::pull(int vertex, const Vector3& direction, double distanc
   this->Pulls.push_back({ vertex, direction, distance, weight });
 }
 
-Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& stiffness,
-  double evenness, const ParallelFor& parallelFor, const Progress& progress)
+Points SurfaceEquations::solve(
+  const Points& weights, const Eigen::VectorXd& stiffness, double evenness, const Run& run)
 {
-  Steps steps(progress, { 240.0, 8.0, 430.0, 40.0, 100.0, 3300.0 }); // for each vertex
+  Steps steps(run, { 240.0, 8.0, 430.0, 40.0, 100.0, 3300.0 }); // for each vertex
   const Index size = weights.rows();
   Attraction attraction(this->Neighbors);
-  forBlocks(parallelFor, size, BlockSize, steps.next(),
+  forBlocksReporting(steps.next(), size, BlockSize,
     [&](Index begin, Index end)
     {
       for (int i = static_cast<int>(begin); i < end; ++i)
@@ -320,14 +302,13 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
   }
 
   steps.next();
-  HingeBending hinges(this->Triangles, this->Around, weights, stiffness, parallelFor);
+  HingeBending hinges(this->Triangles, this->Around, weights, stiffness, run);
   steps.next();
   Resistance resistance(this->Neighbors, std::move(hinges),
-    vertexNormals(weights, this->Triangles, this->Around, parallelFor), stiffness, evenness,
-    parallelFor);
+    vertexNormals(weights, this->Triangles, this->Around, run), stiffness, evenness, run);
   steps.next();
   resistance.bend(weights);
-  forBlocks(parallelFor, size, BlockSize,
+  forBlocks(run, size, BlockSize,
     [&](Index begin, Index end)
     {
       for (int i = static_cast<int>(begin); i < end; ++i)
@@ -335,6 +316,6 @@ Points SurfaceEquations::solve(const Points& weights, const Eigen::VectorXd& sti
         attraction.Right.row(i) -= resistance.forceAt(i);
       }
     });
-  return solveSystem(attraction, resistance, parallelFor, steps.next());
+  return solveSystem(attraction, resistance, steps.next());
 }
 }

@@ -4,7 +4,8 @@
 #define ConformalSurfaceEquations_h
 
 #include "Base/FixedPointSums.h"
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
@@ -54,8 +55,8 @@ public:
   /// @param[in] evenness   above 1 it makes triangles more even than the surface is smooth
   /// @return d, #V by 3
   /// @throws Aborted
-  Points solve(const Points& weights, const Eigen::VectorXd& stiffness, double evenness,
-    const ParallelFor& parallelFor, const Progress& progress);
+  Points solve(
+    const Points& weights, const Eigen::VectorXd& stiffness, double evenness, const Run& run);
 
 private:
   struct Pull

@@ -47,12 +47,12 @@ enum class SphereMap
   Balanced   ///< the same with an AreaBalance
 };
 
-constexpr Index LeastNeurons = 12; ///< of an adaptive network; those of an icosahedron
+constexpr Index MinimumNeurons = 12; ///< of an adaptive network; those of an icosahedron
 
 struct ConformalSOMOptions
 {
   conformal::Lattice Lattice = conformal::Lattice::Geodesic;
-  Index NumberOfNeurons = 12962; ///< Adaptive, at least LeastNeurons
+  Index NumberOfNeurons = 12962; ///< Adaptive, at least MinimumNeurons
   conformal::SphereMap SphereMap = conformal::SphereMap::Lattice;
   double AreaBalance = 0.5; ///< Balanced: from conformal, 0, to nearly equal in area, 1
   int Frequency = 36; ///< Geodesic: f; the network has 10 f^2 + 2 neurons and 20 f^2 triangles

@@ -20,8 +20,8 @@ Points cotangentsOf(
     for (int k = 0; k < 3; ++k)
     {
       const Vector3 a = points.row(triangles(r, k));
-      const Vector3 u = points.row(triangles(r, (k + 1) % 3)).transpose() - a;
-      const Vector3 v = points.row(triangles(r, (k + 2) % 3)).transpose() - a;
+      const Vector3 u = points.row(triangles(r, next(k))).transpose() - a;
+      const Vector3 v = points.row(triangles(r, previous(k))).transpose() - a;
       const double sine = u.cross(v).norm(), cosine = u.dot(v);
       constexpr double smallest = 1e-12; // below, the angle is rounding
       finite = finite && sine > smallest * (u.squaredNorm() + v.squaredNorm());
@@ -65,7 +65,7 @@ EdgeWeights cotangentWeights(
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int from = triangles(r, (k + 1) % 3), to = triangles(r, (k + 2) % 3);
+      const int from = triangles(r, next(k)), to = triangles(r, previous(k));
       add(from, to, 0.5 * cotangents(r, k));
       add(to, from, 0.5 * cotangents(r, k));
     }
@@ -90,7 +90,7 @@ StringConstants harmonicStrings(const Points& points, const Triangles& triangles
   {
     for (int k = 0; k < 3; ++k)
     {
-      infinite.push_back(std::minmax({ triangles(r, k), triangles(r, (k + 1) % 3) }));
+      infinite.push_back(std::minmax({ triangles(r, k), triangles(r, next(k)) }));
     }
   }
   std::sort(infinite.begin(), infinite.end());

@@ -1,5 +1,6 @@
 #include "Linear/HarmonicExtension.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/MultifrontalCholesky.h"
 
@@ -35,7 +36,7 @@ void solveByEigen(const EdgeWeights& weights, const std::vector<double>& diagona
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(matrix);
   if (factor.info() != Eigen::Success)
   {
-    throw std::runtime_error("the matrix is not positive definite");
+    throw NumericalFailure("the matrix is not positive definite");
   }
   columns = factor.solve(columns).eval();
 }
@@ -43,8 +44,7 @@ void solveByEigen(const EdgeWeights& weights, const std::vector<double>& diagona
 
 //------------------------------------------------------------------------------
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
-  const std::vector<int>& free, Columns& values, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const std::vector<int>& free, Columns& values, const Run& run)
 {
   const Index size = static_cast<Index>(free.size());
   if (size == 0)
@@ -52,7 +52,7 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
     return;
   }
   const double root = std::sqrt(static_cast<double>(size));
-  Steps steps(progress, { 35.0, 350.0 + 7.5 * root, 370.0 }); // for each unknown
+  Steps steps(run, { 35.0, 350.0 + 7.5 * root, 370.0 }); // for each unknown
   steps.next();
   std::vector<int> unknowns(places.rows(), -1);
   for (Index i = 0; i < size; ++i)
@@ -90,7 +90,7 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
   }
   else
   {
-    const MultifrontalCholesky factor(inner, diagonal, innerPlaces, parallelFor, steps.next());
+    const MultifrontalCholesky factor(inner, diagonal, innerPlaces, steps.next());
     steps.next();
     factor.solve(solution);
   }

@@ -3,7 +3,7 @@
 #ifndef ConformalHarmonicExtension_h
 #define ConformalHarmonicExtension_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 
@@ -16,10 +16,9 @@ namespace conformal
 /// @param[in] places      #V by 3 points of the surface, for the order of elimination
 /// @param[in] free        ids of the vertices that move, each once
 /// @param[in,out] values  #V by the number of columns
-/// @throws std::runtime_error if the weights are not those of a membrane: not positive definite
+/// @throws NumericalFailure if the weights are not those of a membrane: not positive definite
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
-  const std::vector<int>& free, Columns& values, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const std::vector<int>& free, Columns& values, const Run& run = {});
 }
 
 #endif

@@ -1,5 +1,6 @@
 #include "Linear/MultifrontalCholesky.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 
 #include <Eigen/Cholesky>
@@ -18,12 +19,11 @@ constexpr Index LargeFront = 500; // rows; these are done one after the other
 
 //------------------------------------------------------------------------------
 MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
-  const std::vector<double>& diagonal, const Points& places, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const std::vector<double>& diagonal, const Points& places, const Run& run)
 {
   // The last step takes about 15 n^1.5 multiplications, at half a nanosecond.
   const double size = static_cast<double>(places.rows());
-  Steps steps(progress, { 160.0 * size, 90.0 * size, 100.0 * size + 7.5 * size * std::sqrt(size) });
+  Steps steps(run, { 160.0 * size, 90.0 * size, 100.0 * size + 7.5 * size * std::sqrt(size) });
   steps.next();
   this->Dissection = dissect(weights.Neighbors, places);
   this->Fronts.resize(this->Dissection.Parts.size());
@@ -41,9 +41,9 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
   // A surface's dissection takes about 15 n^1.5 multiplications.
   if (total > 1e8 + 300.0 * size * std::sqrt(size))
   {
-    throw std::runtime_error("the surface cannot be cut into small parts");
+    throw NumericalFailure("the surface cannot be cut into small parts");
   }
-  const Progress eliminating = steps.next();
+  const Run eliminating = steps.next();
   double done = 0.0;
   for (auto level = levels.rbegin(); level != levels.rend(); ++level)
   {
@@ -58,7 +58,7 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
       }
       this->assemble(part, weights, diagonal);
       const double share = this->work(part);
-      this->eliminate(part, parallelFor, partOf(eliminating, done / total, (done + share) / total));
+      this->eliminate(part, eliminating.part(done / total, (done + share) / total));
       done += share;
     }
     double share = 0.0;
@@ -66,14 +66,14 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
     {
       share += this->work(part);
     }
-    forBlocks(parallelFor, static_cast<Index>(small.size()), 1,
-      partOf(eliminating, done / total, (done + share) / total),
+    forBlocksReporting(eliminating.part(done / total, (done + share) / total),
+      static_cast<Index>(small.size()), 1,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
         {
           this->assemble(small[i], weights, diagonal);
-          this->eliminate(small[i], {}, {});
+          this->eliminate(small[i], {});
         }
       });
     done += share;
@@ -180,8 +180,7 @@ void MultifrontalCholesky::assemble(
 }
 
 //------------------------------------------------------------------------------
-void MultifrontalCholesky::eliminate(
-  std::size_t part, const ParallelFor& parallelFor, const Progress& progress)
+void MultifrontalCholesky::eliminate(std::size_t part, const Run& run)
 {
   Columns& factor = this->Fronts[part].Factor;
   Columns& update = this->Fronts[part].Update;
@@ -193,18 +192,18 @@ void MultifrontalCholesky::eliminate(
     Eigen::LLT<Eigen::Ref<Columns>> llt(corner);
     if (llt.info() != Eigen::Success)
     {
-      throw std::runtime_error("the matrix is not positive definite");
+      throw NumericalFailure("the matrix is not positive definite");
     }
     const auto lower = corner.triangularView<Eigen::Lower>();
     // A block of rows, then a block of columns at a time, each by one thread.
-    forBlocks(parallelFor, rows - end, 2 * PanelSize,
+    forBlocks(run, rows - end, 2 * PanelSize,
       [&](Index from, Index to)
       {
         auto block = factor.block(end + from, begin, to - from, width);
         lower.transpose().solveInPlace<Eigen::OnTheRight>(block);
       });
     const auto panel = factor.middleCols(begin, width);
-    forBlocks(parallelFor, rows - end, PanelSize,
+    forBlocks(run, rows - end, PanelSize,
       [&](Index from, Index to)
       {
         for (const bool inUpdate : { false, true }) // columns of the part, then of its boundary
@@ -223,7 +222,7 @@ void MultifrontalCholesky::eliminate(
             panel.bottomRows(rows - first) * some;
         }
       });
-    report(progress, static_cast<double>(end) / static_cast<double>(size));
+    run.report(static_cast<double>(end) / static_cast<double>(size));
   }
 }
 

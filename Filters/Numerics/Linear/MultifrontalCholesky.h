@@ -3,7 +3,7 @@
 #ifndef ConformalMultifrontalCholesky_h
 #define ConformalMultifrontalCholesky_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 #include "Linear/NestedDissection.h"
@@ -24,10 +24,10 @@ class MultifrontalCholesky
 public:
   /// Of the matrix with the given diagonal and the negative weights beside it.
   /// @param[in] places  a point for each unknown, for the order of elimination
-  /// @throws std::runtime_error if the matrix is not positive definite, or its factor is so full
+  /// @throws NumericalFailure if the matrix is not positive definite, or its factor is so full
   ///         that it would take too long: neighbors are far apart
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
-    const Points& places, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+    const Points& places, const Run& run = {});
 
   /// @param[in,out] columns  right-hand sides, then solutions
   void solve(Columns& columns) const;
@@ -43,7 +43,7 @@ private:
   void findBoundaries(const Adjacency& graph);
   double work(std::size_t part) const;
   void assemble(std::size_t part, const EdgeWeights& weights, const std::vector<double>& diagonal);
-  void eliminate(std::size_t part, const ParallelFor& parallelFor, const Progress& progress);
+  void eliminate(std::size_t part, const Run& run);
 
   NestedDissection Dissection;
   std::vector<Front> Fronts;

@@ -13,7 +13,6 @@ namespace conformal
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
 
 using Corners = std::array<Vector3, 3>;
 
@@ -24,7 +23,7 @@ double areaOf(const Corners& t)
 
 double angleAt(const Corners& t, int k)
 {
-  const Vector3 u = t[(k + 1) % 3] - t[k], v = t[(k + 2) % 3] - t[k];
+  const Vector3 u = t[next(k)] - t[k], v = t[previous(k)] - t[k];
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
@@ -146,7 +145,7 @@ void summarize(Distortion& result, const Measured& measured)
 
 //------------------------------------------------------------------------------
 Distortion measureDistortion(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const ParallelFor& parallelFor, const Progress& progress)
+  const Points& spherePositions, const Run& run)
 {
   if (points.size() != spherePositions.rows())
   {
@@ -161,12 +160,12 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
   result.AngleDistortion.resize(size);
   result.AreaDistortion.resize(size);
   result.QuasiConformalError.resize(size);
-  Steps steps(progress, { 20.0, 225.0, 21.0 }); // for each triangle
+  Steps steps(run, { 20.0, 225.0, 21.0 }); // for each triangle
   steps.next();
   const Points mesh = inUnitBox(points);
   Measured measured(size);
   constexpr Index blockSize = 1 << 10;
-  forBlocks(parallelFor, size, blockSize, steps.next(),
+  forBlocksReporting(steps.next(), size, blockSize,
     [&](Index begin, Index end)
     {
       const auto corners = [&](const Points& from, Index r)

@@ -3,7 +3,7 @@
 #ifndef ConformalDistortion_h
 #define ConformalDistortion_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -36,8 +36,7 @@ struct Distortion
 /// @param[in] spherePositions  #V by 3 unit vectors
 /// @throws std::invalid_argument if points are not finite or the sizes differ
 Distortion measureDistortion(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const Points& spherePositions, const Run& run = {});
 }
 
 #endif

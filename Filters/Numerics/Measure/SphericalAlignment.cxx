@@ -11,7 +11,7 @@ namespace conformal
 {
 //------------------------------------------------------------------------------
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
-  const Eigen::VectorXd& weights, AlignmentKind kind, const Progress& progress)
+  const Eigen::VectorXd& weights, AlignmentKind kind, const Run& run)
 {
   const bool rotation = kind == AlignmentKind::Rotation;
   const Index needed = rotation ? 2 : 3;
@@ -28,7 +28,7 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   }
   else
   {
-    result.Transform = closestMoebiusTransform(from, to, weights, progress);
+    result.Transform = closestMoebiusTransform(from, to, weights, run);
   }
   for (Index i = 0; i < from.rows(); ++i)
   {
@@ -40,16 +40,15 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
 }
 
 //------------------------------------------------------------------------------
-Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor& parallelFor,
-  const Progress& progress)
+Points carryMap(const Points& points, const MappedMesh& other, const Run& run)
 {
-  Steps steps(progress,
+  Steps steps(run,
     { 500.0 * static_cast<double>(other.Triangles.rows()),
       1000.0 * static_cast<double>(points.rows()) });
-  const TriangleTree tree(other.Positions, other.Triangles, parallelFor, steps.next());
+  const TriangleTree tree(other.Positions, other.Triangles, steps.next());
   Points result(points.rows(), 3);
   constexpr Index blockSize = 256;
-  forBlocks(parallelFor, points.rows(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), points.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

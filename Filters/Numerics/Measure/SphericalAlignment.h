@@ -3,7 +3,7 @@
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Sphere/MoebiusTransform.h"
@@ -29,15 +29,14 @@ struct SphericalAlignmentResult
 ///         rotation, three for a Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
-  const Progress& progress = {});
+  const Run& run = {});
 
 /// Where the points of one surface lie on the sphere according to another one's map: each takes the
 /// place of the nearest point of the other surface, both being laid over each other.
 /// @param[in] points  #P by 3, finite
 /// @param[in] other   a surface with its map
 /// @return #P by 3 unit vectors
-Points carryMap(const Points& points, const MappedMesh& other, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+Points carryMap(const Points& points, const MappedMesh& other, const Run& run = {});
 }
 
 #endif

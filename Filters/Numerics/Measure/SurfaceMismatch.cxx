@@ -41,7 +41,7 @@ Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const 
     box.extend(reference[i]);
   }
   {
-    const std::vector<double> ends = largest(reduce,
+    const std::vector<double> ends = maximum(reduce,
       { -box.Lower[0], -box.Lower[1], -box.Lower[2], box.Upper[0], box.Upper[1], box.Upper[2] });
     box.Lower = -Eigen::Map<const Vector3>(ends.data());
     box.Upper = Eigen::Map<const Vector3>(ends.data() + 3);
@@ -66,7 +66,7 @@ Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const 
     {
       frame.Unit = std::max(frame.Unit, (reference[i] - frame.Center).stableNorm());
     }
-    frame.Unit = largest(reduce, { frame.Unit })[0];
+    frame.Unit = maximum(reduce, { frame.Unit })[0];
   }
   else if (unit == MismatchUnit::HalfDiagonal)
   {
@@ -125,19 +125,18 @@ std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices
   return vertices;
 }
 
-TriangleTree treeOf(const Points& points, const Triangles& triangles,
-  const ParallelFor& parallelFor, const Progress& progress)
+TriangleTree treeOf(const Points& points, const Triangles& triangles, const Run& run)
 {
   if (triangles.rows() > 0)
   {
-    return TriangleTree(points, triangles, parallelFor, progress);
+    return TriangleTree(points, triangles, run);
   }
   std::vector<int> all(points.rows());
   for (int v = 0; v < points.rows(); ++v)
   {
     all[v] = v;
   }
-  return TriangleTree(points, asTriangles(all), parallelFor, progress);
+  return TriangleTree(points, asTriangles(all), run);
 }
 
 // Points spread evenly over the area of a mesh (over its triangles, where it has no area).
@@ -189,12 +188,12 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
 
 // Square distances of so many points to a mesh.
 template <typename Query>
-std::vector<double> squareDistances(const TriangleTree& tree, Index size, const Query& query,
-  const ParallelFor& parallelFor, const Progress& progress)
+std::vector<double> squareDistances(
+  const TriangleTree& tree, Index size, const Query& query, const Run& run)
 {
   constexpr Index blockSize = 1 << 9;
   std::vector<double> squares(size);
-  forBlocks(parallelFor, size, blockSize, progress,
+  forBlocksReporting(run, size, blockSize,
     [&](Index begin, Index end)
     {
       int hint = -1; // neighbors in the list are often neighbors in space
@@ -231,15 +230,15 @@ double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
   {
     most = std::max(most, value);
   }
-  return largest(reduce, { most })[0];
+  return maximum(reduce, { most })[0];
 }
 
 // Of square distances to the parts of a cloud those to all of it.
 std::vector<double> toNearestPart(const Reduce& reduce, std::vector<double> squares)
 {
-  const std::vector<Least> nearest = least(reduce, squares);
-  std::transform(
-    nearest.begin(), nearest.end(), squares.begin(), [](const Least& part) { return part.Value; });
+  const std::vector<Minimum> nearest = minimum(reduce, squares);
+  std::transform(nearest.begin(), nearest.end(), squares.begin(),
+    [](const Minimum& part) { return part.Value; });
   return squares;
 }
 
@@ -256,8 +255,8 @@ std::vector<double> rootsTimes(std::vector<double> squares, double unit)
 //------------------------------------------------------------------------------
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
-  const Triangles& referenceTriangles, const SurfaceMismatchOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress, const Reduce& reduce)
+  const Triangles& referenceTriangles, const SurfaceMismatchOptions& options, const Reduce& reduce,
+  const Run& run)
 {
   std::int64_t totals[] = { referencePoints.size(), referenceTriangles.rows() };
   reduce.sum(totals, 2);
@@ -282,7 +281,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const double referenceFaces =
     referenceTriangles.rows() > 0 ? static_cast<double>(referenceTriangles.rows()) : dataSize;
   constexpr double ofTree = 450.0, ofQuery = 500.0;
-  Steps steps(progress,
+  Steps steps(run,
     { 30.0 * (modelSize + dataSize), ofTree * modelFaces, ofQuery * dataSize, ofTree * modelSize,
       ofQuery * dataSize, ofTree * referenceFaces,
       20.0 * modelFaces + 60.0 * options.NumberOfSamples, ofQuery * options.NumberOfSamples,
@@ -302,15 +301,14 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const double square = figureUnit * figureUnit;
   result.LengthUnit = inUsersUnit ? 1.0 : distanceUnit;
   const auto measure = [&](const TriangleTree& tree, Index count, const auto& query)
-  { return squareDistances(tree, count, query, parallelFor, steps.next()); };
+  { return squareDistances(tree, count, query, steps.next()); };
   const std::vector<double> forward =
-    measure(TriangleTree(model, modelTriangles, parallelFor, steps.next()), size, data);
+    measure(TriangleTree(model, modelTriangles, steps.next()), size, data);
   result.MeanSquarePointToSurface = square * meanOf(forward, total, reduce);
   const std::vector<int> vertices = usedVertices(modelTriangles, model.rows());
   result.MeanSquarePointToVertex = square *
     meanOf(
-      measure(TriangleTree(model, asTriangles(vertices), parallelFor, steps.next()), size, data),
-      total, reduce);
+      measure(TriangleTree(model, asTriangles(vertices), steps.next()), size, data), total, reduce);
 
   // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
   // some triangles finds; of points there is one nearest distance.
@@ -321,7 +319,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
     triangles = gatherTriangles(reduce, triangles, size);
     referenceFrame = gatherRows(reduce, referenceFrame);
   }
-  const TriangleTree reference = treeOf(referenceFrame, triangles, parallelFor, steps.next());
+  const TriangleTree reference = treeOf(referenceFrame, triangles, steps.next());
   steps.next();
   const Reduce overParts = isCloud ? reduce : Reduce();
   const Points samples =
@@ -344,14 +342,14 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
   result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
   result.ReferenceDistances = rootsTimes(forward, distanceUnit);
-  constexpr double leastSquare = 0x1p-960; // smaller squares beside would lose digits
-  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < leastSquare ||
+  constexpr double minimumSquare = 0x1p-960; // smaller squares beside would lose digits
+  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < minimumSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
     throw std::overflow_error(std::string("the distances are too ") +
-      (square < leastSquare ? "small" : "large") + " to be squared; use another LengthUnit");
+      (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 }

@@ -3,7 +3,8 @@
 #ifndef ConformalSurfaceMismatch_h
 #define ConformalSurfaceMismatch_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -71,7 +72,7 @@ struct SurfaceMismatch
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
   const Triangles& referenceTriangles, const SurfaceMismatchOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {}, const Reduce& reduce = {});
+  const Reduce& reduce = {}, const Run& run = {});
 }
 
 #endif

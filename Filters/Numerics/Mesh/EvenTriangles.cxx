@@ -8,14 +8,14 @@ namespace conformal
 {
 namespace
 {
-constexpr double LeastMeanAngle = 46.0, LeastShare = 0.99;
+constexpr double MinimumMeanAngle = 46.0, MinimumShare = 0.99;
 
 double angle(const Vector3& u, const Vector3& v)
 {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-double smallestAngle(const Vector3& a, const Vector3& b, const Vector3& c)
+double minimumAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return std::min({ angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c) });
 }
@@ -29,7 +29,7 @@ bool hasEvenTriangles(const Mesh& mesh)
   for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
     const auto ids = mesh.Triangles.row(r);
-    sum += smallestAngle(
+    sum += minimumAngle(
       mesh.Positions.row(ids[0]), mesh.Positions.row(ids[1]), mesh.Positions.row(ids[2]));
     for (int k = 0; k < 3; ++k)
     {
@@ -38,8 +38,8 @@ bool hasEvenTriangles(const Mesh& mesh)
   }
   const auto regular = std::count_if(
     valences.begin(), valences.end(), [](int valence) { return valence >= 5 && valence <= 7; });
-  const double degrees = 180.0 / std::acos(-1.0);
-  return sum * degrees >= LeastMeanAngle * static_cast<double>(mesh.Triangles.rows()) &&
-    static_cast<double>(regular) >= LeastShare * static_cast<double>(mesh.Positions.rows());
+  const double degrees = 180.0 / Pi;
+  return sum * degrees >= MinimumMeanAngle * static_cast<double>(mesh.Triangles.rows()) &&
+    static_cast<double>(regular) >= MinimumShare * static_cast<double>(mesh.Positions.rows());
 }
 }

@@ -42,9 +42,9 @@ struct Side
 using Sides = std::vector<Side>;
 
 // Sides of one edge lie next to each other. First put together by their smaller id, then sorted.
-Sides sortedSides(const Triangles& triangles, const Progress& progress = {})
+Sides sortedSides(const Triangles& triangles, const Run& run = {})
 {
-  Steps steps(progress, { 11.0, 36.0, 22.0 }); // for each triangle
+  Steps steps(run, { 11.0, 36.0, 22.0 }); // for each triangle
   steps.next();
   const int size = triangles.rows() > 0 ? triangles.maxCoeff() + 1 : 0;
   std::vector<int> ends(size + 1, 0);
@@ -54,7 +54,7 @@ Sides sortedSides(const Triangles& triangles, const Progress& progress = {})
     {
       for (int k = 0; k < 3 && !repeatsVertex(triangles, r); ++k)
       {
-        const int from = triangles(r, k), to = triangles(r, (k + 1) % 3);
+        const int from = triangles(r, k), to = triangles(r, next(k));
         body(Side{ std::min(from, to), std::max(from, to), static_cast<int>(r), from < to });
       }
     }
@@ -65,7 +65,7 @@ Sides sortedSides(const Triangles& triangles, const Progress& progress = {})
   Sides sides(ends.back());
   forEachSide([&](const Side& side) { sides[ends[side.Low]++] = side; });
   int begin = 0;
-  forBlocks({}, size, 1 << 8, steps.next(),
+  forBlocksReporting(steps.next().inOrder(), size, 1 << 8,
     [&](Index first, Index last)
     {
       for (Index v = first; v < last; ++v)
@@ -260,12 +260,12 @@ std::string firstOf(const std::vector<int>& ids)
 }
 
 //------------------------------------------------------------------------------
-GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertices,
-  const PointView& points, const Progress& progress)
+GenusZeroReport checkGenusZero(
+  const Triangles& triangles, Index numberOfVertices, const PointView& points, const Run& run)
 {
   requireIds(triangles, numberOfVertices);
   const double withPoints = points.size() > 0 ? 1.0 : 0.0;
-  Steps steps(progress,
+  Steps steps(run,
     { 4.0 + 8.0 * withPoints, 70.0, 15.0, 15.0, 150.0, 40.0 + 8.0 * withPoints }); // a triangle
   steps.next();
   GenusZeroReport result;
@@ -317,7 +317,7 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
 
   steps.next();
   const Adjacency around = vertexTriangles(triangles, numberOfVertices);
-  forBlocks({}, numberOfVertices, 1 << 8, steps.next(),
+  forBlocksReporting(steps.next().inOrder(), numberOfVertices, 1 << 8,
     [&](Index begin, Index end)
     {
       for (int v = static_cast<int>(begin); v < end; ++v)
@@ -339,7 +339,7 @@ GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertice
   result.Orientable = spreadOrientation(triangles, sides).Consistent;
   result.InsideOut = points.size() > 0 && result.closed() && result.InconsistentEdges.empty() &&
     signedVolume(points, triangles) < 0.0;
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 
@@ -387,9 +387,9 @@ std::vector<std::string> describe(const GenusZeroReport& mesh)
 }
 
 //------------------------------------------------------------------------------
-void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const Progress& progress)
+void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const Run& run)
 {
-  const GenusZeroReport mesh = checkGenusZero(triangles, numberOfVertices, {}, progress);
+  const GenusZeroReport mesh = checkGenusZero(triangles, numberOfVertices, {}, run);
   if (!mesh.isGenusZero() || !mesh.InconsistentEdges.empty() || !mesh.DegenerateTriangles.empty())
   {
     std::string message = "not a closed, oriented surface of genus zero: ";

@@ -4,6 +4,7 @@
 #ifndef ConformalGenusZeroCheck_h
 #define ConformalGenusZeroCheck_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <array>
@@ -55,7 +56,7 @@ struct GenusZeroReport
 /// @param[in] points            #V by 3, or empty
 /// @throws std::out_of_range if an id is not in [0, #V)
 GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertices,
-  const PointView& points = {}, const Progress& progress = {});
+  const PointView& points = {}, const Run& run = {});
 
 /// The report in words: one statement of what the mesh is, then one for each fault.
 std::vector<std::string> describe(const GenusZeroReport& report);
@@ -63,8 +64,7 @@ std::vector<std::string> describe(const GenusZeroReport& report);
 /// Let only pass what a map to the sphere can be made of: a closed surface of genus zero, its
 /// triangles consistently oriented and without repeated vertices.
 /// @throws std::invalid_argument with the report in words otherwise
-void requireGenusZero(
-  const Triangles& triangles, Index numberOfVertices, const Progress& progress = {});
+void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// Volume enclosed by a closed mesh, positive where triangles are counter-clockwise seen from
 /// outside.

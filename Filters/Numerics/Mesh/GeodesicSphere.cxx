@@ -20,14 +20,13 @@ constexpr int NumberOfSides = 20;
 // Poles 0 and 11; upper ring 1..5, lower ring 6..10, half a step further round.
 Points icosahedronCorners()
 {
-  const double pi = std::acos(-1.0);
   const double z = 1.0 / std::sqrt(5.0), r = 2.0 / std::sqrt(5.0);
   Points corners(NumberOfCorners, 3);
   corners.row(0) << 0.0, 0.0, 1.0;
   corners.row(11) << 0.0, 0.0, -1.0;
   for (int k = 0; k < 5; ++k)
   {
-    const double up = 2.0 * pi * k / 5.0, down = 2.0 * pi * (k + 0.5) / 5.0;
+    const double up = 2.0 * Pi * k / 5.0, down = 2.0 * Pi * (k + 0.5) / 5.0;
     corners.row(1 + k) << r * std::cos(up), r * std::sin(up), z;
     corners.row(6 + k) << r * std::cos(down), r * std::sin(down), -z;
   }
@@ -49,7 +48,7 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
 }
 }
 
-Mesh makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& progress)
+Mesh makeGeodesicSphere(int f, const Run& run)
 {
   if (f < 1 || f > MaximumFrequency)
   {
@@ -60,7 +59,7 @@ Mesh makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& p
   const auto sides = icosahedronSides();
 
   Mesh sphere;
-  sphere.Positions.resize(10 * Index(f) * f + 2, 3);
+  sphere.Positions.resize(geodesicSphereSize(f), 3);
   sphere.Triangles.resize(20 * Index(f) * f, 3);
   sphere.Positions.topRows(NumberOfCorners) = corners;
 
@@ -71,7 +70,7 @@ Mesh makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& p
   {
     for (int k = 0; k < 3; ++k)
     {
-      const auto [a, b] = std::minmax(side[k], side[(k + 1) % 3]);
+      const auto [a, b] = std::minmax(side[k], side[next(k)]);
       if (firstOnEdge.emplace(std::make_pair(a, b), nextId).second)
       {
         for (int step = 1; step < f; ++step)
@@ -135,7 +134,7 @@ Mesh makeGeodesicSphere(int f, const ParallelFor& parallelFor, const Progress& p
   };
   constexpr Index rowsAtATime = 8;
   const Index blocksOfSide = (f + rowsAtATime - 1) / rowsAtATime;
-  forBlocks(parallelFor, NumberOfSides * blocksOfSide, 1, progress,
+  forBlocksReporting(run, NumberOfSides * blocksOfSide, 1,
     [&](Index block, Index)
     {
       const int side = static_cast<int>(block / blocksOfSide);
@@ -158,7 +157,7 @@ bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices)
 {
   const Index squared = (numberOfVertices - 2) / 10;
   const auto f = static_cast<Index>(std::llround(std::sqrt(static_cast<double>(squared))));
-  if (f < 1 || 10 * f * f + 2 != numberOfVertices || triangles.rows() != 20 * f * f)
+  if (f < 1 || geodesicSphereSize(f) != numberOfVertices || triangles.rows() != 20 * f * f)
   {
     return false;
   }

@@ -3,13 +3,19 @@
 #ifndef ConformalGeodesicSphere_h
 #define ConformalGeodesicSphere_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 
 namespace conformal
 {
 /// Largest frequency: 10 f^2 + 2 ids must fit into an int.
 constexpr int MaximumFrequency = 10000;
+
+/// 10 f^2 + 2.
+constexpr Index geodesicSphereSize(Index frequency)
+{
+  return 10 * frequency * frequency + 2;
+}
 
 /// Subdivide every face of the icosahedron into f^2 triangles, \cite Liou2008 Eqs. 1 and 2
 /// (class I of \cite Kenner1976, equal steps along the flat face, then projection).
@@ -19,8 +25,7 @@ constexpr int MaximumFrequency = 10000;
 /// @param[in] frequency  f, in [1, MaximumFrequency]
 /// @return unit vectors n_i, 10 f^2 + 2 of them, and 20 f^2 triangles
 /// @throws std::invalid_argument if f is out of range
-Mesh makeGeodesicSphere(
-  int frequency, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+Mesh makeGeodesicSphere(int frequency, const Run& run = {});
 
 /// Whether a closed mesh has the connectivity of a geodesic sphere of some frequency: 10 f^2 + 2
 /// vertices, 12 of them with 5 triangles and all others with 6.

@@ -15,7 +15,7 @@ constexpr double LikeLaplacian = 1.0 / 14.0;
 
 /// The hinges of needles are no stiffer than this, or equations could not be solved with them.
 /// Measured: 8 draws triangles together at creases, 3 lets thin ones fold half as often again.
-constexpr double LargestNumber = 4.0;
+constexpr double MaximumNumber = 4.0;
 
 double cotangent(const Vector3& a, const Vector3& b)
 {
@@ -25,16 +25,16 @@ double cotangent(const Vector3& a, const Vector3& b)
 }
 
 HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacency& around,
-  const Points& places, const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor)
+  const Points& places, const Eigen::VectorXd& stiffness, const Run& run)
   : Triangles(triangles)
   , Around(around)
   , HingeOf(triangles.rows(), 3)
 {
-  const conformal::Triangles across = triangleNeighbors(triangles, around, parallelFor);
+  const conformal::Triangles across = triangleNeighbors(triangles, around, run);
   // Each edge is numbered by the lower of its triangles; where a block of them starts is counted
   // first.
   std::vector<Index> firstOfBlock((triangles.rows() + BlockSize - 1) / BlockSize + 1, 0);
-  forBlocks(parallelFor, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       Index& count = firstOfBlock[begin / BlockSize + 1];
@@ -45,7 +45,7 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
     });
   std::partial_sum(firstOfBlock.begin(), firstOfBlock.end(), firstOfBlock.begin());
   this->Hinges.resize(firstOfBlock.back());
-  forBlocks(parallelFor, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       auto hinge = static_cast<int>(firstOfBlock[begin / BlockSize]);
@@ -57,20 +57,20 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
           if (other > r)
           {
             int j = 0;
-            while (across(other, j) != r || triangles(other, j) != triangles(r, (k + 1) % 3))
+            while (across(other, j) != r || triangles(other, j) != triangles(r, next(k)))
             {
               ++j;
             }
             this->HingeOf(r, k) = this->HingeOf(other, j) = hinge;
-            this->Hinges[hinge++].Corners = { triangles(r, k), triangles(r, (k + 1) % 3),
-              triangles(r, (k + 2) % 3), triangles(other, (j + 2) % 3) };
+            this->Hinges[hinge++].Corners = { triangles(r, k), triangles(r, next(k)),
+              triangles(r, previous(k)), triangles(other, previous(j)) };
           }
         }
       }
     });
   const Index size = static_cast<Index>(this->Hinges.size());
   this->Bent.resize(size, 3);
-  forBlocks(parallelFor, size, BlockSize,
+  forBlocks(run, size, BlockSize,
     [&](Index begin, Index end)
     {
       for (Index h = begin; h < end; ++h)
@@ -81,9 +81,9 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
         const double cotAc = cotangent(b - a, c - a), cotAd = cotangent(b - a, d - a),
                      cotBc = cotangent(a - b, c - b), cotBd = cotangent(a - b, d - b);
         Eigen::Array4d k(cotBc + cotBd, cotAc + cotAd, -cotAc - cotBc, -cotAd - cotBd);
-        const double largest = std::max(k.abs().maxCoeff(), LargestNumber);
+        const double largest = std::max(k.abs().maxCoeff(), MaximumNumber);
         const double s = 0.5 * (stiffness[hinge.Corners[0]] + stiffness[hinge.Corners[1]]);
-        k *= std::sqrt(LikeLaplacian * s) * LargestNumber / largest;
+        k *= std::sqrt(LikeLaplacian * s) * MaximumNumber / largest;
         for (int i = 0; i < 4; ++i)
         {
           hinge.K[i] = static_cast<float>(k[i]);
@@ -104,16 +104,16 @@ void HingeBending::forHingesOf(int vertex, const Visitor& visit) const
     {
       ++k;
     }
-    const int starting = this->HingeOf(*r, k), opposite = this->HingeOf(*r, (k + 1) % 3);
+    const int starting = this->HingeOf(*r, k), opposite = this->HingeOf(*r, next(k));
     const Hinge &edge = this->Hinges[starting], &other = this->Hinges[opposite];
     visit(starting, edge.K[edge.Corners[0] == vertex ? 0 : 1]);
     visit(opposite, other.K[other.Corners[2] == vertex ? 2 : 3]);
   }
 }
 
-void HingeBending::bend(const Points& x, const ParallelFor& parallelFor)
+void HingeBending::bend(const Points& x, const Run& run)
 {
-  forBlocks(parallelFor, static_cast<Index>(this->Hinges.size()), BlockSize,
+  forBlocks(run, static_cast<Index>(this->Hinges.size()), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index h = begin; h < end; ++h)

@@ -3,7 +3,7 @@
 #ifndef ConformalHingeBending_h
 #define ConformalHingeBending_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/MeshTopology.h"
 
@@ -28,10 +28,10 @@ public:
   /// @param[in] places     #V by 3, what gives the hinges their shape
   /// @param[in] stiffness  #V
   HingeBending(const conformal::Triangles& triangles, const Adjacency& around, const Points& places,
-    const Eigen::VectorXd& stiffness, const ParallelFor& parallelFor);
+    const Eigen::VectorXd& stiffness, const Run& run);
 
   /// Prepare forceAt() for values x at the vertices, #V by 3.
-  void bend(const Points& x, const ParallelFor& parallelFor);
+  void bend(const Points& x, const Run& run);
 
   /// Half the gradient of the form at a vertex.
   Vector3 forceAt(int vertex) const;

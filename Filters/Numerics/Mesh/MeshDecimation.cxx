@@ -10,7 +10,7 @@
 
 namespace conformal
 {
-DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress& progress)
+DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run)
 {
   if (numberOfVertices < 4)
   {
@@ -19,13 +19,13 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress&
   // For each vertex, but collapsing.
   const auto size = static_cast<double>(mesh.Positions.rows());
   const double collapsed = std::max(0.0, size - static_cast<double>(numberOfVertices));
-  Steps steps(progress, { 580.0 * size, 600.0 * size, 9000.0 * collapsed, 50.0 * size });
+  Steps steps(run, { 580.0 * size, 600.0 * size, 9000.0 * collapsed, 50.0 * size });
   requireGenusZero(mesh.Triangles, mesh.Positions.rows(), steps.next());
   steps.next();
   const Points places = inUnitBox(mesh.Positions);
   VertexRings rings(mesh.Triangles, mesh.Positions.rows());
   QuadricCollapse collapses(places, rings);
-  const Progress collapsing = steps.next();
+  const Run collapsing = steps.next();
   const Index used = mesh.Triangles.rows() / 2 + 2;
   constexpr Index stride = 1 << 10;
   for (Index count = used; count > numberOfVertices; --count)
@@ -33,7 +33,7 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress&
     collapses.next();
     if (count % stride == 0)
     {
-      report(collapsing,
+      collapsing.report(
         static_cast<double>(used - count) / static_cast<double>(used - numberOfVertices));
     }
   }
@@ -47,7 +47,7 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress&
   {
     result.Positions.row(static_cast<Index>(i)) = mesh.Positions.row(result.PointIds[i]);
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h
 
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 
 #include <vector>
@@ -21,7 +22,7 @@ struct DecimatedMesh : Mesh
 /// @param[in] mesh              finite, consistently oriented; points of no triangle are dropped
 /// @param[in] numberOfVertices  #W to be left, at least 4; nothing is done if there are no more
 /// @throws std::invalid_argument with what is wrong, if the surface is another one
-DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Progress& progress = {});
+DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run = {});
 }
 
 #endif

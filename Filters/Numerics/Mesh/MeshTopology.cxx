@@ -75,18 +75,16 @@ Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices)
   return neighbors;
 }
 
-Triangles triangleNeighbors(
-  const Triangles& triangles, Index numberOfVertices, const ParallelFor& parallelFor)
+Triangles triangleNeighbors(const Triangles& triangles, Index numberOfVertices, const Run& run)
 {
-  return triangleNeighbors(triangles, vertexTriangles(triangles, numberOfVertices), parallelFor);
+  return triangleNeighbors(triangles, vertexTriangles(triangles, numberOfVertices), run);
 }
 
-Triangles triangleNeighbors(
-  const Triangles& triangles, const Adjacency& around, const ParallelFor& parallelFor)
+Triangles triangleNeighbors(const Triangles& triangles, const Adjacency& around, const Run& run)
 {
   Triangles across(triangles.rows(), 3);
   const Index blockSize = 1024;
-  forBlocks(parallelFor, triangles.rows(), blockSize,
+  forBlocks(run, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -94,7 +92,7 @@ Triangles triangleNeighbors(
         for (int k = 0; k < 3; ++k)
         {
           across(r, k) =
-            triangleWithEdge(triangles, around, triangles(r, (k + 1) % 3), triangles(r, k));
+            triangleWithEdge(triangles, around, triangles(r, next(k)), triangles(r, k));
         }
       }
     });

@@ -3,7 +3,7 @@
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -33,11 +33,11 @@ Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 /// with the opposite sense, or -1 where none does.
 /// @pre no directed edge belongs to two triangles (checkGenusZero tells)
 Triangles triangleNeighbors(
-  const Triangles& triangles, Index numberOfVertices, const ParallelFor& parallelFor = {});
+  const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// @param[in] around  vertexTriangles of the triangles, where they are at hand
 Triangles triangleNeighbors(
-  const Triangles& triangles, const Adjacency& around, const ParallelFor& parallelFor = {});
+  const Triangles& triangles, const Adjacency& around, const Run& run = {});
 }
 
 #endif

@@ -5,7 +5,7 @@
 namespace conformal
 {
 ProgressiveMesh makeProgressiveMesh(
-  const Mesh& mesh, QuadricCollapse::Needles needles, const Progress& progress)
+  const Mesh& mesh, QuadricCollapse::Needles needles, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
@@ -19,11 +19,11 @@ ProgressiveMesh makeProgressiveMesh(
     result.Splits.push_back(collapses.next());
     if (i % stride == 0)
     {
-      report(progress, static_cast<double>(i) / static_cast<double>(count));
+      run.report(static_cast<double>(i) / static_cast<double>(count));
     }
   }
   std::reverse(result.Splits.begin(), result.Splits.end());
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/QuadricCollapse.h"
@@ -21,7 +22,7 @@ struct ProgressiveMesh
 
 /// @param[in] mesh  about of size one, with triangles that requireGenusZero() lets pass
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
-  QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Progress& progress = {});
+  QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 }
 
 #endif

@@ -18,8 +18,8 @@ constexpr double TurnedOverCost = 1e6;
 
 constexpr double ShapeWeight = 1e-4;
 constexpr double WorstAspect = 8.0;          // 1 is equilateral
-constexpr double SmallestCosine = 0.2;       // between a triangle's normals before and after
-constexpr std::size_t MostNeighbors = 10;    // after a collapse
+constexpr double MinimumCosine = 0.2;        // between a triangle's normals before and after
+constexpr std::size_t MaximumNeighbors = 10; // after a collapse
 constexpr std::size_t TooManyNeighbors = 24; // of a vertex to be taken out: not now
 
 double aspectOf(const Vector3& a, const Vector3& b, const Vector3& c, double twiceArea)
@@ -88,7 +88,7 @@ double QuadricCollapse::shapeCost(int v, int u) const
     const Vector3 p = this->point(first), q = this->point(second);
     const Vector3 before = (p - from).cross(q - from), after = (p - to).cross(q - to);
     const double length = after.norm();
-    turned = turned || before.dot(after) < SmallestCosine * before.norm() * length;
+    turned = turned || before.dot(after) < MinimumCosine * before.norm() * length;
     area += length;
     aspect = std::max(aspect, aspectOf(to, p, q, length));
   }
@@ -114,7 +114,7 @@ QuadricCollapse::Choice QuadricCollapse::bestTarget(int v) const
     const Vector3 to = this->point(u);
     const double error = this->Quadrics[v].at(to) + this->Quadrics[u].at(to);
     const std::size_t neighbors = this->Rings[u].size() + ring.size() - 4;
-    choices[count++] = { std::max(error, 0.0) + (neighbors > MostNeighbors ? UnwantedCost : 0.0),
+    choices[count++] = { std::max(error, 0.0) + (neighbors > MaximumNeighbors ? UnwantedCost : 0.0),
       u };
   }
   std::sort(choices.begin(), choices.begin() + count,

@@ -19,15 +19,15 @@ constexpr Index BlockSize = 512;
 
 // Of the length wanted. Between them an edge neither splits nor collapses for ever.
 constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
-constexpr double LeastCosine = 0.5;   // of the angle by which a normal may turn
-constexpr double LeastQuality = 0.05; // of a triangle that a collapse makes; 1 is equilateral
-constexpr double SmoothingStep = 0.7; // of the way to the middle
-constexpr int SmoothingTries = 3;     // each half as far
-constexpr int MostRounds = 100;       // of one kind of operation; many more than it takes
+constexpr double MinimumCosine = 0.5;   // of the angle by which a normal may turn
+constexpr double MinimumQuality = 0.05; // of a triangle that a collapse makes; 1 is equilateral
+constexpr double SmoothingStep = 0.7;   // of the way to the middle
+constexpr int SmoothingTries = 3;       // each half as far
+constexpr int MaximumRounds = 100;      // of one kind of operation; many more than it takes
 constexpr int FinalSmoothings = 3;
 
 /// Times the vertices wanted, beyond which a surface that has lost its area is split no more.
-constexpr Index MostSplit = 4;
+constexpr Index MaximumSplit = 4;
 
 constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5; // of normals across a flipped edge
 
@@ -66,10 +66,10 @@ double cosine(const Vector3& a, const Vector3& b)
 class Remesher
 {
 public:
-  Remesher(Points& points, Triangles& triangles, const ParallelFor& parallelFor)
+  Remesher(Points& points, Triangles& triangles, const Run& run)
     : Places(points)
     , Triangles(triangles)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Rings(triangles, points.rows())
     , Count(points.rows())
   {
@@ -78,7 +78,7 @@ public:
   Index count() const { return this->Count; }
 
   /// Whom to tell after each round how far an operation is.
-  void reportTo(const Progress& progress) { this->Report = progress; }
+  void reportTo(const Run& run) { this->Step = run; }
 
   /// The edge length at which the surface has so many vertices, if all triangles are equilateral.
   double lengthFor(Index numberOfVertices) const
@@ -186,7 +186,7 @@ public:
           return std::atan2(u.cross(v).norm(), u.dot(v));
         };
         constexpr double rounding = 1e-9;
-        return angle(left) + angle(right) - std::acos(-1.0) - rounding;
+        return angle(left) + angle(right) - Pi - rounding;
       });
   }
 
@@ -243,7 +243,7 @@ private:
   {
     std::vector<char> active(this->Rings.size(), 1), taken;
     std::vector<int> touched;
-    for (int round = 0; round < MostRounds; ++round)
+    for (int round = 0; round < MaximumRounds; ++round)
     {
       const std::vector<Operation> operations = this->proposals(active, proposed);
       taken.assign(active.size(), 0);
@@ -262,7 +262,7 @@ private:
         }
       }
       active.swap(taken);
-      report(this->Report, 1.0 - 1.0 / (round + 2.0));
+      this->Step.report(1.0 - 1.0 / (round + 2.0));
       if (!any || !wanted())
       {
         break;
@@ -346,8 +346,8 @@ private:
         return false;
       }
       if (id != u && nextId != u &&
-        (cosine(areaVector(from, p, q), areaVector(to, p, q)) < LeastCosine ||
-          quality(to, p, q) <= LeastQuality))
+        (cosine(areaVector(from, p, q), areaVector(to, p, q)) < MinimumCosine ||
+          quality(to, p, q) <= MinimumQuality))
       {
         return false;
       }
@@ -356,9 +356,9 @@ private:
   }
 
   /// Flip edges where a gain is positive and the surface stays as it is.
-  /// @param[in] leastQuality  of the new triangles, against the old
+  /// @param[in] minimumQuality  of the new triangles, against the old
   template <typename Gain>
-  void flip(double leastDihedral, double leastQuality, const Gain& gain)
+  void flip(double minimumDihedral, double minimumQuality, const Gain& gain)
   {
     const auto proposed = [&](int a, int b, Operation& operation)
     {
@@ -374,10 +374,10 @@ private:
       const Vector3 newA = areaVector(pa, pr, pl), newB = areaVector(pb, pl, pr);
       const Vector3 mean = oldLeft + oldRight;
       const double dihedral = cosine(newA, newB);
-      return cosine(newA, mean) > LeastCosine && cosine(newB, mean) > LeastCosine &&
-        (dihedral >= leastDihedral || dihedral >= cosine(oldLeft, oldRight)) &&
+      return cosine(newA, mean) > MinimumCosine && cosine(newB, mean) > MinimumCosine &&
+        (dihedral >= minimumDihedral || dihedral >= cosine(oldLeft, oldRight)) &&
         std::min(quality(pa, pr, pl), quality(pb, pl, pr)) >=
-        leastQuality * std::min(quality(pa, pb, pl), quality(pb, pa, pr));
+        minimumQuality * std::min(quality(pa, pb, pl), quality(pb, pa, pr));
     };
     this->perform(
       proposed,
@@ -468,7 +468,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector3 p = this->place(ring[i]), q = this->place(ring[(i + 1) % ring.size()]);
-      if (cosine(areaVector(from, p, q), areaVector(to, p, q)) <= LeastCosine)
+      if (cosine(areaVector(from, p, q), areaVector(to, p, q)) <= MinimumCosine)
       {
         return false;
       }
@@ -478,10 +478,10 @@ private:
 
   Points& Places;
   conformal::Triangles& Triangles;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
   VertexRings Rings;
   Index Count;
-  Progress Report;
+  Run Step; // of the remeshing that is being made
 };
 
 /// In nanoseconds as in Steps: of each part of each iteration, then of meeting the number.
@@ -508,8 +508,7 @@ std::vector<double> workOfParts(const RemeshingOptions& options, Index numberOfP
 }
 
 //------------------------------------------------------------------------------
-void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& parallelFor,
-  const Progress& progress)
+void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
 {
   if (options.NumberOfVertices < 4 || options.NumberOfIterations < 0)
   {
@@ -517,13 +516,13 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& para
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
   const Index wanted = options.NumberOfVertices;
-  Steps steps(progress, workOfParts(options, mesh.Positions.rows()));
-  Remesher remesher(mesh.Positions, mesh.Triangles, parallelFor);
+  Steps steps(run, workOfParts(options, mesh.Positions.rows()));
+  Remesher remesher(mesh.Positions, mesh.Triangles, run);
   double length = remesher.lengthFor(wanted);
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
     remesher.reportTo(steps.next());
-    remesher.split(LongestEdge * length, std::max(remesher.count(), MostSplit * wanted));
+    remesher.split(LongestEdge * length, std::max(remesher.count(), MaximumSplit * wanted));
     remesher.reportTo(steps.next());
     remesher.collapse(ShortestEdge * length, LongestEdge * length);
     remesher.reportTo(steps.next());
@@ -551,7 +550,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& para
     remesher.flipForAngles();
   }
   remesher.finish();
-  report(progress, 1.0);
+  run.report(1.0);
 }
 
 double workOfRemeshing(const RemeshingOptions& options, Index numberOfPositions)

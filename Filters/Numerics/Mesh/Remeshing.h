@@ -3,7 +3,7 @@
 #ifndef ConformalRemeshing_h
 #define ConformalRemeshing_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 
 namespace conformal
@@ -32,8 +32,7 @@ struct RemeshingOptions
 /// @param[in,out] mesh  finite, a closed manifold, consistently oriented, each position used
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted
-void remesh(Mesh& mesh, const RemeshingOptions& options, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run = {});
 
 /// What remesh() takes, in nanoseconds as in Steps.
 double workOfRemeshing(const RemeshingOptions& options, Index numberOfPositions);

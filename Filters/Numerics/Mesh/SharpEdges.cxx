@@ -32,16 +32,16 @@ constexpr double PlaneWidth = 1.2, LongestWay = 1.2;
 // What share of the area around a vertex, but for triangles across an edge, is part of planes.
 // Measured: on edges of a machine part 0.95 or more, on ridges of animals 0.90 or less, but for one
 // vertex in twenty each. In corners, between vertices that are sure, less will do.
-constexpr double SurePlaneShare = 0.92, LeastPlaneShare = 0.6;
+constexpr double SurePlaneShare = 0.92, MinimumPlaneShare = 0.6;
 
 // Planes fit to these, in edge lengths, on sharp edges. Measured: 0.02 to 0.06 on those of a
 // machine part, mostly above 0.12 on ridges of animals.
-constexpr double LargestMisfit = 0.09;
+constexpr double MaximumMisfit = 0.09;
 
 // Along the edge, of the second moment of the planes' normals, there is nothing to go by.
-constexpr double LeastEigenvalue = 0.04;
+constexpr double MinimumEigenvalue = 0.04;
 
-constexpr double LeastCosine = 0.0, LeastQuality = 0.05; // of triangles whose vertex moves
+constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05; // of triangles whose vertex moves
 
 using Corners = std::array<Vector3, 3>;
 
@@ -87,12 +87,12 @@ struct SharpEdges
 class Finder
 {
 public:
-  Finder(const Mesh& mesh, const ParallelFor& parallelFor)
+  Finder(const Mesh& mesh, const Run& run)
     : Surface(mesh)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Around(vertexTriangles(mesh.Triangles, mesh.Positions.rows()))
     , Neighbors(vertexNeighbors(mesh.Triangles, mesh.Positions.rows()))
-    , TrianglesAcross(triangleNeighbors(mesh.Triangles, this->Around, parallelFor))
+    , TrianglesAcross(triangleNeighbors(mesh.Triangles, this->Around, run))
     , Edge(meanEdge(mesh))
     , Normals(mesh.Triangles.rows(), 3)
     , Centers(mesh.Triangles.rows(), 3)
@@ -113,7 +113,7 @@ public:
     this->Smoothed = this->Normals;
   }
 
-  void smoothNormals(const Progress& progress)
+  void smoothNormals(const Run& run)
   {
     Points next(this->Smoothed.rows(), 3);
     for (int pass = 0; pass < FilterPasses; ++pass)
@@ -127,7 +127,7 @@ public:
           }
         });
       this->Smoothed.swap(next);
-      report(progress, (pass + 1.0) / FilterPasses);
+      run.report((pass + 1.0) / FilterPasses);
     }
     for (int pass = 0; pass < MajorityPasses; ++pass)
     {
@@ -145,7 +145,7 @@ public:
         if (this->sharp(r, k))
         {
           beside.push_back(this->Surface.Triangles(r, k));
-          beside.push_back(this->Surface.Triangles(r, (k + 1) % 3));
+          beside.push_back(this->Surface.Triangles(r, next(k)));
         }
       }
     }
@@ -200,7 +200,7 @@ private:
       for (const int* t = this->Around.begin(ids[k]); t != this->Around.end(ids[k]); ++t)
       {
         // One that has the next corner too has its turn there.
-        if ((this->Surface.Triangles.row(*t).array() != ids[(k + 1) % 3]).all())
+        if ((this->Surface.Triangles.row(*t).array() != ids[next(k)]).all())
         {
           const Vector3 other = this->Smoothed.row(*t), way = this->Centers.row(*t);
           sum += this->Areas[*t] *
@@ -273,7 +273,7 @@ private:
         weights += weight;
       }
     }
-    if (!(weights > LeastPlaneShare * all))
+    if (!(weights > MinimumPlaneShare * all))
     {
       return {};
     }
@@ -283,7 +283,7 @@ private:
     {
       const Vector3 direction = moments.eigenvectors().col(axis);
       const double moment = moments.eigenvalues()[axis];
-      way += moment > LeastEigenvalue
+      way += moment > MinimumEigenvalue
         ? Vector3(direction.dot(side) / (weights * moment) * direction)
         : Vector3(Vector3::Zero());
     }
@@ -291,7 +291,7 @@ private:
       std::sqrt(std::max(0.0, squares - 2.0 * side.dot(way) + way.dot(matrix * way)) / weights);
     const double length = way.norm(), longest = LongestWay * this->Edge;
     return { from + (length > longest ? longest / length : 1.0) * way,
-      weights >= SurePlaneShare * all && misfit <= LargestMisfit * this->Edge, true };
+      weights >= SurePlaneShare * all && misfit <= MaximumMisfit * this->Edge, true };
   }
 
   /// Those up to three triangles away.
@@ -318,7 +318,7 @@ private:
   }
 
   const Mesh& Surface;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
   const Adjacency Around, Neighbors;
   const Triangles TrianglesAcross;
   const double Edge;
@@ -343,8 +343,8 @@ bool staysGood(
   {
     const Corners before = cornersOf(mesh, *t), after = moved(*t);
     const Vector3 old = areaVector(before), now = areaVector(after);
-    if (now.dot(old) < LeastCosine * now.norm() * old.norm() ||
-      quality(after) < std::min(LeastQuality, quality(before)))
+    if (now.dot(old) < MinimumCosine * now.norm() * old.norm() ||
+      quality(after) < std::min(MinimumQuality, quality(before)))
     {
       return false;
     }
@@ -387,11 +387,11 @@ Index moveVertices(Mesh& mesh, const SharpEdges& edges)
 }
 
 //------------------------------------------------------------------------------
-Index sharpenEdges(Mesh& mesh, const ParallelFor& parallelFor, const Progress& progress)
+Index sharpenEdges(Mesh& mesh, const Run& run)
 {
-  Steps steps(progress, { 2.0, FilterPasses, 1.0 });
+  Steps steps(run, { 2.0, FilterPasses, 1.0 });
   steps.next();
-  Finder finder(mesh, parallelFor);
+  Finder finder(mesh, run);
   finder.smoothNormals(steps.next());
   steps.next();
   const SharpEdges edges = finder.edges();

@@ -3,7 +3,7 @@
 #ifndef ConformalSharpEdges_h
 #define ConformalSharpEdges_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 
 namespace conformal
@@ -26,7 +26,7 @@ namespace conformal
 /// @return how many vertices moved
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
-Index sharpenEdges(Mesh& mesh, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+Index sharpenEdges(Mesh& mesh, const Run& run = {});
 
 /// What sharpenEdges() takes, in nanoseconds as in Steps.
 double workOfSharpEdges(Index numberOfVertices);

@@ -53,7 +53,7 @@ private:
   /// The point so many steps from the start of an edge.
   int onEdge(int edge, int step) const
   {
-    const bool ascends = this->Corners[edge] < this->Corners[(edge + 1) % 3];
+    const bool ascends = this->Corners[edge] < this->Corners[next(edge)];
     return this->FirstOnEdge[edge] + (ascends ? step : this->K - step) - 1;
   }
 
@@ -65,10 +65,10 @@ private:
 /// The id of the first point on each edge of each triangle, the same from both sides, after so many
 /// others; and the number of all points until then and on edges.
 Triangles numberEdges(const Triangles& triangles, const Triangles& neighbors, int perEdge,
-  Index numberOfVertices, Index& next)
+  Index numberOfVertices, Index& free)
 {
   Triangles first(triangles.rows(), 3);
-  next = numberOfVertices;
+  free = numberOfVertices;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     for (int k = 0; k < 3; ++k)
@@ -76,14 +76,14 @@ Triangles numberEdges(const Triangles& triangles, const Triangles& neighbors, in
       const int other = neighbors(r, k);
       if (other < 0 || other > r)
       {
-        first(r, k) = static_cast<int>(next);
-        next += perEdge;
+        first(r, k) = static_cast<int>(free);
+        free += perEdge;
         continue;
       }
       for (int m = 0; m < 3; ++m)
       {
-        if (triangles(other, m) == triangles(r, (k + 1) % 3) &&
-          triangles(other, (m + 1) % 3) == triangles(r, k))
+        if (triangles(other, m) == triangles(r, next(k)) &&
+          triangles(other, next(m)) == triangles(r, k))
         {
           first(r, k) = first(other, m);
         }
@@ -95,8 +95,7 @@ Triangles numberEdges(const Triangles& triangles, const Triangles& neighbors, in
 }
 
 //------------------------------------------------------------------------------
-Mesh subdivide(
-  const Mesh& mesh, int subdivisions, const ParallelFor& parallelFor, const Progress& progress)
+Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run)
 {
   if (subdivisions < 1)
   {
@@ -109,12 +108,12 @@ Mesh subdivide(
     throw std::length_error(
       "cut into so many triangles the mesh would have more than an int counts; cut it into fewer");
   }
-  const Triangles neighbors = triangleNeighbors(mesh.Triangles, mesh.Positions.rows(), parallelFor);
-  Index next = 0;
+  const Triangles neighbors = triangleNeighbors(mesh.Triangles, mesh.Positions.rows(), run);
+  Index free = 0;
   const Triangles firstOnEdge =
-    numberEdges(mesh.Triangles, neighbors, k - 1, mesh.Positions.rows(), next);
+    numberEdges(mesh.Triangles, neighbors, k - 1, mesh.Positions.rows(), free);
   const Index inside = Index(k - 1) * (k - 2) / 2;
-  const Index firstInside = next;
+  const Index firstInside = free;
 
   Mesh fine;
   fine.Positions.resize(firstInside + inside * mesh.Triangles.rows(), 3);
@@ -127,8 +126,8 @@ Mesh subdivide(
     const CutTriangle triangle(k, corners, edges, static_cast<int>(firstInside + inside * r));
     for (int edge = 0; edge < 3; ++edge) // by the neighbor of lower id, from the lower vertex
     {
-      const int from = std::min(corners[edge], corners[(edge + 1) % 3]),
-                to = std::max(corners[edge], corners[(edge + 1) % 3]);
+      const int from = std::min(corners[edge], corners[next(edge)]),
+                to = std::max(corners[edge], corners[next(edge)]);
       for (int step = 1; step < k && !(neighbors(r, edge) >= 0 && neighbors(r, edge) < r); ++step)
       {
         fine.Positions.row(edges[edge] + step - 1) =
@@ -161,7 +160,7 @@ Mesh subdivide(
     }
   };
   const Index blockSize = std::max<Index>(1, 1024 / (Index(k) * k));
-  forBlocks(parallelFor, mesh.Triangles.rows(), blockSize, progress,
+  forBlocksReporting(run, mesh.Triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

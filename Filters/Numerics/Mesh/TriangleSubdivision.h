@@ -3,7 +3,7 @@
 #ifndef ConformalTriangleSubdivision_h
 #define ConformalTriangleSubdivision_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 
 namespace conformal
@@ -21,8 +21,7 @@ namespace conformal
 /// @throws std::invalid_argument if k is below 1
 /// @throws std::length_error if ids do not fit into an int
 /// @throws Aborted
-Mesh subdivide(const Mesh& mesh, int subdivisions, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run = {});
 
 /// The least k at which a closed mesh of genus zero gets at least so many points. At least 1.
 int subdivisionsFor(Index numberOfVertices, double numberOfPoints);

@@ -7,15 +7,15 @@ Points vertexNormals(const Points& points, const Triangles& triangles)
   return vertexNormals(points, triangles, vertexTriangles(triangles, points.rows()));
 }
 
-Points vertexNormals(const Points& points, const Triangles& triangles, const Adjacency& around,
-  const ParallelFor& parallelFor)
+Points vertexNormals(
+  const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run)
 {
   // Areas are squares, so they are taken in units of the mesh's size.
   const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
   const double unit = size > 0.0 ? 1.0 / size : 0.0;
   const Index blockSize = 1024;
   Points twiceAreas(triangles.rows(), 3);
-  forBlocks(parallelFor, triangles.rows(), blockSize,
+  forBlocks(run, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -27,7 +27,7 @@ Points vertexNormals(const Points& points, const Triangles& triangles, const Adj
       }
     });
   Points normals = Points::Zero(points.rows(), 3);
-  forBlocks(parallelFor, points.rows(), blockSize,
+  forBlocks(run, points.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -3,7 +3,7 @@
 #ifndef ConformalVertexNormals_h
 #define ConformalVertexNormals_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/MeshTopology.h"
 
@@ -18,8 +18,8 @@ namespace conformal
 Points vertexNormals(const Points& points, const Triangles& triangles);
 
 /// @param[in] around  vertexTriangles of the triangles, where they are at hand
-Points vertexNormals(const Points& points, const Triangles& triangles, const Adjacency& around,
-  const ParallelFor& parallelFor = {});
+Points vertexNormals(
+  const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run = {});
 }
 
 #endif

@@ -42,7 +42,7 @@ VertexRings::VertexRings(const Triangles& triangles, Index numberOfVertices)
     for (const int* r = around.begin(v); r != around.end(v); ++r)
     {
       const int k = triangles(*r, 0) == v ? 0 : triangles(*r, 1) == v ? 1 : 2;
-      sides.emplace_back(triangles(*r, (k + 1) % 3), triangles(*r, (k + 2) % 3));
+      sides.emplace_back(triangles(*r, next(k)), triangles(*r, previous(k)));
     }
     if (!sides.empty())
     {

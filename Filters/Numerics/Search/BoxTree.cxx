@@ -99,8 +99,7 @@ int build(
 }
 }
 
-BoxTree buildBoxTree(
-  const std::vector<Box>& boxes, const ParallelFor& parallelFor, const Progress& progress)
+BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run)
 {
   BoxTree tree;
   const int size = static_cast<int>(boxes.size());
@@ -124,8 +123,8 @@ BoxTree buildBoxTree(
   while (ranges.front().size() > RangeSize)
   {
     std::vector<Range> halves(2 * ranges.size());
-    forBlocks(parallelFor, static_cast<Index>(ranges.size()), 1,
-      partOf(progress, level / numberOfLevels, (level + 1.0) / numberOfLevels),
+    forBlocksReporting(run.part(level / numberOfLevels, (level + 1.0) / numberOfLevels),
+      static_cast<Index>(ranges.size()), 1,
       [&](Index i, Index)
       { std::tie(halves[2 * i], halves[2 * i + 1]) = split(tree, centers, ranges[i]); });
     for (const Range& range : ranges)
@@ -135,8 +134,7 @@ BoxTree buildBoxTree(
     ranges.swap(halves);
     ++level;
   }
-  forBlocks(parallelFor, static_cast<Index>(ranges.size()), 1,
-    partOf(progress, level / numberOfLevels, 1.0),
+  forBlocksReporting(run.part(level / numberOfLevels, 1.0), static_cast<Index>(ranges.size()), 1,
     [&](Index i, Index) { build(tree, centers, boxes, ranges[i]); });
   std::for_each(nodes.rbegin(), nodes.rend(), [&](int node) { joinBounds(tree, node); });
   return tree;

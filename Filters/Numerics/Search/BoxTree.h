@@ -3,7 +3,7 @@
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <limits>
@@ -52,8 +52,7 @@ struct BoxTree
 /// Build by median splits of the items' box centers along the longest side. Depends on the boxes
 /// only, so every run gives the same tree. O(n log n).
 /// @throws Aborted
-BoxTree buildBoxTree(const std::vector<Box>& boxes, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run = {});
 }
 
 #endif

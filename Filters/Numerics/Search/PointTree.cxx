@@ -44,7 +44,7 @@ struct NearestOnes
 }
 
 //------------------------------------------------------------------------------
-PointTree::PointTree(const PointView& points, const Progress& progress)
+PointTree::PointTree(const PointView& points, const Run& run)
   : Places(points.size())
 {
   Index bad = 0;
@@ -66,11 +66,11 @@ PointTree::PointTree(const PointView& points, const Progress& progress)
     count *= 2;
   }
   this->Axes.resize(nodes);
-  this->split(0, 0, this->size(), progress);
+  this->split(0, 0, this->size(), run);
 }
 
 //------------------------------------------------------------------------------
-void PointTree::split(Index node, Index first, Index last, const Progress& progress)
+void PointTree::split(Index node, Index first, Index last, const Run& run)
 {
   constexpr Index sizeToReport = 1 << 12; // large enough to take a while
   if (last - first <= LeafSize)
@@ -93,11 +93,11 @@ void PointTree::split(Index node, Index first, Index last, const Progress& progr
         (a.Position[axis] == b.Position[axis] && a.Id < b.Id);
     });
   this->Axes[node] = static_cast<unsigned char>(axis);
-  this->split(2 * node + 1, first, middle, progress);
-  this->split(2 * node + 2, middle + 1, last, progress);
+  this->split(2 * node + 1, first, middle, run);
+  this->split(2 * node + 2, middle + 1, last, run);
   if (last - first >= sizeToReport)
   {
-    report(progress, static_cast<double>(last) / static_cast<double>(this->size()));
+    run.report(static_cast<double>(last) / static_cast<double>(this->size()));
   }
 }
 

@@ -3,6 +3,7 @@
 #ifndef ConformalPointTree_h
 #define ConformalPointTree_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <vector>
@@ -36,7 +37,7 @@ public:
 
   /// @param[in] points  #P by 3
   /// @throws std::invalid_argument if points are not finite
-  explicit PointTree(const PointView& points, const Progress& progress = {});
+  explicit PointTree(const PointView& points, const Run& run = {});
 
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
@@ -55,7 +56,7 @@ private:
     Vector3 Position;
     int Id;
   };
-  void split(Index node, Index first, Index last, const Progress& progress);
+  void split(Index node, Index first, Index last, const Run& run);
   template <typename Found>
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;

@@ -84,10 +84,9 @@ FootPoint closestPointOfTriangle(
     [](const FootPoint& p, const FootPoint& q) { return p.SquareDistance < q.SquareDistance; });
 }
 
-TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
-  const ParallelFor& parallelFor, const Progress& progress)
+TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles, const Run& run)
 {
-  Steps steps(progress, { 30.0, 300.0, 70.0, 40.0, 55.0 }); // for each triangle
+  Steps steps(run, { 30.0, 300.0, 70.0, 40.0, 55.0 }); // for each triangle
   steps.next();
   std::vector<Box> boxes(triangles.rows());
   for (Index r = 0; r < triangles.rows(); ++r)
@@ -97,8 +96,8 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
       boxes[r].extend(Vector3(positions.row(triangles(r, k))));
     }
   }
-  BoxTree tree = buildBoxTree(boxes, parallelFor, steps.next());
-  const Progress joining = steps.next();
+  BoxTree tree = buildBoxTree(boxes, steps.next());
+  const Run joining = steps.next();
   if (triangles.rows() > 0)
   {
     this->addQuad(tree, 0, joining);
@@ -112,18 +111,18 @@ TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles,
     this->PlaceOf[this->Items[place]] = place;
   }
   steps.next();
-  this->refit(positions, triangles, parallelFor);
-  report(progress, 1.0);
+  this->refit(positions, triangles, run);
+  run.report(1.0);
 }
 
-int TriangleTree::addQuad(const BoxTree& tree, int node, const Progress& progress)
+int TriangleTree::addQuad(const BoxTree& tree, int node, const Run& run)
 {
   const int self = static_cast<int>(this->Quads.size());
   constexpr int chunk = 1 << 12;
   if (self % chunk == 0)
   {
     // Half of all nodes have children, of which a quad joins three at most.
-    report(progress, std::min(1.0, 4.0 * self / static_cast<double>(tree.Nodes.size())));
+    run.report(std::min(1.0, 4.0 * self / static_cast<double>(tree.Nodes.size())));
   }
   this->Quads.emplace_back();
   std::array<int, DoubleLanes> nodes;
@@ -147,7 +146,7 @@ int TriangleTree::addQuad(const BoxTree& tree, int node, const Progress& progres
   {
     const bool used = nodes[k] >= 0;
     const BoxTree::Node leaf = used ? tree.Nodes[nodes[k]] : BoxTree::Node();
-    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k], progress) : -1;
+    const int next = used && leaf.Count == 0 ? this->addQuad(tree, nodes[k], run) : -1;
     this->Quads[self].Next[k] = next;
     this->Quads[self].First[k] = leaf.First;
     this->Quads[self].Count[k] = leaf.Count;
@@ -178,11 +177,10 @@ Box TriangleTree::boxOf(const Quad& quad, int lane) const
   return box;
 }
 
-void TriangleTree::refit(
-  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
+void TriangleTree::refit(const Points& positions, const Triangles& triangles, const Run& run)
 {
   const Index blockSize = 4096;
-  forBlocks(parallelFor, static_cast<Index>(this->Placed.size()), blockSize,
+  forBlocks(run, static_cast<Index>(this->Placed.size()), blockSize,
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)

@@ -4,6 +4,7 @@
 #define ConformalTriangleTree_h
 
 #include "Base/Lanes.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Search/BoxTree.h"
 
@@ -36,12 +37,10 @@ public:
   /// @param[in] positions  #V by 3, finite
   /// @param[in] triangles      #F by 3 ids
   /// @throws Aborted
-  TriangleTree(const Points& positions, const Triangles& triangles,
-    const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
   /// The same triangles with their vertices moved. O(#F).
-  void refit(
-    const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
+  void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
 
   /// The closest point of the mesh; of triangles equally close, the lowest id.
   /// @param[in] x     a point; distances are exact to rounding
@@ -62,7 +61,7 @@ private:
     int First[DoubleLanes]; ///< a leaf's first place in Items
     int Count[DoubleLanes]; ///< a leaf's number of triangles, else 0
   };
-  int addQuad(const BoxTree& tree, int node, const Progress& progress);
+  int addQuad(const BoxTree& tree, int node, const Run& run);
   Box boxOf(const Quad& quad, int lane) const;
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);

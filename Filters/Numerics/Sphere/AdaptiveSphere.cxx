@@ -20,8 +20,8 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double SmallestRadius = 1e-7; // of a triangle that is divided
-constexpr double LeastDensity = 1e-9;   // of the mean; so that a size is finite
+constexpr double MinimumRadius = 1e-7;  // of a triangle that is divided
+constexpr double MinimumDensity = 1e-9; // of the mean; so that a size is finite
 constexpr double SizeSpread = 3.0;      // of the random factor of areas
 constexpr double GoodAngle = 35.0;      // below which smoothing makes no angle smaller
 constexpr double SmoothingStep = 0.7;   // of the way to the middle
@@ -34,7 +34,7 @@ constexpr int ReportEvery = 1024; // points
 
 double squaredSine(double degrees)
 {
-  const double sine = std::sin(degrees * std::acos(-1.0) / 180.0);
+  const double sine = std::sin(degrees * Pi / 180.0);
   return sine * sine;
 }
 
@@ -71,16 +71,16 @@ struct Shape
 class Refinement
 {
 public:
-  Refinement(const SphereDensity& density, Index numberOfPoints, const ParallelFor& parallelFor)
+  Refinement(const SphereDensity& density, Index numberOfPoints, const Run& run)
     : Density(density)
-    , ProbeDensities(densitiesOf(density, parallelFor))
+    , ProbeDensities(densitiesOf(density, run))
     , NextProbe(density.Areas.size(), -1)
   {
     const Mesh start = makeGeodesicSphere(1);
     const double all = integralOf(density, this->ProbeDensities);
     const double area = std::accumulate(density.Areas.begin(), density.Areas.end(), 0.0);
-    this->Floor = LeastDensity * all / area;
-    this->AreaUnit = 4.0 * std::acos(-1.0) / area;
+    this->Floor = MinimumDensity * all / area;
+    this->AreaUnit = 4.0 * Pi / area;
     const Index most = numberOfPoints + numberOfPoints / 50; // for which there may be no room
     this->Positions.reserve(most);
     this->Sizes.reserve(most);
@@ -111,7 +111,7 @@ public:
   }
 
   /// Add points until there are so many and all angles are good.
-  void refine(Index numberOfPoints, const Progress& progress)
+  void refine(Index numberOfPoints, const Run& run)
   {
     const auto first = static_cast<double>(this->Positions.size());
     const double all = std::max(1.0, static_cast<double>(numberOfPoints) - first);
@@ -132,8 +132,7 @@ public:
       if (this->Positions.size() >= next)
       {
         next = this->Positions.size() + ReportEvery;
-        report(
-          progress, std::min(1.0, (static_cast<double>(this->Positions.size()) - first) / all));
+        run.report(std::min(1.0, (static_cast<double>(this->Positions.size()) - first) / all));
       }
     }
   }
@@ -144,11 +143,11 @@ public:
   Index sizeBefore() const { return this->Before; }
 
   /// Move points towards the middle of their triangles, then flip edges.
-  void smooth(const ParallelFor& parallelFor, const Progress& progress)
+  void smooth(const Run& run)
   {
     for (const std::vector<int>& color : this->colors())
     {
-      forBlocks(parallelFor, static_cast<Index>(color.size()), BlockSize,
+      forBlocks(run, static_cast<Index>(color.size()), BlockSize,
         [&](Index begin, Index end)
         {
           for (Index i = begin; i < end; ++i)
@@ -157,7 +156,7 @@ public:
           }
         });
     }
-    forBlocks(parallelFor, static_cast<Index>(this->Positions.size()), BlockSize, progress,
+    forBlocksReporting(run, static_cast<Index>(this->Positions.size()), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -282,11 +281,11 @@ private:
       return;
     }
     const Shape shape = this->shapeOf(t);
-    if (shape.SquaredRadius < SmallestRadius * SmallestRadius)
+    if (shape.SquaredRadius < MinimumRadius * MinimumRadius)
     {
       return;
     }
-    if (shape.SquaredSine < this->LeastSquaredSine)
+    if (shape.SquaredSine < this->MinimumSquaredSine)
     {
       this->ByAngle.push({ -shape.SquaredRadius, t, item.Version });
       return;
@@ -362,8 +361,8 @@ private:
     for (int k = 0; k < 3; ++k)
     {
       Item& item = this->Items[parts[k]];
-      item.Ids = { old.Ids[k], old.Ids[(k + 1) % 3], p };
-      item.Across = { old.Across[k], parts[(k + 1) % 3], parts[(k + 2) % 3] };
+      item.Ids = { old.Ids[k], old.Ids[next(k)], p };
+      item.Across = { old.Across[k], parts[next(k)], parts[previous(k)] };
       item.FirstProbe = -1;
       this->replaceNeighbor(old.Across[k], t, parts[k]);
     }
@@ -446,8 +445,8 @@ private:
     const int other = this->Items[t].Across[k];
     const int m = this->placeOf(other, t); // its edge (m, m + 1)
     const Item first = this->Items[t], second = this->Items[other];
-    const int a = first.Ids[k], b = first.Ids[(k + 1) % 3], c = first.Ids[(k + 2) % 3],
-              d = second.Ids[(m + 2) % 3];
+    const int a = first.Ids[k], b = first.Ids[next(k)], c = first.Ids[previous(k)],
+              d = second.Ids[previous(m)];
     const Vector3 &pa = this->Positions[a], &pb = this->Positions[b], &pc = this->Positions[c],
                   &pd = this->Positions[d];
     const double before = std::min(Shape(pa, pb, pc).SquaredSine, Shape(pb, pa, pd).SquaredSine);
@@ -467,9 +466,9 @@ private:
     }
     Item &left = this->Items[t], &right = this->Items[other];
     left.Ids = { a, d, c };
-    left.Across = { second.Across[(m + 1) % 3], other, first.Across[(k + 2) % 3] };
+    left.Across = { second.Across[next(m)], other, first.Across[previous(k)] };
     right.Ids = { d, b, c };
-    right.Across = { second.Across[(m + 2) % 3], first.Across[(k + 1) % 3], t };
+    right.Across = { second.Across[previous(m)], first.Across[next(k)], t };
     this->replaceNeighbor(left.Across[0], other, t);
     this->replaceNeighbor(right.Across[1], t, other);
     left.FirstProbe = right.FirstProbe = -1;
@@ -511,7 +510,7 @@ private:
       this->forEachTriangle(v,
         [&](int t, int k)
         {
-          const int color = colorOf[this->Items[t].Ids[(k + 1) % 3]];
+          const int color = colorOf[this->Items[t].Ids[next(k)]];
           if (color >= 0)
           {
             takenBy[color] = v;
@@ -589,7 +588,7 @@ private:
   const SphereDensity& Density;
   double Floor = 0.0;    // of the density
   double AreaUnit = 1.0; // by which areas add up to that of the sphere
-  const double LeastSquaredSine = squaredSine(AdaptiveSphereLimits::MinimumAngle);
+  const double MinimumSquaredSine = squaredSine(AdaptiveSphereLimits::MinimumAngle);
   const double GoodSquaredSine = squaredSine(GoodAngle);
   bool IsRefining = true;
   Index Before = 0;
@@ -606,8 +605,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-Mesh makeAdaptiveSphere(const SphereDensity& density, const AdaptiveSphereOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+Mesh makeAdaptiveSphere(
+  const SphereDensity& density, const AdaptiveSphereOptions& options, const Run& run)
 {
   using Limits = AdaptiveSphereLimits;
   if (options.NumberOfPoints < Limits::MinimumPoints ||
@@ -621,23 +620,23 @@ Mesh makeAdaptiveSphere(const SphereDensity& density, const AdaptiveSphereOption
   std::vector<double> work(2 + options.SmoothingRounds, WorkOfRound * size);
   work[0] = 100.0 * static_cast<double>(density.Areas.size());
   work[1] = WorkOfRefinement * size;
-  Steps steps(progress, work);
+  Steps steps(run, work);
   steps.next();
-  std::optional<Refinement> refinement(std::in_place, density, options.NumberOfPoints, parallelFor);
+  std::optional<Refinement> refinement(std::in_place, density, options.NumberOfPoints, run);
   refinement->refine(options.NumberOfPoints, steps.next());
   if (static_cast<double>(refinement->size()) > (1.0 + Limits::Tolerance) * size)
   {
     // The last point needed many others for its angles. Without it:
     const Index fewer = refinement->sizeBefore();
-    refinement.emplace(density, options.NumberOfPoints, parallelFor);
+    refinement.emplace(density, options.NumberOfPoints, run);
     refinement->refine(fewer, {});
   }
   refinement->dropQueues();
   for (int round = 0; round < options.SmoothingRounds; ++round)
   {
-    refinement->smooth(parallelFor, steps.next());
+    refinement->smooth(steps.next());
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return refinement->mesh();
 }
 

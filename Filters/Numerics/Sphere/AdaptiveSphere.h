@@ -3,7 +3,7 @@
 #ifndef ConformalAdaptiveSphere_h
 #define ConformalAdaptiveSphere_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Mesh/Mesh.h"
 #include "Sphere/SphereDensity.h"
 
@@ -45,8 +45,8 @@ struct AdaptiveSphereLimits
 /// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere, or
 ///   as densitiesOf()
 /// @throws Aborted
-Mesh makeAdaptiveSphere(const SphereDensity& density, const AdaptiveSphereOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+Mesh makeAdaptiveSphere(
+  const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});
 
 /// What makeAdaptiveSphere() takes but for its density, in nanoseconds as in Steps.
 double workOfAdaptiveSphere(const AdaptiveSphereOptions& options);

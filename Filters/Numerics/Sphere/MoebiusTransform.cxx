@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int MostSteps = 100;
+constexpr int MaximumSteps = 100;
 
 Eigen::Matrix3d rotationBy(const Vector3& vector)
 {
@@ -90,7 +90,8 @@ Eigen::Matrix3d closestRotation(
   {
     sum += weights[i] * to.row(i).transpose() * from.row(i);
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(
+    sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vector3 signs(1.0, 1.0, 1.0);
   signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
@@ -103,7 +104,7 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
   const double total = weights.sum();
   MoebiusTransform transform, best;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < MostSteps; ++i)
+  for (int i = 0; i < MaximumSteps; ++i)
   {
     Vector3 mean = Vector3::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
@@ -134,18 +135,18 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
 // Levenberg's and Marquardt's method from the closest rotation; six unknowns: a small center and a
 // small rotation after the transform so far.
 MoebiusTransform closestMoebiusTransform(
-  const Points& from, const Points& to, const Eigen::VectorXd& weights, const Progress& progress)
+  const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run)
 {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   MoebiusTransform best;
   best.Rotation = closestRotation(from, to, weights);
   double least = squaredDistance(best, from, to, weights), damping = 1e-3;
-  constexpr double mostDamping = 1e9;
-  for (int i = 0; i < MostSteps && damping < mostDamping; ++i)
+  constexpr double maximumDamping = 1e9;
+  for (int i = 0; i < MaximumSteps && damping < maximumDamping; ++i)
   {
     // As many steps as are left if no more of them succeeds.
-    report(progress, i / (i + std::log10(mostDamping / damping)));
+    run.report(i / (i + std::log10(maximumDamping / damping)));
     Matrix6 normal = Matrix6::Zero();
     Vector6 right = Vector6::Zero();
     for (Index p = 0; p < from.rows(); ++p)

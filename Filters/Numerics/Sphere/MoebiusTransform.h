@@ -3,6 +3,7 @@
 #ifndef ConformalMoebiusTransform_h
 #define ConformalMoebiusTransform_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 namespace conformal
@@ -36,8 +37,8 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
 /// The transform that brings positions closest to others, in the sense of weighted least squares.
 /// @param[in] from, to  #P by 3 unit vectors, three or more of them different
 /// @param[in] weights   #P, not negative
-MoebiusTransform closestMoebiusTransform(const Points& from, const Points& to,
-  const Eigen::VectorXd& weights, const Progress& progress = {});
+MoebiusTransform closestMoebiusTransform(
+  const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run = {});
 }
 
 #endif

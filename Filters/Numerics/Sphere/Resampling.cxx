@@ -10,19 +10,18 @@
 namespace conformal
 {
 Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
-  const Points& directions, const ParallelFor& parallelFor, const Progress& progress)
+  const Points& directions, const Run& run)
 {
   constexpr Index BlockSize = 512;
   const auto size = static_cast<double>(triangles.rows());
-  Steps steps(
-    progress, { 70.0 * size, 500.0 * size, 300.0 * static_cast<double>(directions.rows()) });
+  Steps steps(run, { 70.0 * size, 500.0 * size, 300.0 * static_cast<double>(directions.rows()) });
   steps.next();
   Points sphere = spherePositions;
-  SphereCoverage coverage = measureSphereCoverage(sphere, triangles, parallelFor);
+  SphereCoverage coverage = measureSphereCoverage(sphere, triangles, run);
   if (coverage.Degree == -1)
   {
     sphere.col(0) *= -1.0;
-    coverage = measureSphereCoverage(sphere, triangles, parallelFor);
+    coverage = measureSphereCoverage(sphere, triangles, run);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -30,9 +29,9 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
       " folded triangles, but must cover it once without folds");
   }
-  const SphereLocator locator(sphere, triangles, parallelFor, steps.next());
+  const SphereLocator locator(sphere, triangles, steps.next());
   Points resampled(directions.rows(), 3);
-  forBlocks(parallelFor, directions.rows(), BlockSize, steps.next(),
+  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

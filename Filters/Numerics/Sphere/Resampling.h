@@ -3,7 +3,7 @@
 #ifndef ConformalResampling_h
 #define ConformalResampling_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 namespace conformal
@@ -19,7 +19,7 @@ namespace conformal
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once
 /// @throws Aborted
 Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
-  const Points& directions, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const Points& directions, const Run& run = {});
 }
 
 #endif

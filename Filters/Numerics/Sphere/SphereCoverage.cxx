@@ -34,11 +34,11 @@ Part measure(const Points& positions, const Triangles& triangles, Index begin, I
 }
 
 SphereCoverage measureSphereCoverage(
-  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
+  const Points& positions, const Triangles& triangles, const Run& run)
 {
   const Index blockSize = 1024;
   std::vector<Part> parts((triangles.rows() + blockSize - 1) / blockSize);
-  forBlocks(parallelFor, triangles.rows(), blockSize,
+  forBlocks(run, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     { parts[begin / blockSize] = measure(positions, triangles, begin, end); });
   SphereCoverage coverage;
@@ -48,7 +48,7 @@ SphereCoverage measureSphereCoverage(
     solidAngle += part.SolidAngle;
     coverage.NumberOfFolds += part.NumberOfFolds;
   }
-  const double sphere = 4.0 * std::acos(-1.0);
+  const double sphere = 4.0 * Pi;
   coverage.Degree = static_cast<int>(std::lround(solidAngle / sphere));
   return coverage;
 }

@@ -3,7 +3,7 @@
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 namespace conformal
@@ -19,7 +19,7 @@ struct SphereCoverage
 /// @param[in] positions  #N by 3 unit vectors
 /// @param[in] triangles      #R by 3 ids of a closed surface
 SphereCoverage measureSphereCoverage(
-  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
+  const Points& positions, const Triangles& triangles, const Run& run = {});
 }
 
 #endif

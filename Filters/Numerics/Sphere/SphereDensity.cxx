@@ -17,7 +17,7 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 512;
-constexpr double SmallestArea = 1e-24; // of the sphere, around a vertex
+constexpr double MinimumArea = 1e-24; // of the sphere, around a vertex
 
 Vector3 areaVector(const Points& points, const Triangles& triangles, Index r)
 {
@@ -43,7 +43,7 @@ std::vector<double> vertexAreas(const Points& points, const Triangles& triangles
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> densitiesOf(const SphereDensity& density, const ParallelFor& parallelFor)
+std::vector<double> densitiesOf(const SphereDensity& density, const Run& run)
 {
   if (!density.At || density.Directions.rows() == 0 ||
     density.Directions.rows() != static_cast<Index>(density.Areas.size()))
@@ -51,7 +51,7 @@ std::vector<double> densitiesOf(const SphereDensity& density, const ParallelFor&
     throw std::invalid_argument("a density needs directions, and an area for each of them");
   }
   std::vector<double> densities(density.Directions.rows());
-  forBlocks(parallelFor, density.Directions.rows(), BlockSize,
+  forBlocks(run, density.Directions.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -81,19 +81,19 @@ double integralOf(const SphereDensity& density, const std::vector<double>& densi
 }
 
 //------------------------------------------------------------------------------
-bool isAnywhere(const SphereDensity& density, const ParallelFor& parallelFor)
+bool isAnywhere(const SphereDensity& density, const Run& run)
 {
-  const std::vector<double> densities = densitiesOf(density, parallelFor);
+  const std::vector<double> densities = densitiesOf(density, run);
   return std::inner_product(density.Areas.begin(), density.Areas.end(), densities.begin(), 0.0) >
     0.0;
 }
 
 //------------------------------------------------------------------------------
-SphereDensity densityOnSurface(const MappedMesh& surface, const std::vector<double>& weights,
-  const ParallelFor& parallelFor, const Progress& progress)
+SphereDensity densityOnSurface(
+  const MappedMesh& surface, const std::vector<double>& weights, const Run& run)
 {
   const auto size = static_cast<double>(surface.Triangles.rows());
-  Steps steps(progress, { 100.0 * size, 500.0 * size });
+  Steps steps(run, { 100.0 * size, 500.0 * size });
   steps.next();
   struct Located
   {
@@ -103,12 +103,11 @@ SphereDensity densityOnSurface(const MappedMesh& surface, const std::vector<doub
   };
   const auto located = std::make_shared<Located>();
   located->Triangles = surface.Triangles;
-  SphereCoverage coverage =
-    measureSphereCoverage(surface.SpherePositions, located->Triangles, parallelFor);
+  SphereCoverage coverage = measureSphereCoverage(surface.SpherePositions, located->Triangles, run);
   if (coverage.Degree == -1)
   {
     located->Triangles.col(1).swap(located->Triangles.col(2));
-    coverage = measureSphereCoverage(surface.SpherePositions, located->Triangles, parallelFor);
+    coverage = measureSphereCoverage(surface.SpherePositions, located->Triangles, run);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -123,10 +122,9 @@ SphereDensity densityOnSurface(const MappedMesh& surface, const std::vector<doub
   located->Densities.resize(areas.size());
   for (std::size_t v = 0; v < areas.size(); ++v)
   {
-    located->Densities[v] = weights[v] * areas[v] / std::max(density.Areas[v], SmallestArea);
+    located->Densities[v] = weights[v] * areas[v] / std::max(density.Areas[v], MinimumArea);
   }
-  located->Locator =
-    SphereLocator(surface.SpherePositions, located->Triangles, parallelFor, steps.next());
+  located->Locator = SphereLocator(surface.SpherePositions, located->Triangles, steps.next());
   density.At = [located](const Vector3& direction)
   {
     const SphereLocation location = located->Locator.locate(direction);
@@ -154,7 +152,7 @@ std::vector<double> vertexBending(const Mesh& surface)
       {
         continue;
       }
-      const int a = surface.Triangles(r, k), b = surface.Triangles(r, (k + 1) % 3);
+      const int a = surface.Triangles(r, k), b = surface.Triangles(r, next(k));
       const Vector3 other = areaVector(surface.Positions, surface.Triangles, neighbors(r, k));
       const double angle = std::atan2(normal.cross(other).norm(), normal.dot(other));
       const double half =
@@ -207,13 +205,11 @@ std::vector<double> vertexMeans(const Mesh& surface, const std::vector<double>& 
 }
 
 //------------------------------------------------------------------------------
-SphereDensity halfAndHalf(
-  const SphereDensity& one, const SphereDensity& other, const ParallelFor& parallelFor)
+SphereDensity halfAndHalf(const SphereDensity& one, const SphereDensity& other, const Run& run)
 {
   SphereDensity both;
-  both.At =
-    [first = one.At, second = other.At, ofFirst = integralOf(one, densitiesOf(one, parallelFor)),
-      ofSecond = integralOf(other, densitiesOf(other, parallelFor))](const Vector3& direction)
+  both.At = [first = one.At, second = other.At, ofFirst = integralOf(one, densitiesOf(one, run)),
+              ofSecond = integralOf(other, densitiesOf(other, run))](const Vector3& direction)
   { return first(direction) / ofFirst + second(direction) / ofSecond; };
   both.Directions.resize(one.Directions.rows() + other.Directions.rows(), 3);
   both.Directions << one.Directions, other.Directions;

@@ -3,7 +3,7 @@
 #ifndef ConformalSphereDensity_h
 #define ConformalSphereDensity_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
@@ -27,7 +27,7 @@ struct SphereDensity
 
 /// The densities in all of the directions.
 /// @throws std::invalid_argument if one is negative or not finite, or if there are none
-std::vector<double> densitiesOf(const SphereDensity& density, const ParallelFor& parallelFor = {});
+std::vector<double> densitiesOf(const SphereDensity& density, const Run& run = {});
 
 /// Densities times areas, added up.
 /// @param[in] densities  densitiesOf the density
@@ -41,8 +41,8 @@ double integralOf(const SphereDensity& density, const std::vector<double>& densi
 /// @param[in] weights  #V, points for an area of the surface: finite, at least 0; linear in between
 /// @throws std::invalid_argument if the map does not cover the sphere so
 /// @throws Aborted
-SphereDensity densityOnSurface(const MappedMesh& surface, const std::vector<double>& weights,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+SphereDensity densityOnSurface(
+  const MappedMesh& surface, const std::vector<double>& weights, const Run& run = {});
 
 /// For each vertex of a surface by how much it bends there, as the absolute values of the principal
 /// curvatures added up: half of the angles at its edges times their lengths, for a third of the
@@ -60,11 +60,11 @@ std::vector<double> vertexMeans(const Mesh& surface, const std::vector<double>& 
 
 /// Whether a density is above 0 in one of the directions.
 /// @throws std::invalid_argument if one is negative or not finite
-bool isAnywhere(const SphereDensity& density, const ParallelFor& parallelFor = {});
+bool isAnywhere(const SphereDensity& density, const Run& run = {});
 
 /// A density of which each of two makes up half of the points.
 SphereDensity halfAndHalf(
-  const SphereDensity& one, const SphereDensity& other, const ParallelFor& parallelFor = {});
+  const SphereDensity& one, const SphereDensity& other, const Run& run = {});
 }
 
 #endif

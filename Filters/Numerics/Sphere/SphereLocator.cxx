@@ -11,23 +11,21 @@
 
 namespace conformal
 {
-SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles,
-  const ParallelFor& parallelFor, const Progress& progress)
-  : SphereLocator(positions, triangles, triangleNeighbors(triangles, positions.rows(), parallelFor),
-      parallelFor, progress)
+SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles, const Run& run)
+  : SphereLocator(positions, triangles, triangleNeighbors(triangles, positions.rows(), run), run)
 {
 }
 
-SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles,
-  const Triangles& neighbors, const ParallelFor& parallelFor, const Progress& progress)
+SphereLocator::SphereLocator(
+  const Points& positions, const Triangles& triangles, const Triangles& neighbors, const Run& run)
 {
-  Steps steps(progress, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
+  Steps steps(run, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
   // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;
   std::vector<Box> boxes(triangles.rows());
   const Index blockSize = 1024;
-  forBlocks(parallelFor, triangles.rows(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -36,7 +34,7 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
         for (int k = 0; k < 3; ++k)
         {
           const Vector3 from = positions.row(triangles(r, k)),
-                        to = positions.row(triangles(r, (k + 1) % 3));
+                        to = positions.row(triangles(r, next(k)));
           boxes[r].extend(from);
           longest = std::max(longest, (to - from).squaredNorm());
         }
@@ -45,7 +43,7 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
         boxes[r].Upper.array() += rise;
       }
     });
-  this->Tree = buildBoxTree(boxes, parallelFor, steps.next());
+  this->Tree = buildBoxTree(boxes, steps.next());
   steps.next();
   this->Placed.resize(triangles.rows());
   this->PlaceOf.resize(triangles.rows());
@@ -53,7 +51,7 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
   {
     this->PlaceOf[this->Tree.Items[place]] = place;
   }
-  forBlocks(parallelFor, triangles.rows(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)
@@ -62,10 +60,10 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
         const auto ids = triangles.row(triangle);
         for (int k = 0; k < 3; ++k)
         {
-          const int neighbor = neighbors(triangle, (k + 1) % 3);
+          const int neighbor = neighbors(triangle, next(k));
           this->Placed[place].Positions[k] = positions.row(ids[k]);
           this->Placed[place].Across[k] = neighbor < 0 ? -1 : this->PlaceOf[neighbor];
-          this->Placed[place].Ascending[k] = ids[(k + 1) % 3] < ids[(k + 2) % 3];
+          this->Placed[place].Ascending[k] = ids[next(k)] < ids[previous(k)];
         }
       }
     });
@@ -75,8 +73,8 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
 // det(a, b, d) = det(a - d, b - d, d), whose differences are exact for small triangles.
 double SphereLocator::side(const Corners& corners, int opposite, const Vector3& direction)
 {
-  const Vector3 a = corners.Positions[(opposite + 1) % 3] - direction,
-                b = corners.Positions[(opposite + 2) % 3] - direction;
+  const Vector3 a = corners.Positions[next(opposite)] - direction,
+                b = corners.Positions[previous(opposite)] - direction;
   return corners.Ascending[opposite] ? a.cross(b).dot(direction) : -b.cross(a).dot(direction);
 }
 
@@ -152,16 +150,16 @@ int SphereLocator::search(const Vector3& direction, Vector3& sides) const
   {
     return best;
   }
-  double leastMiss = std::numeric_limits<double>::infinity();
+  double minimumMiss = std::numeric_limits<double>::infinity();
   this->visitNear(direction,
     [&](int place)
     {
       const Vector3 itsSides = sidesOf(this->Placed[place], direction);
       const double miss = -itsSides.minCoeff() / itsSides.cwiseAbs().sum();
-      if (miss < leastMiss ||
-        (miss == leastMiss && this->Tree.Items[place] < this->Tree.Items[best]))
+      if (miss < minimumMiss ||
+        (miss == minimumMiss && this->Tree.Items[place] < this->Tree.Items[best]))
       {
-        leastMiss = miss;
+        minimumMiss = miss;
         best = place;
         sides = itsSides;
       }

@@ -3,7 +3,7 @@
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Search/BoxTree.h"
 
@@ -34,11 +34,10 @@ public:
 
   /// @param[in] positions  #N by 3 unit vectors
   /// @param[in] triangles      #R by 3 ids, counter-clockwise seen from outside
-  SphereLocator(const Points& positions, const Triangles& triangles,
-    const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  SphereLocator(const Points& positions, const Triangles& triangles, const Run& run = {});
   /// @param[in] neighbors  triangleNeighbors of the triangles, where they are at hand
   SphereLocator(const Points& positions, const Triangles& triangles, const Triangles& neighbors,
-    const ParallelFor& parallelFor = {}, const Progress& progress = {});
+    const Run& run = {});
 
   /// @param[in] direction  p, a unit vector
   /// @param[in] hint       a triangle that may be near, or -1: saves time, and changes nothing

@@ -114,7 +114,7 @@ struct Derivatives
   double Value = 0.0;
   Vector2 Gradient = Vector2::Zero();
   Eigen::Matrix2d Hessian = Eigen::Matrix2d::Zero();
-  double LargestSquaredSide = 0.0;
+  double MaximumSquaredSide = 0.0;
   bool Valid = true;
 };
 
@@ -132,9 +132,9 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
     const double lengthP = lengthQ;
     q = frame.local(positions[corners[i + 1 < size ? i + 1 : 0].Neighbor] - frame.Z);
     lengthQ = q.squaredNorm();
-    sum.LargestSquaredSide = std::max(sum.LargestSquaredSide, lengthQ);
+    sum.MaximumSquaredSide = std::max(sum.MaximumSquaredSide, lengthQ);
     const LinearDeterminant side(p, q);
-    if (!(side.Constant >= SmallestDeterminant))
+    if (!(side.Constant >= MinimumDeterminant))
     {
       sum.Valid = false;
       return sum;
@@ -179,7 +179,7 @@ Vector2 newtonStep(const Derivatives& at)
   Vector2 step = { b * at.Gradient[1] - (c + shift) * at.Gradient[0],
     b * at.Gradient[0] - (a + shift) * at.Gradient[1] };
   step /= determinant;
-  const double limit = std::sqrt(at.LargestSquaredSide), length = step.norm();
+  const double limit = std::sqrt(at.MaximumSquaredSide), length = step.norm();
   return length > limit ? Vector2(limit / length * step) : step;
 }
 }
@@ -213,7 +213,7 @@ std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, con
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     if (!(determinant(place, positions[ring[i]], positions[ring[(i + 1) % ring.size()]]) >=
-          SmallestDeterminant))
+          MinimumDeterminant))
     {
       return {};
     }
@@ -235,7 +235,7 @@ double starEnergy(const std::vector<Vector3>& positions, const Vector3& place,
     q = positions[corners[i + 1 < size ? i + 1 : 0].Neighbor] - place;
     lengthQ = q.squaredNorm();
     const double twiceArea = place.dot(p.cross(q));
-    if (!(twiceArea >= SmallestDeterminant))
+    if (!(twiceArea >= MinimumDeterminant))
     {
       return std::numeric_limits<double>::infinity();
     }

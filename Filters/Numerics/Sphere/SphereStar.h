@@ -13,7 +13,7 @@
 namespace conformal
 {
 /// Twice the areas that are large enough to bear rounding to unit vectors in other programs.
-constexpr double SmallestDeterminant = 1e-13;
+constexpr double MinimumDeterminant = 1e-13;
 
 /// Energy of a map from triangles to the sphere, a sum over triangles
 ///     S ((S/A)^AreaExponent + AreaWeight (S/A)^2) (D/A)^AngleExponent
@@ -29,7 +29,7 @@ struct SphereEnergy
   double AreaExponent = 0.35;
   double AreaWeight = 0.005;
   int AngleExponent = 1; ///< at least 1
-  double SmallArea = 10.0 * SmallestDeterminant;
+  double SmallArea = 10.0 * MinimumDeterminant;
 };
 
 /// Determinant of three nearly equal unit vectors, positive where they are counter-clockwise seen
@@ -56,7 +56,7 @@ struct Corner
 /// A point inside the star-shaped polygon of a ring, from which all its sides are seen
 /// counter-clockwise: the centroid, as seen from the sphere's center, of all such points.
 /// @param[in] ring       ids of positions, the first one seeing all others so
-/// @return nothing if there is no point whose determinants are all >= SmallestDeterminant
+/// @return nothing if there is no point whose determinants are all >= MinimumDeterminant
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);
 
 /// Move a vertex by one step of Newton's method in its tangent plane, shortened until the energy of

@@ -116,7 +116,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       if (!(determinant(this->Positions[v], this->Positions[ring[i]],
-              this->Positions[ring[(i + 1) % ring.size()]]) >= LeastSafeDeterminant))
+              this->Positions[ring[(i + 1) % ring.size()]]) >= MinimumSafeDeterminant))
       {
         return false;
       }
@@ -248,7 +248,7 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     if (!(determinant(positions[triangles(r, 0)], positions[triangles(r, 1)],
-            positions[triangles(r, 2)]) >= LeastSafeDeterminant))
+            positions[triangles(r, 2)]) >= MinimumSafeDeterminant))
     {
       bad.push_back(static_cast<int>(r));
     }
@@ -258,8 +258,7 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 
 //------------------------------------------------------------------------------
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
-  const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes,
-  const Progress& progress)
+  const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes, const Run& run)
 {
   Repair repair(positions, points, triangles, strings, rings);
   for (int round = 0; round < Rounds; ++round)
@@ -280,7 +279,7 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
       {
         relaxVertices(positions, patches[i], rings, shapes, AnglesOnly, SweepsAfter);
       }
-      report(progress, (round + static_cast<double>(i) / patches.size()) / Rounds);
+      run.report((round + static_cast<double>(i) / patches.size()) / Rounds);
     }
   }
   return badTriangles(positions, triangles).empty();

@@ -3,6 +3,7 @@
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 #include "Mesh/VertexRings.h"
@@ -14,7 +15,7 @@ namespace conformal
 {
 /// Of a map to the sphere: triangles with a determinant below this are called bad. Other programs
 /// cannot tell smaller ones from flipped ones, since they round unit vectors by 1e-16.
-constexpr double LeastSafeDeterminant = 1e-14;
+constexpr double MinimumSafeDeterminant = 1e-14;
 
 /// The energy of angles alone.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
@@ -31,7 +32,7 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// @return whether none is bad any more
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes,
-  const Progress& progress = {});
+  const Run& run = {});
 }
 
 #endif

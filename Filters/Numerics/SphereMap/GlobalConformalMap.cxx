@@ -1,5 +1,6 @@
 #include "SphereMap/GlobalConformalMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Base/UnitBox.h"
 #include "Linear/EdgeWeights.h"
@@ -42,34 +43,34 @@ double workOfMap(const GlobalConformalMapOptions& options, Index numberOfVertice
                                                         : workOfHarmonicMap(numberOfVertices);
 }
 
-Points balanced(const Mesh& mesh, double balance, Index mostRelaxations, const Progress& progress)
+Points balanced(const Mesh& mesh, double balance, Index maximumRelaxations, const Run& run)
 {
   ProgressiveSphereMapOptions options;
   options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
   options.AreaBalance = balance;
-  options.MaximumNumberOfRelaxations = mostRelaxations;
-  return mapToSphere(mesh, options, progress).Positions;
+  options.MaximumNumberOfRelaxations = maximumRelaxations;
+  return mapToSphere(mesh, options, run).Positions;
 }
 
 // With as little more balance of areas as leaves room for every triangle. Insertions that first
 // have to make room can take a second each, so few are allowed while there is another attempt.
-Points progressive(const Mesh& mesh, double leastBalance, const Progress& progress)
+Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 {
   constexpr Index fewRelaxations = 10;
   constexpr double share = 0.8; // of what is left of the progress, for each attempt
   double begin = 0.0, last = -1.0;
-  for (double balance : { leastBalance, 0.02, 0.05, 0.2, 0.5 })
+  for (double balance : { minimumBalance, 0.02, 0.05, 0.2, 0.5 })
   {
-    if (balance < leastBalance || balance == last)
+    if (balance < minimumBalance || balance == last)
     {
       continue;
     }
     const double end = begin + share * (1.0 - begin);
     try
     {
-      return balanced(mesh, balance, fewRelaxations, partOf(progress, begin, end));
+      return balanced(mesh, balance, fewRelaxations, run.part(begin, end));
     }
-    catch (const std::runtime_error&)
+    catch (const NumericalFailure&)
     {
       begin = end;
       last = balance;
@@ -77,7 +78,7 @@ Points progressive(const Mesh& mesh, double leastBalance, const Progress& progre
   }
   // The surface is shapeless, or too strange: as if all triangles were equal.
   return balanced({ Points::Zero(mesh.Positions.rows(), 3), mesh.Triangles }, 0.5,
-    std::numeric_limits<Index>::max(), partOf(progress, begin, 1.0));
+    std::numeric_limits<Index>::max(), run.part(begin, 1.0));
 }
 
 // Turned to where it agrees best with the directions from the surface's middle.
@@ -90,13 +91,13 @@ void turn(Points& positions, const Mesh& mesh)
   rotation.applyTo(positions);
 }
 
-void mapRobustly(const Mesh& mesh, double areaBalance, GlobalConformalMapResult& result,
-  const ParallelFor& parallelFor, const Progress& progress)
+void mapRobustly(
+  const Mesh& mesh, double areaBalance, GlobalConformalMapResult& result, const Run& run)
 {
   const bool conformal = areaBalance == 0.0;
   if (conformal)
   {
-    HarmonicSphereMap map = mapHarmonically(mesh, parallelFor, partOf(progress, 0.0, 0.95));
+    HarmonicSphereMap map = mapHarmonically(mesh, run.part(0.0, 0.95));
     result.NumberOfIterations = map.NumberOfSolves;
     result.Converged = map.OneToOne;
     result.Tier = map.Repaired ? GlobalConformalTier::Repaired : GlobalConformalTier::Harmonic;
@@ -105,8 +106,7 @@ void mapRobustly(const Mesh& mesh, double areaBalance, GlobalConformalMapResult&
   if (!result.Converged)
   {
     result.Tier = GlobalConformalTier::Progressive;
-    result.Positions =
-      progressive(mesh, areaBalance, partOf(progress, conformal ? 0.95 : 0.0, 1.0));
+    result.Positions = progressive(mesh, areaBalance, run.part(conformal ? 0.95 : 0.0, 1.0));
     result.Converged = true;
   }
   turn(result.Positions, mesh);
@@ -114,9 +114,8 @@ void mapRobustly(const Mesh& mesh, double areaBalance, GlobalConformalMapResult&
 }
 
 //------------------------------------------------------------------------------
-GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
-  const GlobalConformalMapOptions& options, const ParallelFor& parallelFor,
-  const Progress& progress)
+GlobalConformalMapResult globalConformalMap(
+  const Mesh& mesh, const GlobalConformalMapOptions& options, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
@@ -124,8 +123,7 @@ GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
   const bool published = options.Method == GlobalConformalMethod::GuYau;
   // The check, the box and the strings, the map, its figures.
   const auto size = static_cast<double>(points.rows());
-  Steps steps(
-    progress, { 465.0 * size, 190.0 * size, workOfMap(options, points.rows()), 15.0 * size });
+  Steps steps(run, { 465.0 * size, 190.0 * size, workOfMap(options, points.rows()), 15.0 * size });
   requireGenusZero(triangles, points.rows(), steps.next());
   steps.next();
   const Mesh unit = { inUnitBox(points), triangles };
@@ -135,7 +133,7 @@ GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
     GuYauOptions guYau;
     guYau.MaximumNumberOfIterations = options.MaximumNumberOfIterations;
     guYau.Tolerance = options.Tolerance;
-    GuYauResult map = mapByGuYau(unit, guYau, parallelFor, steps.next());
+    GuYauResult map = mapByGuYau(unit, guYau, steps.next());
     result.Positions = std::move(map.Positions);
     result.Energy = map.Energy;
     result.NumberOfIterations = map.NumberOfIterations;
@@ -148,13 +146,13 @@ GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
     const StringConstants strings = harmonicStrings(unit.Positions, triangles);
     result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
     result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
-    mapRobustly(unit, options.AreaBalance, result, parallelFor, steps.next());
+    mapRobustly(unit, options.AreaBalance, result, steps.next());
     result.Energy = stringEnergy(strings.Strings, result.Positions);
   }
   steps.next();
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
   result.Converged = result.Converged && result.NumberOfFlippedTriangles == 0;
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 

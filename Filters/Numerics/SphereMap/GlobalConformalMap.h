@@ -3,7 +3,7 @@
 #ifndef ConformalGlobalConformalMap_h
 #define ConformalGlobalConformalMap_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
@@ -63,9 +63,8 @@ struct GlobalConformalMapResult
 ///         genus zero, if an option is out of range, or points are not finite
 /// @post the result does not depend on the number of threads
 /// \cite Liou2008 section 4.1
-GlobalConformalMapResult globalConformalMap(const Mesh& mesh,
-  const GlobalConformalMapOptions& options = {}, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+GlobalConformalMapResult globalConformalMap(
+  const Mesh& mesh, const GlobalConformalMapOptions& options = {}, const Run& run = {});
 
 /// What globalConformalMap() takes, in nanoseconds as in Steps.
 double workOfGlobalConformalMap(const GlobalConformalMapOptions& options, Index numberOfVertices);

@@ -37,8 +37,8 @@ Points gaussMap(const Points& points, const Triangles& triangles)
 class Convergence
 {
 public:
-  explicit Convergence(int mostIterations)
-    : Most(mostIterations)
+  explicit Convergence(int maximumIterations)
+    : Maximum(maximumIterations)
   {
   }
 
@@ -53,7 +53,7 @@ public:
     const double fall =
       (this->Logarithms[half] - this->Logarithms[last]) / static_cast<double>(last - half);
     const auto made = static_cast<double>(last + 1);
-    double all = this->Most;
+    double all = this->Maximum;
     if (last >= 4 && fall > 0.0)
     {
       all = std::min(all, made + std::max(this->Logarithms[last], 0.0) / fall);
@@ -63,24 +63,23 @@ public:
   }
 
 private:
-  double Most, Reached = 0.0;
+  double Maximum, Reached = 0.0;
   std::vector<double> Logarithms;
 };
 
 class Descent
 {
 public:
-  Descent(Points& map, const Eigen::VectorXd& areas, const GuYauOptions& options,
-    const ParallelFor& parallelFor)
+  Descent(Points& map, const Eigen::VectorXd& areas, const GuYauOptions& options, const Run& run)
     : Map(map)
     , Areas(areas)
     , Options(options)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
   {
   }
 
   // Whether it converged.
-  bool run(const EdgeWeights& strings, Index& iterations, const Progress& progress)
+  bool run(const EdgeWeights& strings, Index& iterations, const Run& run)
   {
     const double longest = firstStep(strings);
     double step = longest, energy = stringEnergy(strings, this->Map);
@@ -106,7 +105,7 @@ public:
       {
         return true;
       }
-      report(progress, convergence.next(change / small));
+      run.report(convergence.next(change / small));
     }
     return false;
   }
@@ -159,13 +158,12 @@ private:
   Points& Map;
   const Eigen::VectorXd& Areas;
   const GuYauOptions& Options;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
 };
 }
 
 //------------------------------------------------------------------------------
-GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
@@ -176,9 +174,9 @@ GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options,
   result.NumberOfInfiniteStringConstants = harmonic.NumberOfInfinite;
   result.Positions = gaussMap(points, triangles);
   const Eigen::VectorXd areas = vertexAreas(points, triangles);
-  Descent descent(result.Positions, areas, options, parallelFor);
+  Descent descent(result.Positions, areas, options, run);
   // The second descent begins near its end, and takes between all and little of what the first did.
-  Steps steps(progress, { 2.0, 1.0 });
+  Steps steps(run, { 2.0, 1.0 });
   const bool first = descent.run(equal, result.NumberOfIterations, steps.next());
   const bool second = descent.run(harmonic.Strings, result.NumberOfIterations, steps.next());
   result.Converged = first && second;

@@ -3,7 +3,7 @@
 #ifndef ConformalGuYauMap_h
 #define ConformalGuYauMap_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
@@ -37,8 +37,7 @@ struct GuYauResult
 ///
 /// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
-GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options = {}, const Run& run = {});
 }
 
 #endif

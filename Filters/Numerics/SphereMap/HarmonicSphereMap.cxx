@@ -1,5 +1,6 @@
 #include "SphereMap/HarmonicSphereMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
 #include "Sphere/MoebiusTransform.h"
@@ -21,7 +22,7 @@ constexpr int SweepsOfSmallMesh = 10;
 constexpr int SweepsOfMisshapen = 20;
 constexpr int RingsAround = 4;           // misshapen triangles
 constexpr double Misshapen = 1.5;        // Dirichlet energy over area, 1 being conformal
-constexpr double LargestBadShare = 0.02; // of the triangles, to be repaired
+constexpr double MaximumBadShare = 0.02; // of the triangles, to be repaired
 constexpr double LimbShare = 0.01;       // of the mean area ratio, around a bad puncture
 
 std::vector<Vector3> toVector(const Points& points)
@@ -63,10 +64,10 @@ double workOfAttempt(Index size)
 class Mapper
 {
 public:
-  Mapper(const Points& places, const Triangles& triangles, const ParallelFor& parallelFor)
+  Mapper(const Points& places, const Triangles& triangles, const Run& run)
     : Places(places)
     , Triangles(triangles)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Shapes(places, triangles)
     , Angles(places, triangles, SurfaceShapes::Weight::RegularArea)
     , Rings(triangles, places.rows())
@@ -110,16 +111,16 @@ private:
   }
 
   // Without positions if the equations have no solution in floating point.
-  HarmonicSphereMap attempt(Index puncture, const Progress& progress) const
+  HarmonicSphereMap attempt(Index puncture, const Run& run) const
   {
-    Steps steps(progress,
+    Steps steps(run,
       { workOfPuncture(this->Places.rows()), 105.0, workOfRelaxing(this->Places.rows()), 75.0 });
     HarmonicSphereMap map;
     map.NumberOfSolves = 1;
     try
     {
-      map.Positions = punctureToSphere(
-        this->Places, this->Triangles, this->Strings, puncture, this->Threads, steps.next());
+      map.Positions =
+        punctureToSphere(this->Places, this->Triangles, this->Strings, puncture, steps.next());
       steps.next();
       centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
       if (this->improve(map, steps.next()))
@@ -129,7 +130,7 @@ private:
         map.OneToOne = badTriangles(toVector(map.Positions), this->Triangles).empty();
       }
     }
-    catch (const std::runtime_error&)
+    catch (const NumericalFailure&)
     {
       map.Positions.resize(0, 3);
     }
@@ -137,11 +138,11 @@ private:
   }
 
   // Takes folds out and relaxes triangles; whether none is bad in the end.
-  bool improve(HarmonicSphereMap& map, const Progress& progress) const
+  bool improve(HarmonicSphereMap& map, const Run& run) const
   {
     std::vector<Vector3> positions = toVector(map.Positions);
     const double bad = static_cast<double>(badTriangles(positions, this->Triangles).size());
-    if (bad > 10.0 + LargestBadShare * static_cast<double>(this->Triangles.rows()))
+    if (bad > 10.0 + MaximumBadShare * static_cast<double>(this->Triangles.rows()))
     {
       return false;
     }
@@ -149,7 +150,7 @@ private:
     {
       map.Repaired = true;
       if (!repairFlips(positions, this->Places, this->Triangles, this->Strings, this->Rings,
-            this->Angles, partOf(progress, 0.0, 0.8)))
+            this->Angles, run.part(0.0, 0.8)))
       {
         return false;
       }
@@ -164,7 +165,7 @@ private:
       {
         if (++count % 1024 == 0)
         {
-          report(progress, begin + (1.0 - begin) * static_cast<double>(count) / total);
+          run.report(begin + (1.0 - begin) * static_cast<double>(count) / total);
         }
       });
     map.Positions = toPoints(positions);
@@ -242,7 +243,7 @@ private:
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
   SurfaceShapes Shapes, Angles;
   VertexRings Rings;
   Eigen::VectorXd Areas;
@@ -251,17 +252,16 @@ private:
 }
 
 //------------------------------------------------------------------------------
-HarmonicSphereMap mapHarmonically(
-  const Mesh& mesh, const ParallelFor& parallelFor, const Progress& progress)
+HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
   // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
   // kept back for it, so that the progress jumps by that at the end of all others.
   const double work = workOfAttempt(points.rows());
-  Steps steps(progress, { 340.0, work, 0.2 * work });
+  Steps steps(run, { 340.0, work, 0.2 * work });
   steps.next();
-  const Mapper mapper(points, triangles, parallelFor);
+  const Mapper mapper(points, triangles, run);
   return mapper.run(steps);
 }
 

@@ -3,7 +3,7 @@
 #ifndef ConformalHarmonicSphereMap_h
 #define ConformalHarmonicSphereMap_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
@@ -22,8 +22,7 @@ struct HarmonicSphereMap
 /// small mesh, moved to where angles are kept better.
 /// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
-HarmonicSphereMap mapHarmonically(
-  const Mesh& mesh, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run = {});
 
 /// What mapHarmonically() takes, in nanoseconds as in Steps.
 double workOfHarmonicMap(Index numberOfVertices);

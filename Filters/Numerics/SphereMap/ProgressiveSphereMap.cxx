@@ -1,5 +1,6 @@
 #include "SphereMap/ProgressiveSphereMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/UnitBox.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/ProgressiveMesh.h"
@@ -16,7 +17,6 @@ namespace conformal
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
 
 constexpr double LevelGrowth = 1.3; // of the number of vertices between sweeps over all
 
@@ -50,14 +50,13 @@ class Mapper
 {
 public:
   Mapper(const Points& places, const Triangles& triangles,
-    const ProgressiveSphereMapOptions& options, const Progress& progress)
+    const ProgressiveSphereMapOptions& options, const Run& run)
     : Shapes(places, triangles)
     , Options(options)
     , Energy(energyFor(options.AreaBalance))
-    , Mesh(makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles,
-        progress ? [&progress](double f) { return progress(0.2 * f); } : Progress()))
+    , Mesh(makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles, run.part(0.0, 0.2)))
     , Positions(places.rows())
-    , Callback(progress)
+    , Descent(run.part(0.2, 1.0))
   {
   }
 
@@ -129,7 +128,7 @@ private:
     {
       if (++this->Relaxations > this->Options.MaximumNumberOfRelaxations)
       {
-        throw std::runtime_error(NoRoom);
+        throw NumericalFailure(NoRoom);
       }
       place = this->makeRoom(split.Neighbors);
     }
@@ -173,7 +172,7 @@ private:
       this->addNeighbors(around);
       if (around.size() == size)
       {
-        throw std::runtime_error(NoRoom);
+        throw NumericalFailure(NoRoom);
       }
     }
   }
@@ -215,8 +214,7 @@ private:
   {
     if (++this->WorkDone % 1024 == 0)
     {
-      report(this->Callback,
-        0.2 + 0.8 * std::min(1.0, static_cast<double>(this->WorkDone) / this->WorkToDo));
+      this->Descent.report(std::min(1.0, static_cast<double>(this->WorkDone) / this->WorkToDo));
     }
   }
 
@@ -227,7 +225,7 @@ private:
   std::vector<int> Active; // in order of insertion
   std::vector<Vector3> Positions;
   std::vector<Corner> Scratch;
-  const Progress& Callback;
+  const Run Descent;
   Index Relaxations = 0;
   Index WorkDone = 0;
   double WorkToDo = 0.0;
@@ -236,7 +234,7 @@ private:
 
 //------------------------------------------------------------------------------
 ProgressiveSphereMapResult mapToSphere(
-  const Mesh& mesh, const ProgressiveSphereMapOptions& options, const Progress& progress)
+  const Mesh& mesh, const ProgressiveSphereMapOptions& options, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
@@ -250,10 +248,10 @@ ProgressiveSphereMapResult mapToSphere(
   }
   requireGenusZero(triangles, points.rows());
   const Points places = inUnitBox(points);
-  Mapper mapper(places, triangles, options, progress);
+  Mapper mapper(places, triangles, options, run);
   ProgressiveSphereMapResult result = mapper.run();
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
-  report(progress, 1.0);
+  run.report(1.0);
   return result;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/QuadricCollapse.h"
@@ -46,10 +47,10 @@ struct ProgressiveSphereMapResult
 /// @param[in] mesh  finite, all positions used; triangles may have no area
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
-/// @throws std::runtime_error if there is no room for a vertex
+/// @throws NumericalFailure if there is no room for a vertex
 /// @post the result depends only on the arguments: same input, same bits
 ProgressiveSphereMapResult mapToSphere(
-  const Mesh& mesh, const ProgressiveSphereMapOptions& options = {}, const Progress& progress = {});
+  const Mesh& mesh, const ProgressiveSphereMapOptions& options = {}, const Run& run = {});
 }
 
 #endif

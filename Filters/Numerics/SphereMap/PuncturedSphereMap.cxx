@@ -1,5 +1,6 @@
 #include "SphereMap/PuncturedSphereMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/HarmonicExtension.h"
 #include "Mesh/MeshTopology.h"
@@ -22,9 +23,9 @@ using Complex = std::complex<double>;
 using Plane = Eigen::VectorXcd;
 
 constexpr Index BlockSize = 1 << 12;
-constexpr int MostPowers = 5;
+constexpr int MaximumPowers = 5;
 constexpr double CapShare = 0.35;       // of the vertices, the outermost ones
-constexpr double LargestSquared = 0.25; // Beltrami coefficients beyond are the mesh's own
+constexpr double MaximumSquared = 0.25; // Beltrami coefficients beyond are the mesh's own
 constexpr double Fit = 1.4;             // the powers are fitted up to here, the cap beginning at 1
 
 constexpr double WorstIrregularity = 1e6;
@@ -51,11 +52,10 @@ std::array<Complex, 2> flattened(const Vector3& a, const Vector3& b, const Vecto
 class PlaneMap
 {
 public:
-  PlaneMap(
-    const Points& points, const Triangles& triangles, const ParallelFor& parallelFor, Plane& map)
+  PlaneMap(const Points& points, const Triangles& triangles, const Run& run, Plane& map)
     : Places(points)
     , Triangles(triangles)
-    , Threads(parallelFor)
+    , Threads(run.unwatched())
     , Map(map)
     , VertexAreas(vertexAreas(points, triangles))
   {
@@ -71,7 +71,7 @@ public:
     const double size = this->Map.cwiseAbs().dot(this->VertexAreas) / (2.0 * std::atan(1.0));
     if (!(size > 0.0 && std::isfinite(size)))
     {
-      throw std::runtime_error("all points of the surface coincide");
+      throw NumericalFailure("all points of the surface coincide");
     }
     this->Map /= size;
   }
@@ -94,7 +94,7 @@ public:
         for (Index r = begin; r < end; ++r)
         {
           const auto [z, weight, wanted] = this->beltrami(r);
-          const double largest = robustly ? LargestSquared : 1.0; // beyond 1 it is flipped
+          const double largest = robustly ? MaximumSquared : 1.0; // beyond 1 it is flipped
           if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < largest))
           {
             continue;
@@ -121,7 +121,7 @@ public:
     const Vector found = matrix.ldlt().solve(side);
     if (!found.allFinite())
     {
-      throw std::runtime_error("there is no triangle left to correct the map with");
+      throw NumericalFailure("there is no triangle left to correct the map with");
     }
     for (Index v = 0; v < this->Map.size(); ++v)
     {
@@ -166,7 +166,7 @@ private:
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const ParallelFor& Threads;
+  const Run Threads; // nobody watches
   Plane& Map;
   Eigen::VectorXd VertexAreas;
 };
@@ -267,13 +267,12 @@ Index choosePuncture(
 
 //------------------------------------------------------------------------------
 Points punctureToSphere(const Points& points, const Triangles& triangles,
-  const EdgeWeights& strings, Index puncture, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const EdgeWeights& strings, Index puncture, const Run& run)
 {
   const Index size = points.rows();
   const double root = std::sqrt(static_cast<double>(size));
   // For each vertex; the second system has about a third of them.
-  Steps steps(progress, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
+  Steps steps(run, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));
@@ -288,11 +287,11 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
       free.push_back(v);
     }
   }
-  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
-  const Progress correcting = steps.next();
+  extendHarmonically(strings, points, free, values, steps.next());
+  const Run correcting = steps.next();
 
   Plane map = values.col(0).cast<Complex>() + Complex(0.0, 1.0) * values.col(1).cast<Complex>();
-  PlaneMap plane(points, triangles, parallelFor, map);
+  PlaneMap plane(points, triangles, run, map);
   plane.normalize();
   constexpr double everywhere = 1e30;
   constexpr int rounds = 6, roundsForAll = 3;
@@ -300,7 +299,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   {
     plane.correct<1>(everywhere, i >= roundsForAll);
     plane.normalize();
-    report(correcting, (i + 1.0) / rounds);
+    correcting.report((i + 1.0) / rounds);
   }
   steps.next();
   const double radius = capRadius(map);
@@ -312,13 +311,13 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
       free.push_back(v);
     }
   }
-  plane.correct<MostPowers>(Fit * radius, true);
+  plane.correct<MaximumPowers>(Fit * radius, true);
   for (Index v = 0; v < size; ++v)
   {
     const Complex w = 1.0 / map[v];
     values.row(v) << w.real(), w.imag();
   }
-  extendHarmonically(strings, points, free, values, parallelFor, steps.next());
+  extendHarmonically(strings, points, free, values, steps.next());
   steps.next();
 
   Points positions(size, 3);
@@ -338,7 +337,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   }
   if (!positions.allFinite())
   {
-    throw std::runtime_error("the conformal map has coordinates that are not finite");
+    throw NumericalFailure("the conformal map has coordinates that are not finite");
   }
   return positions;
 }

@@ -3,7 +3,7 @@
 #ifndef ConformalPuncturedSphereMap_h
 #define ConformalPuncturedSphereMap_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 
@@ -31,10 +31,9 @@ Index choosePuncture(
 /// @param[in] points   #V by 3, about of size one
 /// @param[in] strings  cotangentWeights of the surface
 /// @return #V by 3 unit vectors, not centered; triangles may be flipped
-/// @throws std::runtime_error if the equations have no usable solution
+/// @throws NumericalFailure if the equations have no usable solution
 Points punctureToSphere(const Points& points, const Triangles& triangles,
-  const EdgeWeights& strings, Index puncture, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const EdgeWeights& strings, Index puncture, const Run& run = {});
 }
 
 #endif

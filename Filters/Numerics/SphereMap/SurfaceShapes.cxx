@@ -7,8 +7,7 @@ namespace conformal
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
-constexpr double SmallestArea = 1e-11;
+constexpr double MinimumArea = 1e-11;
 }
 
 //------------------------------------------------------------------------------
@@ -36,7 +35,7 @@ SourceTriangle SurfaceShapes::triangle(int a, int b, int c) const
   SourceTriangle result;
   const double regularity =
     this->Kind == Weight::Area ? 1.0 : 2.0 * std::sqrt(3.0) * twiceArea / sum; // at most 1
-  result.Area = std::max(0.5 * this->Scale * twiceArea * regularity, SmallestArea);
+  result.Area = std::max(0.5 * this->Scale * twiceArea * regularity, MinimumArea);
   for (int k = 0; k < 3; ++k)
   {
     result.Cotangents[k] = (sum - 2.0 * squares[k]) / (8.0 * twiceArea);

@@ -41,14 +41,14 @@ double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
 /// The triangles turned to be counter-clockwise on the sphere, or an exception if it is not covered
 /// just once.
 conformal::Triangles trianglesOfMap(
-  const Points& sphere, const conformal::Triangles& triangles, const ParallelFor& parallelFor)
+  const Points& sphere, const conformal::Triangles& triangles, const Run& run)
 {
   conformal::Triangles turned = triangles;
-  SphereCoverage coverage = measureSphereCoverage(sphere, turned, parallelFor);
+  SphereCoverage coverage = measureSphereCoverage(sphere, turned, run);
   if (coverage.Degree < 0)
   {
     turned.col(1).swap(turned.col(2));
-    coverage = measureSphereCoverage(sphere, turned, parallelFor);
+    coverage = measureSphereCoverage(sphere, turned, run);
   }
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
@@ -61,11 +61,10 @@ conformal::Triangles trianglesOfMap(
 }
 
 //------------------------------------------------------------------------------
-void copyUnitVectors(
-  const PointView& vectors, const char* what, double* units, const ParallelFor& parallelFor)
+void copyUnitVectors(const PointView& vectors, const char* what, double* units, const Run& run)
 {
   std::atomic<Index> bad{ vectors.size() }; // the first one
-  forBlocks(parallelFor, vectors.size(), BlockSize,
+  forBlocks(run, vectors.size(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -90,26 +89,25 @@ void copyUnitVectors(
 }
 
 //------------------------------------------------------------------------------
-Points unitVectors(const PointView& vectors, const char* what, const ParallelFor& parallelFor)
+Points unitVectors(const PointView& vectors, const char* what, const Run& run)
 {
   Points units(vectors.size(), 3);
-  copyUnitVectors(vectors, what, units.data(), parallelFor);
+  copyUnitVectors(vectors, what, units.data(), run);
   return units;
 }
 
 //------------------------------------------------------------------------------
 CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
-  const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud, const Run& run)
   : Options(options)
-  , Sphere(unitVectors(model.SpherePositions, "sphere position", parallelFor))
+  , Sphere(unitVectors(model.SpherePositions, "sphere position", run))
   , Model(model.Positions)
-  , Triangles(trianglesOfMap(this->Sphere, model.Triangles, parallelFor))
+  , Triangles(trianglesOfMap(this->Sphere, model.Triangles, run))
 {
   const auto size = static_cast<double>(this->Triangles.rows());
   const double cloudSize = cloud ? static_cast<double>(cloud->size()) : 0.0;
   const bool fits = options.DomeHeight == DomeHeight::Fitted;
-  Steps steps(progress,
+  Steps steps(run,
     { 20.0 * size, 60.0 * size, WorkOfLocator * size,
       (options.SeamMode == SeamMode::EdgeMatched ? 1500.0 : 500.0) * size,
       fits ? (1.0 + options.Fit.NumberOfFitRounds) * (2500.0 * cloudSize + 5000.0 * size)
@@ -135,20 +133,19 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
   this->InsideOut = signedVolume(centered, this->Triangles) < -rounding;
   steps.next();
   const Adjacency around = vertexTriangles(this->Triangles, this->Model.rows());
-  this->Neighbors = triangleNeighbors(this->Triangles, around, parallelFor);
-  this->Locator =
-    SphereLocator(this->Sphere, this->Triangles, this->Neighbors, parallelFor, steps.next());
-  this->Flat = FlatMap(this->Sphere, this->Model, this->Triangles, this->Neighbors,
-    options.SeamMode, parallelFor, steps.next());
-  const Progress curving = steps.next();
+  this->Neighbors = triangleNeighbors(this->Triangles, around, run);
+  this->Locator = SphereLocator(this->Sphere, this->Triangles, this->Neighbors, steps.next());
+  this->Flat = FlatMap(
+    this->Sphere, this->Model, this->Triangles, this->Neighbors, options.SeamMode, steps.next());
+  const Run curving = steps.next();
   if (this->differentiable())
   {
-    this->curve(around, cloud, parallelFor, curving);
+    this->curve(around, cloud, curving);
   }
   else
   {
     this->Domes = SphereDomes(this->Sphere, this->Model, this->Triangles, this->Neighbors,
-      this->Flat, this->InsideOut, parallelFor, curving);
+      this->Flat, this->InsideOut, curving);
     this->scaleDomes();
   }
   steps.next();
@@ -161,20 +158,19 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
 }
 
 //------------------------------------------------------------------------------
-void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples* cloud,
-  const ParallelFor& parallelFor, const Progress& progress)
+void CurvedSeamlessSurface::curve(
+  const Adjacency& around, const TrainingSamples* cloud, const Run& run)
 {
   Points normals = Points::Zero(this->Model.rows(), 3);
   if (this->Options.DomeHeight != DomeHeight::None)
   {
-    normals = vertexNormals(this->Model, this->Triangles, around, parallelFor);
+    normals = vertexNormals(this->Model, this->Triangles, around, run);
   }
   this->Curved = CurvedTriangles(this->Model, normals, this->Triangles);
   if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
   {
-    const Points lowered =
-      lowerVertices(this->Curved, around, this->Options.VertexShift, parallelFor);
-    normals = vertexNormals(lowered, this->Triangles, around, parallelFor);
+    const Points lowered = lowerVertices(this->Curved, around, this->Options.VertexShift, run);
+    normals = vertexNormals(lowered, this->Triangles, around, run);
     this->Curved = CurvedTriangles(lowered, normals, this->Triangles);
   }
   if (this->Options.DomeHeight == DomeHeight::Fitted)
@@ -184,10 +180,9 @@ void CurvedSeamlessSurface::curve(const Adjacency& around, const TrainingSamples
       throw std::invalid_argument(
         "DomeHeight Fitted needs a cloud of points to fit the surface to");
     }
-    this->Curved =
-      fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, parallelFor, progress);
+    this->Curved = fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, run);
   }
-  this->Degenerate = flattenFolds(this->Curved, parallelFor);
+  this->Degenerate = flattenFolds(this->Curved, run);
 }
 
 //------------------------------------------------------------------------------
@@ -244,8 +239,8 @@ Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3&
   Vector3 sides;
   for (int k = 0; k < 3; ++k)
   {
-    const Vector3 a = this->Sphere.row(this->Triangles(triangle, (k + 1) % 3)),
-                  b = this->Sphere.row(this->Triangles(triangle, (k + 2) % 3));
+    const Vector3 a = this->Sphere.row(this->Triangles(triangle, next(k))),
+                  b = this->Sphere.row(this->Triangles(triangle, previous(k)));
     slopes.row(k) = a.cross(b - a); // of det(a, b, p), with p
     sides[k] = (a - direction).cross(b - direction).dot(direction);
   }
@@ -343,9 +338,8 @@ Vector3 CurvedSeamlessSurface::Evaluator::direction(Index triangle, const Vector
 }
 
 //------------------------------------------------------------------------------
-CurvedSeamlessInverse::CurvedSeamlessInverse(
-  const CurvedSeamlessSurface& surface, const ParallelFor& parallelFor)
-  : Tree(surface.curvedTriangles(), parallelFor)
+CurvedSeamlessInverse::CurvedSeamlessInverse(const CurvedSeamlessSurface& surface, const Run& run)
+  : Tree(surface.curvedTriangles(), run)
 {
   requireDifferentiable(surface, "inverse");
 }
@@ -362,14 +356,14 @@ CurvedSeamlessInverse::Foot CurvedSeamlessInverse::evaluate(
 
 //------------------------------------------------------------------------------
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
-  const SurfaceSamples& samples, const ParallelFor& parallelFor, const Progress& progress)
+  const SurfaceSamples& samples, const Run& run)
 {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   if (samples.differentiates())
   {
     requireDifferentiable(surface, "derivative");
   }
-  forBlocks(parallelFor, directions.size(), BlockSize, progress,
+  forBlocksReporting(run, directions.size(), BlockSize,
     [&](Index begin, Index end)
     {
       CurvedSeamlessSurface::Evaluator evaluator(surface);
@@ -407,15 +401,14 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
 }
 
 //------------------------------------------------------------------------------
-Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
-  const ParallelFor& parallelFor, const Progress& progress)
+Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run)
 {
   Mesh network;
   network.Positions = surface.sphere();
   network.Triangles = surface.triangles();
   const Index numberOfVertices = network.Positions.rows();
-  Mesh fine = subdivide(network, subdivisions, parallelFor, progress);
-  forBlocks(parallelFor, fine.Positions.rows() - numberOfVertices, BlockSize,
+  Mesh fine = subdivide(network, subdivisions, run);
+  forBlocks(run, fine.Positions.rows() - numberOfVertices, BlockSize,
     [&](Index begin, Index end)
     { fine.Positions.middleRows(numberOfVertices + begin, end - begin).rowwise().normalize(); });
   return fine;
@@ -423,7 +416,7 @@ Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
 
 //------------------------------------------------------------------------------
 void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
-  double* feet, const ParallelFor& parallelFor, const Progress& progress)
+  double* feet, const Run& run)
 {
   for (Index i = 0; i < points.size(); ++i)
   {
@@ -432,8 +425,8 @@ void invert(const CurvedSeamlessSurface& surface, const PointView& points, doubl
       throw std::invalid_argument("point " + std::to_string(i) + " is not finite");
     }
   }
-  const CurvedSeamlessInverse inverse(surface, parallelFor);
-  forBlocks(parallelFor, points.size(), BlockSize, progress,
+  const CurvedSeamlessInverse inverse(surface, run);
+  forBlocksReporting(run, points.size(), BlockSize,
     [&](Index begin, Index end)
     {
       CurvedSeamlessSurface::Evaluator evaluator(surface);
@@ -454,14 +447,13 @@ void invert(const CurvedSeamlessSurface& surface, const PointView& points, doubl
 //------------------------------------------------------------------------------
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
   const Points& directions, const CurvedSeamlessSurfaceOptions& options,
-  const TrainingSamples* cloud, const ParallelFor& parallelFor, const Progress& progress)
+  const TrainingSamples* cloud, const Run& run)
 {
-  report(progress, 0.0);
+  run.report(0.0);
   const double shareOfMesh = options.DomeHeight == DomeHeight::Fitted ? 0.95 : 0.5;
-  const CurvedSeamlessSurface surface(
-    model, options, cloud, parallelFor, partOf(progress, 0.0, shareOfMesh));
+  const CurvedSeamlessSurface surface(model, options, cloud, run.part(0.0, shareOfMesh));
   CurvedSeamlessSurfaceResult result;
-  result.Directions = unitVectors(directions, "direction", parallelFor);
+  result.Directions = unitVectors(directions, "direction", run);
   result.Positions.resize(directions.rows(), 3);
   result.Normals.resize(directions.rows(), 3);
   result.Degenerate.resize(directions.rows());
@@ -470,8 +462,8 @@ CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
   samples.Positions = result.Positions.data();
   samples.Normals = result.Normals.data();
   samples.Degenerate = result.Degenerate.data();
-  evaluate(surface, result.Directions, samples, parallelFor, partOf(progress, shareOfMesh, 1.0));
-  report(progress, 1.0);
+  evaluate(surface, result.Directions, samples, run.part(shareOfMesh, 1.0));
+  run.report(1.0);
   return result;
 }
 }

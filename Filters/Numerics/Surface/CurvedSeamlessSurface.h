@@ -3,7 +3,7 @@
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Sphere/SphereLocator.h"
@@ -66,7 +66,7 @@ public:
   /// @throws Aborted
   explicit CurvedSeamlessSurface(const MappedMesh& model,
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
-    const ParallelFor& parallelFor = {}, const Progress& progress = {});
+    const Run& run = {});
 
   // Its parts refer to each other.
   CurvedSeamlessSurface(const CurvedSeamlessSurface&) = delete;
@@ -104,8 +104,7 @@ public:
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
-  void curve(const Adjacency& around, const TrainingSamples* cloud, const ParallelFor& parallelFor,
-    const Progress& progress);
+  void curve(const Adjacency& around, const TrainingSamples* cloud, const Run& run);
   void scaleDomes();
   Vector3 onSphere(Index triangle, const Vector3& barycentric) const;
   Eigen::Matrix3d projection(Index triangle, const Vector3& direction) const;
@@ -171,8 +170,7 @@ public:
 
   /// @param[in] surface  must outlive this
   /// @throws std::invalid_argument if it is not differentiable
-  explicit CurvedSeamlessInverse(
-    const CurvedSeamlessSurface& surface, const ParallelFor& parallelFor = {});
+  explicit CurvedSeamlessInverse(const CurvedSeamlessSurface& surface, const Run& run = {});
 
   /// @param[in] point      finite
   /// @param[in] evaluator  of the same surface
@@ -203,8 +201,7 @@ struct SurfaceSamples
 /// @throws std::invalid_argument if derivatives are wanted that do not exist
 /// @throws Aborted
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
-  const SurfaceSamples& samples, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const SurfaceSamples& samples, const Run& run = {});
 
 /// The network with each triangle cut into k x k, see subdivide(): where to evaluate a surface so
 /// that every triangle gets its points, however small it is on the sphere, and none lies across an
@@ -212,8 +209,7 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
 ///
 /// @return unit vectors, n_i first; triangles counter-clockwise on the sphere
 /// @throws as subdivide()
-Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run = {});
 
 /// Directions of many points on a surface or near it.
 ///
@@ -222,15 +218,15 @@ Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions,
 /// @throws std::invalid_argument if a point is not finite, or as CurvedSeamlessInverse
 /// @throws Aborted
 void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
-  double* feet = nullptr, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  double* feet = nullptr, const Run& run = {});
 
 /// @param[out] units  3 each; may be the vectors themselves
 /// @throws std::invalid_argument if one is zero or not finite; what says of what kind they are
 void copyUnitVectors(
-  const PointView& vectors, const char* what, double* units, const ParallelFor& parallelFor = {});
+  const PointView& vectors, const char* what, double* units, const Run& run = {});
 
 /// The same as #P by 3 coordinates.
-Points unitVectors(const PointView& vectors, const char* what, const ParallelFor& parallelFor = {});
+Points unitVectors(const PointView& vectors, const char* what, const Run& run = {});
 
 struct CurvedSeamlessSurfaceResult
 {
@@ -250,8 +246,7 @@ struct CurvedSeamlessSurfaceResult
 /// @throws Aborted
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
   const Points& directions, const CurvedSeamlessSurfaceOptions& options = {},
-  const TrainingSamples* cloud = nullptr, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const TrainingSamples* cloud = nullptr, const Run& run = {});
 }
 
 #endif

@@ -1,7 +1,9 @@
 #include "Surface/CurvedTriangleFit.h"
 
 #include "Base/AcrossProcesses.h"
+#include "Cloud/FootPoints.h"
 #include "Cloud/LocalScale.h"
+#include "Linear/ConjugateGradients.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexNormals.h"
 
@@ -21,9 +23,9 @@ using Blocks = std::vector<Eigen::Matrix3d>;
 
 constexpr double OutlierRatio = 6.0;
 constexpr double NormalShare = 0.1;   // of the smoothness, for the normals
-constexpr double LargestTilt = 0.5;   // of a normal in one round
-constexpr double LargestSlant = 0.95; // cosine, below which a foot lies on a crease
-constexpr int LargestNumberOfSteps = 60;
+constexpr double MaximumTilt = 0.5;   // of a normal in one round
+constexpr double MaximumSlant = 0.95; // cosine, below which a foot lies on a crease
+constexpr int MaximumNumberOfSteps = 60;
 constexpr double Accuracy = 1e-8; // of the square of the preconditioned residual
 
 /// Two directions across each normal.
@@ -112,7 +114,7 @@ public:
       {
         const int v = this->Triangles(r, k);
         this->Diagonal[v] += matrix.block<3, 3>(3 * k, 3 * k);
-        for (const int l : { (k + 1) % 3, (k + 2) % 3 })
+        for (const int l : { next(k), previous(k) })
         {
           this->Across[this->place(v, this->Triangles(r, l))] += matrix.block<3, 3>(3 * k, 3 * l);
         }
@@ -124,12 +126,12 @@ public:
   Blocks& diagonal() { return this->Diagonal; }
 
   /// matrix times unknowns, plus stiffness L^T L of the offsets.
-  Unknowns times(const Unknowns& x, double stiffness, const ParallelFor& parallelFor) const
+  Unknowns times(const Unknowns& x, double stiffness, const Run& run) const
   {
     Unknowns y(x.rows(), 3);
     Eigen::VectorXd bent(x.rows());
     constexpr Index BlockSize = 1024;
-    forBlocks(parallelFor, x.rows(), BlockSize,
+    forBlocks(run, x.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -145,7 +147,7 @@ public:
           bent[i] = x(i, 0) - ring / this->Neighbors.size(i);
         }
       });
-    forBlocks(parallelFor, x.rows(), BlockSize,
+    forBlocks(run, x.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -175,9 +177,8 @@ private:
   Blocks Diagonal, Across;
 };
 
-/// Conjugate gradients, preconditioned by the blocks of the vertices, from 0.
-Unknowns solve(Equations& equations, const Unknowns& right, double stiffness,
-  const ParallelFor& parallelFor, const Progress& progress)
+/// Preconditioned by the blocks of the vertices.
+Unknowns solve(Equations& equations, Unknowns right, double stiffness, const Run& run)
 {
   Blocks inverse = equations.diagonal();
   for (Eigen::Matrix3d& block : inverse)
@@ -185,31 +186,16 @@ Unknowns solve(Equations& equations, const Unknowns& right, double stiffness,
     block(0, 0) += stiffness; // about the diagonal of L^T L
     block = block.inverse().eval();
   }
-  const auto precondition = [&](const Unknowns& r)
+  const LinearMap precondition = [&](const Unknowns& r, Unknowns& z)
   {
-    Unknowns z(r.rows(), 3);
     for (Index i = 0; i < r.rows(); ++i)
     {
       z.row(i) = inverse[i] * r.row(i).transpose();
     }
-    return z;
   };
-  Unknowns x = Unknowns::Zero(right.rows(), 3), r = right, z = precondition(r), p = z;
-  double square = r.cwiseProduct(z).sum();
-  const double first = square;
-  for (int step = 0; step < LargestNumberOfSteps && square > Accuracy * first; ++step)
-  {
-    const Unknowns q = equations.times(p, stiffness, parallelFor);
-    const double length = square / p.cwiseProduct(q).sum();
-    x += length * p;
-    r -= length * q;
-    z = precondition(r);
-    const double next = r.cwiseProduct(z).sum();
-    p = z + next / square * p;
-    square = next;
-    report(progress, (step + 1.0) / LargestNumberOfSteps);
-  }
-  return x;
+  const LinearMap product = [&](const Unknowns& x, Unknowns& y)
+  { y = equations.times(x, stiffness, run); };
+  return conjugateGradients(right, product, precondition, { MaximumNumberOfSteps, Accuracy }, run);
 }
 
 /// How a point of a triangle, seen along a direction, moves with the unknowns of its corners.
@@ -231,7 +217,7 @@ Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::ve
     const Vector3 at = surface.positions().row(ids[i]);
     double offset = m[i] * seen[i];
     double tilts[2] = { 0.0, 0.0 };
-    for (const int j : { (i + 1) % 3, (i + 2) % 3 })
+    for (const int j : { next(i), previous(i) })
     {
       const double out = m[i] * m[i] * m[j] + bubble, in = m[j] * m[j] * m[i] + bubble;
       offset += out * seen[i] - in * own.N.dot(frames[ids[j]].N) * seen[j];
@@ -249,35 +235,32 @@ Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::ve
 /// processes keep theirs until it is their turn to carry on the sums of the body.
 template <typename Body>
 void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
-  std::vector<int>& hints, std::vector<double>& sums, const ParallelFor& parallelFor,
-  const Progress& progress, Body body)
+  std::vector<int>& hints, std::vector<double>& sums, const Run& run, Body body)
 {
-  const CurvedTriangleTree tree(surface, parallelFor);
-  constexpr Index BlockSize = 256;
-  constexpr Index ChunkSize = 64 * BlockSize;
-  const bool keep = samples.reduce().NumberOfRanks > 1;
-  std::vector<FootPoint> all(keep ? samples.size() : std::min(ChunkSize, samples.size()));
-  for (Index first = 0; first < samples.size(); first += ChunkSize)
+  const CurvedTriangleTree tree(surface, run);
+  const ClosestPoint closest = [&](Index id, const Vector3& x, int last)
   {
-    const Index size = std::min(ChunkSize, samples.size() - first);
-    FootPoint* const feet = all.data() + (keep ? first : 0);
-    forBlocks(parallelFor, size, BlockSize,
-      [&](Index begin, Index end)
-      {
-        int last = -1; // neighbors in the scan are often neighbors in space
-        for (Index i = begin; i < end; ++i)
-        {
-          int& hint = hints[first + i];
-          feet[i] = tree.closestPoint(samples[first + i], hint < 0 ? last : hint);
-          hint = last = feet[i].Triangle;
-        }
-      });
-    for (Index i = 0; i < size && !keep; ++i)
+    int& hint = hints[id];
+    const FootPoint foot = tree.closestPoint(x, hint < 0 ? last : hint);
+    hint = foot.Triangle;
+    return foot;
+  };
+  const bool keep = samples.reduce().NumberOfRanks > 1;
+  std::vector<FootPoint> all(keep ? samples.size() : 0);
+  forEachFoot(
+    samples, closest, samples.size(), {},
+    [&](Index i, const Vector3&, const FootPoint& foot)
     {
-      body(first + i, feet[i]);
-    }
-    report(progress, static_cast<double>(first + size) / static_cast<double>(samples.size()));
-  }
+      if (keep)
+      {
+        all[i] = foot;
+      }
+      else
+      {
+        body(i, foot);
+      }
+    },
+    run);
   if (keep)
   {
     inTurn(samples.reduce(), sums.data(), static_cast<Index>(sums.size()),
@@ -314,7 +297,7 @@ CurvedTriangles moved(
     positions.row(i) += step(i, 0) * frame.N;
     Vector3 tilt = (step(i, 1) * frame.E1 + step(i, 2) * frame.E2) / frame.Length;
     const double size = tilt.norm();
-    tilt *= size > LargestTilt ? LargestTilt / size : 1.0;
+    tilt *= size > MaximumTilt ? MaximumTilt / size : 1.0;
     normals.row(i) = (frame.N + tilt).normalized();
   }
   return CurvedTriangles(positions, normals, surface.triangles());
@@ -365,7 +348,7 @@ CurvedTriangles withNormals(const CurvedTriangles& surface)
 
 //------------------------------------------------------------------------------
 CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingSamples& samples,
-  const CurvedTriangleFitOptions& options, const ParallelFor& parallelFor, const Progress& progress)
+  const CurvedTriangleFitOptions& options, const Run& run)
 {
   if (options.NumberOfFitRounds < 0 ||
     !(options.FitSmoothness >= 0.0 && std::isfinite(options.FitSmoothness)))
@@ -388,8 +371,8 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
     const double begin = (round + 1) / steps;
     equations.clear();
     std::vector<double> none;
-    forEachCurvedFoot(surface, samples, hints, round < 0 ? none : equations.sums(), parallelFor,
-      partOf(progress, begin, begin + 0.8 / steps),
+    forEachCurvedFoot(surface, samples, hints, round < 0 ? none : equations.sums(),
+      run.part(begin, begin + 0.8 / steps),
       [&](Index i, const FootPoint& foot)
       {
         const double weight = samples.weight(i);
@@ -402,7 +385,7 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
         const Vector3 way = samples[i] - foot.Position;
         Vector3 direction = surface[foot.Triangle].surfaceNormal(foot.Barycentric);
         const double along = direction.dot(way);
-        if (along * along < LargestSlant * LargestSlant * foot.SquareDistance)
+        if (along * along < MaximumSlant * MaximumSlant * foot.SquareDistance)
         {
           direction = way / std::sqrt(foot.SquareDistance);
         }
@@ -418,8 +401,8 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
     const double stiffness = options.FitSmoothness * perVertex;
     Unknowns right = equations.assemble();
     addPriors(surface, frames, stiffness, 1e-6 * perVertex, equations, right);
-    const Unknowns step = solve(equations, right, stiffness, parallelFor,
-      partOf(progress, begin + 0.8 / steps, begin + 1.0 / steps));
+    const Unknowns step = solve(
+      equations, std::move(right), stiffness, run.part(begin + 0.8 / steps, begin + 1.0 / steps));
     surface = moved(surface, frames, step);
   }
   return inUnit(surface, samples, true);

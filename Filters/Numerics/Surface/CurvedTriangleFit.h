@@ -3,7 +3,7 @@
 #ifndef ConformalCurvedTriangleFit_h
 #define ConformalCurvedTriangleFit_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Surface/CurvedTriangles.h"
@@ -28,8 +28,7 @@ struct CurvedTriangleFitOptions
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted
 CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingSamples& samples,
-  const CurvedTriangleFitOptions& options = {}, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const CurvedTriangleFitOptions& options = {}, const Run& run = {});
 }
 
 #endif

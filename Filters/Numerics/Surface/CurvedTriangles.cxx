@@ -37,8 +37,8 @@ ShadingNormals::ShadingNormals(const CurvedTriangle& triangle)
   for (int k = 0; k < 3; ++k)
   {
     // The mean of the two normals, mirrored at the plane across the edge.
-    const Vector3 edge = w[(k + 2) % 3] - w[(k + 1) % 3];
-    const Vector3 sum = this->Ends[(k + 1) % 3] + this->Ends[(k + 2) % 3];
+    const Vector3 edge = w[previous(k)] - w[next(k)];
+    const Vector3 sum = this->Ends[next(k)] + this->Ends[previous(k)];
     const double square = edge.squaredNorm();
     this->Middles[k] =
       (square > 0.0 ? Vector3(sum - 2.0 * edge.dot(sum) / square * edge) : sum).normalized();
@@ -66,7 +66,7 @@ Vector3 CurvedTriangle::position(const Vector3& barycentric) const
   Vector3 dome = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const int i = next(k), j = previous(k);
     const double linear = m[i] * this->Rise(k, i) + m[j] * this->Rise(k, j);
     const double sum = this->Rise(k, i) + this->Rise(k, j);
     dome += (m[k] * m[k] * linear + bubble * sum) * this->N[k];
@@ -81,11 +81,11 @@ Eigen::Matrix3d CurvedTriangle::derivative(const Vector3& barycentric) const
   Eigen::Matrix3d derivative;
   for (int with = 0; with < 3; ++with)
   {
-    const double ofBubble = 0.5 * m[(with + 1) % 3] * m[(with + 2) % 3];
+    const double ofBubble = 0.5 * m[next(with)] * m[previous(with)];
     Vector3 column = this->W[with];
     for (int k = 0; k < 3; ++k)
     {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      const int i = next(k), j = previous(k);
       const double linear = m[i] * this->Rise(k, i) + m[j] * this->Rise(k, j);
       const double own = with == k ? 2.0 * m[k] * linear : m[k] * m[k] * this->Rise(k, with);
       column -= (own + ofBubble * (this->Rise(k, i) + this->Rise(k, j))) * this->N[k];
@@ -107,7 +107,7 @@ Vector3 CurvedTriangle::surfaceNormal(const Vector3& barycentric) const
 //------------------------------------------------------------------------------
 Vector3 CurvedTriangle::rise(int edge) const
 {
-  const int i = (edge + 1) % 3, j = (edge + 2) % 3;
+  const int i = next(edge), j = previous(edge);
   return -(this->Rise(i, j) * this->N[i] + this->Rise(j, i) * this->N[j]) / 8.0;
 }
 
@@ -126,7 +126,7 @@ Box CurvedTriangle::bounds() const
   for (int k = 0; k < 3; ++k)
   {
     box.extend(this->W[k]);
-    for (const int j : { (k + 1) % 3, (k + 2) % 3 })
+    for (const int j : { next(k), previous(k) })
     {
       box.extend(this->controlPoint(k, j));
       middle -= this->Rise(k, j) / 12.0 * this->N[k];
@@ -203,8 +203,8 @@ CurvedTriangle CurvedTriangles::operator[](Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
-  const ParallelFor& parallelFor)
+Points lowerVertices(
+  const CurvedTriangles& surface, const Adjacency& around, double share, const Run& run)
 {
   struct Domes
   {
@@ -214,7 +214,7 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
   const Points& normals = surface.normals();
   const conformal::Triangles& triangles = surface.triangles();
   std::vector<Domes> domes(triangles.rows());
-  forBlocks(parallelFor, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -226,7 +226,7 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
       }
     });
   Points lowered = surface.positions();
-  forBlocks(parallelFor, lowered.rows(), BlockSize,
+  forBlocks(run, lowered.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -255,15 +255,15 @@ Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, do
 }
 
 //------------------------------------------------------------------------------
-std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const ParallelFor& parallelFor)
+std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run)
 {
   const conformal::Triangles& triangles = surface.triangles();
   std::vector<unsigned char> flattened(triangles.rows(), 0), folds(triangles.rows(), 0);
   std::vector<unsigned char> changed(surface.positions().rows(), 1);
-  const int mostRounds = 20; // after which normals are of no length
-  for (int round = 0; round < mostRounds; ++round)
+  const int maximumRounds = 20; // after which normals are of no length
+  for (int round = 0; round < maximumRounds; ++round)
   {
-    forBlocks(parallelFor, triangles.rows(), BlockSize,
+    forBlocks(run, triangles.rows(), BlockSize,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
@@ -295,13 +295,13 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Parallel
 }
 
 //------------------------------------------------------------------------------
-NormalJumps measureNormalJumps(const CurvedTriangles& surface,
-  const conformal::Triangles& neighbors, const ParallelFor& parallelFor)
+NormalJumps measureNormalJumps(
+  const CurvedTriangles& surface, const conformal::Triangles& neighbors, const Run& run)
 {
   const conformal::Triangles& triangles = surface.triangles();
   const std::array<double, 5> shares{ 0.1, 0.3, 0.5, 0.7, 0.9 };
   std::vector<NormalJumps> blocks((triangles.rows() + BlockSize - 1) / BlockSize);
-  forBlocks(parallelFor, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       NormalJumps& jumps = blocks[begin / BlockSize];
@@ -319,18 +319,18 @@ NormalJumps measureNormalJumps(const CurvedTriangles& surface,
           {
             Vector3 here = Vector3::Zero(), there = Vector3::Zero();
             here[k] = 1.0 - share;
-            here[(k + 1) % 3] = share;
+            here[next(k)] = share;
             for (int l = 0; l < 3; ++l)
             {
               const int id = triangles(other, l);
-              there[l] = id == triangles(r, k)    ? 1.0 - share
-                : id == triangles(r, (k + 1) % 3) ? share
-                                                  : 0.0;
+              there[l] = id == triangles(r, k) ? 1.0 - share
+                : id == triangles(r, next(k))  ? share
+                                               : 0.0;
             }
             const Vector3 a = own.surfaceNormal(here), b = its.surfaceNormal(there);
-            const double jump = std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::acos(-1.0);
+            const double jump = std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / Pi;
             jumps.Mean += jump / static_cast<double>(shares.size());
-            jumps.Largest = std::max(jumps.Largest, jump);
+            jumps.Maximum = std::max(jumps.Maximum, jump);
           }
         }
       }
@@ -339,21 +339,20 @@ NormalJumps measureNormalJumps(const CurvedTriangles& surface,
   for (const NormalJumps& jumps : blocks)
   {
     all.Mean += jumps.Mean;
-    all.Largest = std::max(all.Largest, jumps.Largest);
+    all.Maximum = std::max(all.Maximum, jumps.Maximum);
   }
   all.Mean /= std::max(1.5 * static_cast<double>(triangles.rows()), 1.0);
   return all;
 }
 
 //------------------------------------------------------------------------------
-CurvedTriangleTree::CurvedTriangleTree(
-  const CurvedTriangles& surface, const ParallelFor& parallelFor)
+CurvedTriangleTree::CurvedTriangleTree(const CurvedTriangles& surface, const Run& run)
   : Placed(surface.triangles().rows())
   , PlaceOf(surface.triangles().rows())
 {
   const Index size = surface.triangles().rows();
   std::vector<Box> boxes(size);
-  forBlocks(parallelFor, size, BlockSize,
+  forBlocks(run, size, BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -361,8 +360,8 @@ CurvedTriangleTree::CurvedTriangleTree(
         boxes[r] = surface[r].bounds();
       }
     });
-  this->Tree = buildBoxTree(boxes, parallelFor);
-  forBlocks(parallelFor, size, BlockSize,
+  this->Tree = buildBoxTree(boxes, run.unwatched());
+  forBlocks(run, size, BlockSize,
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)
@@ -392,8 +391,8 @@ FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwh
   };
   FootPoint best = footFrom(closestPointOfTriangle(x, w[0], w[1], w[2]).Barycentric);
   double share = 1.0;
-  const int mostSteps = 50;
-  for (int step = 0; step < mostSteps; ++step)
+  const int maximumSteps = 50;
+  for (int step = 0; step < maximumSteps; ++step)
   {
     const Eigen::Matrix3d derivative = patch.derivative(best.Barycentric);
     const Vector3 tangent = best.Position - derivative * best.Barycentric;

@@ -3,7 +3,7 @@
 #ifndef ConformalCurvedTriangles_h
 #define ConformalCurvedTriangles_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/BoxTree.h"
@@ -106,21 +106,20 @@ private:
 /// weighted by its hat function, and c_i a third of the area around.
 ///
 /// @param[in] around  vertexTriangles of the surface's triangles
-Points lowerVertices(const CurvedTriangles& surface, const Adjacency& around, double share,
-  const ParallelFor& parallelFor = {});
+Points lowerVertices(
+  const CurvedTriangles& surface, const Adjacency& around, double share, const Run& run = {});
 
 /// Shorten normals until no triangle folds.
 /// @return #F, 1 for those that did
-std::vector<unsigned char> flattenFolds(
-  CurvedTriangles& surface, const ParallelFor& parallelFor = {});
+std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run = {});
 
 /// Angles between the surface normals of two triangles along their edges, in degrees.
 struct NormalJumps
 {
-  double Mean = 0.0, Largest = 0.0;
+  double Mean = 0.0, Maximum = 0.0;
 };
-NormalJumps measureNormalJumps(const CurvedTriangles& surface,
-  const conformal::Triangles& neighbors, const ParallelFor& parallelFor = {});
+NormalJumps measureNormalJumps(
+  const CurvedTriangles& surface, const conformal::Triangles& neighbors, const Run& run = {});
 
 /// Closest points of curved triangles.
 ///
@@ -131,7 +130,7 @@ class CurvedTriangleTree
 {
 public:
   CurvedTriangleTree() = default;
-  explicit CurvedTriangleTree(const CurvedTriangles& surface, const ParallelFor& parallelFor = {});
+  explicit CurvedTriangleTree(const CurvedTriangles& surface, const Run& run = {});
 
   /// @param[in] hint  a triangle that may be close, or -1: saves time
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;

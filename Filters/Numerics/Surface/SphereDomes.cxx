@@ -8,7 +8,7 @@ namespace conformal
 //------------------------------------------------------------------------------
 SphereDomes::SphereDomes(const Points& sphere, const Points& model,
   const conformal::Triangles& triangles, const conformal::Triangles& neighbors, const FlatMap& map,
-  bool insideOut, const ParallelFor& parallelFor, const Progress& progress)
+  bool insideOut, const Run& run)
   : Sphere(&sphere)
   , Model(&model)
   , Triangles(&triangles)
@@ -17,7 +17,7 @@ SphereDomes::SphereDomes(const Points& sphere, const Points& model,
   , Normals(Points::Zero(triangles.rows(), 3))
 {
   const Index blockSize = 256;
-  forBlocks(parallelFor, triangles.rows(), blockSize, progress,
+  forBlocksReporting(run, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -66,7 +66,7 @@ bool SphereDomes::edgeDirection(Index triangle, int opposite, Vector3& direction
 {
   const Vector3 own = this->Normals.row(triangle);
   const Vector3 sum =
-    own + Vector3(this->Normals.row((*this->Neighbors)(triangle, (opposite + 1) % 3)));
+    own + Vector3(this->Normals.row((*this->Neighbors)(triangle, next(opposite))));
   const double size = sum.norm();
   const double rounding = 1e-12;
   const bool defined = size > rounding;
@@ -91,7 +91,7 @@ Vector3 SphereDomes::direction(Index triangle, const Vector3& barycentric) const
       k = corner;
     }
   }
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  const int i = next(k), j = previous(k);
   const double betaI = std::max(0.0, barycentric[i] - s * center[i]);
   const double betaJ = std::max(0.0, barycentric[j] - s * center[j]);
 

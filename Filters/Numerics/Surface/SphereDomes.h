@@ -3,7 +3,7 @@
 #ifndef ConformalSphereDomes_h
 #define ConformalSphereDomes_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "TriangleMap/FlatMap.h"
 
@@ -29,8 +29,7 @@ public:
   /// @param[in] insideOut  whether the model's triangles run clockwise seen from outside
   /// All but the map must outlive this.
   SphereDomes(const Points& sphere, const Points& model, const conformal::Triangles& triangles,
-    const conformal::Triangles& neighbors, const FlatMap& map, bool insideOut,
-    const ParallelFor& parallelFor = {}, const Progress& progress = {});
+    const conformal::Triangles& neighbors, const FlatMap& map, bool insideOut, const Run& run = {});
 
   /// |p - p'|, with p' in barycentric coordinates.
   double height(Index triangle, const Vector3& barycentric) const;

@@ -51,7 +51,7 @@ SphereDensity pictureDensity(Picture picture, const SphereImage& image)
   {
     throw std::invalid_argument("a picture needs pixels, and finite values for each of them");
   }
-  const double pixels = static_cast<double>(size), pi = std::acos(-1.0);
+  const double pixels = static_cast<double>(size), pi = Pi;
   const double step = std::min(0.5, std::sqrt(4.0 * pi / pixels));
   const int frequency =
     std::clamp(static_cast<int>(std::sqrt(pixels / 10.0)), 10, MaximumProbeFrequency);

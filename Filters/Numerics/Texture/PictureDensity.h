@@ -3,7 +3,7 @@
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Sphere/SphereDensity.h"
 #include "Texture/PixelGrid.h"
 #include "Texture/SphereProjection.h"

@@ -12,7 +12,7 @@ namespace
 constexpr double SnapShare = 1e-3; // of an edge; a cut closer to its end goes through the end
 
 // Copies of an image of which a triangle shows more than this many are not told apart.
-constexpr double MostCopies = 16.0;
+constexpr double MaximumCopies = 16.0;
 constexpr double FarthestCopy = 1e6; // floats still tell places within it
 
 // A corner of a piece of a triangle.
@@ -239,7 +239,7 @@ class Splitter
 {
 public:
   Splitter(SphericalTexture& texture, const Triangles& triangles, const Points& spherePositions,
-    TextureWrap wrap, const ParallelFor& parallelFor)
+    TextureWrap wrap, const Run& run)
     : Texture(texture)
     , Triangles(triangles)
     , Positions(spherePositions)
@@ -250,7 +250,7 @@ public:
     , IsTaken(spherePositions.rows(), false)
   {
     constexpr Index blockSize = 1 << 12;
-    forBlocks(parallelFor, spherePositions.rows(), blockSize,
+    forBlocks(run, spherePositions.rows(), blockSize,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -262,14 +262,14 @@ public:
       });
   }
 
-  void run(const Progress& progress)
+  void run(const Run& run)
   {
     constexpr Index chunk = 1 << 14;
     for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       if (r % chunk == 0)
       {
-        report(progress, static_cast<double>(r) / static_cast<double>(this->Triangles.rows()));
+        run.report(static_cast<double>(r) / static_cast<double>(this->Triangles.rows()));
       }
       if (!this->addWhole(r))
       {
@@ -286,7 +286,7 @@ public:
     {
       this->Texture.Coordinates.row(vertices + i) = this->AddedCoordinates[i];
     }
-    report(progress, 1.0);
+    run.report(1.0);
   }
 
 private:
@@ -395,12 +395,11 @@ private:
         whole.place(piece[0]), whole.place(piece[1]), whole.place(piece[2])))
     {
       const auto lengthOf = [&](int k)
-      { return (whole.place(piece[(k + 1) % 3]) - whole.place(piece[k])).squaredNorm(); };
+      { return (whole.place(piece[next(k)]) - whole.place(piece[k])).squaredNorm(); };
       const int longest = lengthOf(0) >= std::max(lengthOf(1), lengthOf(2)) ? 0
         : lengthOf(1) >= lengthOf(2)                                        ? 1
                                                                             : 2;
-      const Corner &a = piece[longest], &b = piece[(longest + 1) % 3],
-                   &c = piece[(longest + 2) % 3];
+      const Corner &a = piece[longest], &b = piece[next(longest)], &c = piece[previous(longest)];
       Corner middle = { 0.5 * (a.Weights + b.Weights) };
       middle.Texture = patchToTexture(whole.place(middle), this->Texture.Image, patch);
       this->addPiece({ a, middle, c }, patch, whole, depth + 1);
@@ -408,8 +407,8 @@ private:
       return;
     }
     // Cut up where it is not within the image or one copy of it.
-    const bool visible =
-      inImage && (this->Wrap == TextureWrap::Clamp || boxOf(piece).sizes().maxCoeff() < MostCopies);
+    const bool visible = inImage &&
+      (this->Wrap == TextureWrap::Clamp || boxOf(piece).sizes().maxCoeff() < MaximumCopies);
     for (const Polygon& part :
       visible ? slicedAtBorders(piece, this->Wrap) : std::vector<Polygon>{ piece })
     {
@@ -531,9 +530,8 @@ WrappedPlace wrapped(const Vector2& st, TextureWrap wrap)
 
 //------------------------------------------------------------------------------
 void splitAtSeams(SphericalTexture& texture, const Triangles& triangles,
-  const Points& spherePositions, TextureWrap wrap, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const Points& spherePositions, TextureWrap wrap, const Run& run)
 {
-  Splitter(texture, triangles, spherePositions, wrap, parallelFor).run(progress);
+  Splitter(texture, triangles, spherePositions, wrap, run).run(run);
 }
 }

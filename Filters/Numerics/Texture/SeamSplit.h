@@ -3,7 +3,7 @@
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Texture/TextureLayout.h"
 
@@ -24,8 +24,7 @@ WrappedPlace wrapped(const Vector2& st, TextureWrap wrap);
 /// @param[in,out] texture  has Image, Coordinates and OutsideImage of the vertices; these are kept
 ///   for vertices that no triangle uses
 void splitAtSeams(SphericalTexture& texture, const Triangles& triangles,
-  const Points& spherePositions, TextureWrap wrap, const ParallelFor& parallelFor,
-  const Progress& progress);
+  const Points& spherePositions, TextureWrap wrap, const Run& run);
 }
 
 #endif

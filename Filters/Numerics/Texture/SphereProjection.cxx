@@ -8,7 +8,6 @@ namespace conformal
 {
 namespace
 {
-const double Pi = std::acos(-1.0);
 const double Radians = Pi / 180.0;
 
 // Stands for infinity, but can still be squared.

@@ -1,7 +1,7 @@
 #include "Texture/SphereViewChoice.h"
 
 #include "Base/CoordinateFrame.h"
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Steps.h"
 #include "Base/UnitBox.h"
 #include "Search/TriangleTree.h"
@@ -18,7 +18,7 @@ namespace conformal
 {
 namespace
 {
-const double Radians = std::acos(-1.0) / 180.0;
+const double Radians = Pi / 180.0;
 
 Vector3 directionOf(const Vector3& v, const char* name)
 {
@@ -87,7 +87,7 @@ Place firstMet(const Points& seen, const Triangles& triangles)
     Vector3 sides;
     for (int k = 0; k < 3; ++k)
     {
-      const auto p = seen.row(triangles(r, (k + 1) % 3)), q = seen.row(triangles(r, (k + 2) % 3));
+      const auto p = seen.row(triangles(r, next(k))), q = seen.row(triangles(r, previous(k)));
       sides[k] = p[0] * q[1] - p[1] * q[0];
     }
     const double sum = sides.sum();
@@ -179,7 +179,7 @@ Vector3 meanNormal(const Points& points, const Triangles& triangles, const Point
 // sees it, both seen from the pole, the mean of conj(z) Z over a disk is the derivative dZ/dz at
 // its middle, if Z depends analytically on z.
 void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
-  const Points& spherePositions, const Place& place, double capAngle, const Progress& progress)
+  const Points& spherePositions, const Place& place, double capAngle, const Run& run)
 {
   using Complex = std::complex<double>;
   const Vector3 origin = interpolated(seen, triangles, place);
@@ -209,7 +209,7 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
       }
     }
   };
-  forBlocks({}, triangles.rows(), 1 << 8, progress,
+  forBlocksReporting(run.inOrder(), triangles.rows(), 1 << 8,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -272,13 +272,13 @@ void check(const PointView& points, const Triangles& triangles, const Points& sp
 
 //------------------------------------------------------------------------------
 SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const SphereViewOptions& options, const Progress& progress)
+  const Points& spherePositions, const SphereViewOptions& options, const Run& run)
 {
   check(points, triangles, spherePositions, options);
   Vector3 toViewer = directionOf(options.ViewDirection, "ViewDirection");
   const Vector3 upward = directionOf(options.ViewUp, "ViewUp");
   const double withPoint = options.UseViewPoint ? 1.0 : 0.0;
-  Steps steps(progress, { 12.0, 575.0 * withPoint, 9.0 * withPoint, 15.0, 53.0 }); // a triangle
+  Steps steps(run, { 12.0, 575.0 * withPoint, 9.0 * withPoint, 15.0, 53.0 }); // a triangle
   steps.next();
   const UnitBox box = unitBoxOf(points);
   Points model(points.size(), 3);
@@ -290,12 +290,12 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   model.rowwise() -= centroid.transpose();
   const double capAngle = options.FieldOfView / 8.0 * Radians;
 
-  const Progress treeProgress = steps.next();
+  const Run seeking = steps.next();
   Place place;
   SphereView view;
   if (options.UseViewPoint)
   {
-    const FootPoint foot = TriangleTree(model, triangles, {}, treeProgress)
+    const FootPoint foot = TriangleTree(model, triangles, seeking)
                              .closestPoint(box.fromAfar(options.ViewPoint) - centroid);
     place = { foot.Triangle, foot.Barycentric };
     view.Pole = poleAt(spherePositions, triangles, place);
@@ -320,7 +320,7 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   view.Right = view.Pole.unitOrthogonal();
   view.Up = view.Pole.cross(view.Right);
   alignAxes(view, seen, triangles, spherePositions, place, capAngle, steps.next());
-  report(progress, 1.0);
+  run.report(1.0);
   return turned(view, options.Rotation);
 }
 }

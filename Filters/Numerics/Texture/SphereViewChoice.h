@@ -3,6 +3,7 @@
 #ifndef ConformalSphereViewChoice_h
 #define ConformalSphereViewChoice_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Texture/SphereView.h"
 
@@ -34,8 +35,7 @@ struct SphereViewOptions
 ///   or rotation that is not finite, a field of view out of range, points that are not finite, or
 ///   no triangles
 SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const SphereViewOptions& options = {},
-  const Progress& progress = {});
+  const Points& spherePositions, const SphereViewOptions& options = {}, const Run& run = {});
 }
 
 #endif

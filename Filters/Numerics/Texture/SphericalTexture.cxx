@@ -27,13 +27,12 @@ void check(const SphericalTextureOptions& options)
 
 //------------------------------------------------------------------------------
 SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const SphericalTextureOptions& options,
-  const ParallelFor& parallelFor, const Progress& progress)
+  const Points& spherePositions, const SphericalTextureOptions& options, const Run& run)
 {
   check(options);
   const auto size = static_cast<double>(spherePositions.rows());
   // The view, for each vertex, as chooseSphereView() has it; the coordinates; the seams.
-  Steps steps(progress,
+  Steps steps(run,
     { (options.UseViewPoint ? 1310.0 : 160.0) * size, 50.0 * size,
       options.SplitSeam ? 350.0 * size : 0.0 });
   SphericalTexture texture;
@@ -43,7 +42,7 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
   texture.Coordinates.resize(spherePositions.rows(), 2);
   texture.OutsideImage.resize(spherePositions.rows());
   constexpr Index blockSize = 1 << 12;
-  forBlocks(parallelFor, spherePositions.rows(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), spherePositions.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -56,7 +55,7 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
     });
   if (options.SplitSeam)
   {
-    splitAtSeams(texture, triangles, spherePositions, options.Wrap, parallelFor, steps.next());
+    splitAtSeams(texture, triangles, spherePositions, options.Wrap, steps.next());
   }
   return texture;
 }

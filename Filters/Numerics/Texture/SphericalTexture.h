@@ -3,7 +3,7 @@
 #ifndef ConformalSphericalTexture_h
 #define ConformalSphericalTexture_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Texture/SphereProjection.h"
 #include "Texture/SphereViewChoice.h"
@@ -38,8 +38,7 @@ constexpr double MaximumScale = 1e3;
 /// @param[in] spherePositions  #V by 3 unit vectors
 /// @throws std::invalid_argument as chooseSphereView, and if Scale or Margin are out of range
 SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
-  const Points& spherePositions, const SphericalTextureOptions& options = {},
-  const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const Points& spherePositions, const SphericalTextureOptions& options = {}, const Run& run = {});
 }
 
 #endif

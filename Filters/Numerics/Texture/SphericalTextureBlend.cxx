@@ -17,7 +17,7 @@ double angleBetween(const Vector3& a, const Vector3& b)
 //------------------------------------------------------------------------------
 double frontShare(const Vector3& n, const TwoPictures& pictures)
 {
-  const double degrees = 180.0 / std::acos(-1.0);
+  const double degrees = 180.0 / Pi;
   const double toFront = 0.5 * degrees *
     (angleBetween(n, pictures.Back.View.Pole) - angleBetween(n, pictures.Front.View.Pole));
   if (pictures.BlendAngle <= 0.0)
@@ -30,7 +30,7 @@ double frontShare(const Vector3& n, const TwoPictures& pictures)
 
 //------------------------------------------------------------------------------
 void blendPictures(const TwoPictures& pictures, const SphereImage& image, const PixelGrid& grid,
-  const BlendSink& sink, const ParallelFor& parallelFor, const Progress& progress)
+  const BlendSink& sink, const Run& run)
 {
   if (grid.size() < 1 || pictures.FrontGrid.size() < 1 || pictures.BackGrid.size() < 1)
   {
@@ -41,7 +41,7 @@ void blendPictures(const TwoPictures& pictures, const SphereImage& image, const 
     throw std::invalid_argument("BlendAngle must lie between 0 and 180 degrees");
   }
   constexpr Index blockSize = 1 << 10;
-  forBlocks(parallelFor, grid.size(), blockSize, progress,
+  forBlocksReporting(run, grid.size(), blockSize,
     [&](Index begin, Index end)
     {
       std::vector<BlendedPixel> pixels(end - begin);

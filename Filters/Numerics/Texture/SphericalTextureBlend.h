@@ -3,7 +3,7 @@
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Texture/PixelGrid.h"
 #include "Texture/SphereProjection.h"
@@ -38,7 +38,7 @@ double frontShare(const Vector3& n, const TwoPictures& pictures);
 /// Blend two pictures into an image of the sphere.
 /// @throws std::invalid_argument if an image has no pixels or BlendAngle is out of range
 void blendPictures(const TwoPictures& pictures, const SphereImage& image, const PixelGrid& grid,
-  const BlendSink& sink, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const BlendSink& sink, const Run& run = {});
 }
 
 #endif

@@ -58,8 +58,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid,
-  const Replace& replace, double pixelWork, const PixelSink& sink, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const Replace& replace, double pixelWork, const PixelSink& sink, const Run& run)
 {
   if (grid.Width < 1 || grid.Height < 1)
   {
@@ -69,15 +68,15 @@ void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid&
   {
     throw std::invalid_argument("the surface has no triangles");
   }
-  Steps steps(progress,
+  Steps steps(run,
     { 20.0 * static_cast<double>(surface.Triangles.rows()),
       WorkOfLocator * static_cast<double>(surface.Triangles.rows()),
       pixelWork * static_cast<double>(grid.size()) });
   steps.next();
   const Triangles triangles = turnedOutwards(surface.Triangles, surface.SpherePositions);
-  const SphereLocator locator(surface.SpherePositions, triangles, {}, steps.next());
+  const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
   constexpr Index blockSize = 1 << 10;
-  forBlocks(parallelFor, grid.size(), blockSize, steps.next(),
+  forBlocksReporting(steps.next(), grid.size(), blockSize,
     [&](Index begin, Index end)
     {
       std::vector<SurfacePlace> places(end - begin);
@@ -105,8 +104,8 @@ public:
     double SquareDistance = std::numeric_limits<double>::infinity();
   };
 
-  ClosestPlaces(const PointView& cloud, const Triangles& triangles, const Reduce& reduce,
-    const ParallelFor& parallelFor, const Progress& progress)
+  ClosestPlaces(
+    const PointView& cloud, const Triangles& triangles, const Reduce& reduce, const Run& run)
     : NumberOfOwn(cloud.size())
   {
     std::int64_t sizes[] = { cloud.size(), triangles.rows() };
@@ -118,7 +117,7 @@ public:
     this->HasTriangles = sizes[1] > 0;
     if (!this->HasTriangles)
     {
-      this->Near = PointTree(cloud, progress);
+      this->Near = PointTree(cloud, run);
       return;
     }
     Points positions(cloud.size(), 3);
@@ -133,7 +132,7 @@ public:
     {
       throw std::invalid_argument("points of the source are not finite");
     }
-    this->Surface = TriangleTree(positions, this->Triangles, parallelFor, progress);
+    this->Surface = TriangleTree(positions, this->Triangles, run);
   }
 
   // Whether places are closest of all processes' and not only of this one's.
@@ -180,8 +179,8 @@ private:
 };
 
 // The points of the surface that pixels show, not finite in holes; none without a surface.
-Points pixelPositions(const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid,
-  const ParallelFor& parallelFor, const Progress& progress)
+Points pixelPositions(
+  const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid, const Run& run)
 {
   if (surface.Triangles.rows() == 0)
   {
@@ -198,58 +197,54 @@ Points pixelPositions(const MappedMesh& surface, const SphereImage& image, const
         : positionOf(places[i], surface.Positions);
     }
   };
-  paintSphericalTexture(surface, image, grid, place, parallelFor, progress);
+  paintSphericalTexture(surface, image, grid, place, run);
   return positions;
 }
 }
 
 //------------------------------------------------------------------------------
 void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
-  const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const PixelGrid& grid, const PixelSink& sink, const Run& run)
 {
   paint(
     surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel, sink,
-    parallelFor, progress);
+    run);
 }
 
 //------------------------------------------------------------------------------
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
-  const PixelSink& sink, const ParallelFor& parallelFor, const Progress& progress)
+  const PixelSink& sink, const Run& run)
 {
   constexpr double pixelWork = WorkOfPixel + 700.0; // with a query
   const auto cloudSize = static_cast<double>(cloud.size());
   const auto numberOfFaces = static_cast<double>(cloudTriangles.rows());
-  Steps steps(progress,
+  Steps steps(run,
     { 20.0 * cloudSize + (cloudTriangles.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
       WorkOfLocator * static_cast<double>(surface.Triangles.rows()) +
         pixelWork * static_cast<double>(grid.size()) });
-  const ClosestPlaces closest(cloud, cloudTriangles, {}, parallelFor, steps.next());
+  const ClosestPlaces closest(cloud, cloudTriangles, {}, steps.next());
   unitBoxOf(surface.Positions); // throws where they are not finite
   paint(
     surface, image, grid,
     [&](const SurfacePlace& place, int& hint)
     { return closest(positionOf(place, surface.Positions), hint).Place; },
-    pixelWork, sink, parallelFor, steps.next());
+    pixelWork, sink, steps.next());
 }
 
 //------------------------------------------------------------------------------
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
-  const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const PixelSink& sink, const Reduce& reduce, const Run& run)
 {
   if (reduce.NumberOfRanks == 1)
   {
-    paintSphericalTexture(surface, cloud, cloudTriangles, image, grid, sink, parallelFor, progress);
+    paintSphericalTexture(surface, cloud, cloudTriangles, image, grid, sink, run);
     return;
   }
   constexpr double begin = 0.3; // of the search, after its tree and the pixels' positions
-  const ClosestPlaces closest(
-    cloud, cloudTriangles, reduce, parallelFor, partOf(progress, 0.0, 0.5 * begin));
-  const Points wanted =
-    pixelPositions(surface, image, grid, parallelFor, partOf(progress, 0.5 * begin, begin));
+  const ClosestPlaces closest(cloud, cloudTriangles, reduce, run.part(0.0, 0.5 * begin));
+  const Points wanted = pixelPositions(surface, image, grid, run.part(0.5 * begin, begin));
   // So many at a time: all pixels are sent to all processes, and the distances back.
   constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
   for (Index first = 0; first < grid.size(); first += ChunkSize)
@@ -267,8 +262,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
     const auto fraction = [&](Index done) {
       return begin + (1.0 - begin) * static_cast<double>(done) / static_cast<double>(grid.size());
     };
-    forBlocks(parallelFor, size, BlockSize,
-      partOf(progress, fraction(first), fraction(first + size)),
+    forBlocksReporting(run.part(fraction(first), fraction(first + size)), size, BlockSize,
       [&](Index firstOf, Index lastOf)
       {
         int hint = -1;
@@ -284,7 +278,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
       });
     if (!closest.knowsAll())
     {
-      const std::vector<Least> nearest = least(reduce, squares);
+      const std::vector<Minimum> nearest = minimum(reduce, squares);
       for (Index i = 0; i < size; ++i)
       {
         if (nearest[i].Rank != reduce.Rank)

@@ -3,7 +3,8 @@
 #ifndef ConformalSphericalTextureImage_h
 #define ConformalSphericalTextureImage_h
 
-#include "Base/Parallel.h"
+#include "Base/Reduce.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/SurfacePlace.h"
@@ -23,8 +24,7 @@ using PixelSink = std::function<void(Index firstPixel, const std::vector<Surface
 /// sphere. Pixels in the margins show what the sphere has beyond the seams.
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
-  const PixelGrid& grid, const PixelSink& sink, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const PixelGrid& grid, const PixelSink& sink, const Run& run = {});
 
 /// The same, but the places are those of another surface, or of a cloud without triangles, closest
 /// to the points found: details that the mapped surface has no vertices for.
@@ -33,7 +33,7 @@ void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
 /// @throws std::invalid_argument also if the cloud is empty or not finite
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
-  const PixelSink& sink, const ParallelFor& parallelFor = {}, const Progress& progress = {});
+  const PixelSink& sink, const Run& run = {});
 
 /// The same by several processes, each of which has a part of the cloud, perhaps none. Where the
 /// closest place is another process's, ids are -1 too. A cloud of points stays where it is, one
@@ -43,8 +43,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
 /// @param[in] reduce   adds up over the processes
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
-  const PixelSink& sink, const Reduce& reduce, const ParallelFor& parallelFor = {},
-  const Progress& progress = {});
+  const PixelSink& sink, const Reduce& reduce, const Run& run = {});
 }
 
 #endif

@@ -7,12 +7,10 @@
 
 namespace conformal
 {
-using halfdisk::next;
-using halfdisk::previous;
 
 namespace
 {
-constexpr double LargestDilatation = 1.5; // measured: less bends more, more lets corners bend
+constexpr double MaximumDilatation = 1.5; // measured: less bends more, more lets corners bend
 constexpr Index BlockSize = 256;
 
 /// The point of an edge, in barycentric coordinates.
@@ -84,16 +82,15 @@ FlatMap::Edge FlatMap::own(int edge, TriangleMap& network, TriangleMap& model)
 
 //------------------------------------------------------------------------------
 FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
-  const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor,
-  const Progress& progress)
+  const Triangles& neighbors, SeamMode seamMode, const Run& run)
   : Slides(seamMode == SeamMode::EdgeMatched)
-  , Network(sphere, triangles, parallelFor)
+  , Network(sphere, triangles, run)
   , Model(triangles.rows())
   , All(triangles.rows())
   , Order(triangles.rows())
 {
   std::vector<std::array<Edge, 3>> own(this->Slides ? triangles.rows() : 0);
-  forBlocks(parallelFor, triangles.rows(), BlockSize, progress,
+  forBlocksReporting(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -111,7 +108,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& tri
         }
         TriangleMap network = this->Network.map(r);
         this->All[r].Affine =
-          this->Slides && !(network.shape().dilatation(shape) <= LargestDilatation);
+          this->Slides && !(network.shape().dilatation(shape) <= MaximumDilatation);
         if (this->Slides && !this->All[r].Affine)
         {
           TriangleMap ofModel(shape);
@@ -126,7 +123,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& tri
   {
     return;
   }
-  forBlocks(parallelFor, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -321,8 +318,8 @@ Vector3 FlatMap::Triangle::toModel(const Vector3& barycentric, Eigen::Matrix3d* 
   if (derivative)
   {
     // At a corner there is none: the exponents of the two maps differ.
-    const double leastDistance = 1e-6;
-    at = at.cwiseMax(leastDistance);
+    const double minimumDistance = 1e-6;
+    at = at.cwiseMax(minimumDistance);
     at /= at.sum();
   }
   Vector3 image = this->base(at, derivative);

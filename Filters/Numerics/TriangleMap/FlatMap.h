@@ -3,7 +3,7 @@
 #ifndef ConformalFlatMap_h
 #define ConformalFlatMap_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "TriangleMap/NetworkShapes.h"
 #include "TriangleMap/SchwarzChristoffel.h"
@@ -51,8 +51,7 @@ public:
   /// @param[in] triangles      #R by 3 ids of a closed surface
   /// @param[in] neighbors  triangleNeighbors of the triangles
   FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
-    const Triangles& neighbors, SeamMode seamMode, const ParallelFor& parallelFor = {},
-    const Progress& progress = {});
+    const Triangles& neighbors, SeamMode seamMode, const Run& run = {});
 
   /// Whether the triangle has no shape, on the sphere or in the model.
   bool degenerate(Index triangle) const

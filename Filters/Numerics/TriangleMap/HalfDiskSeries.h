@@ -4,6 +4,8 @@
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
 
+#include "Base/Types.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,21 +17,10 @@ namespace halfdisk
 {
 using Complex = std::complex<double>;
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Log4 = 1.38629436111989061883;
 constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
-constexpr double LargestLogS = -1.09861; // |s| < 1/3, a little beyond the farthest point's 0.268
+constexpr double MaximumLogS = -1.09861; // |s| < 1/3, a little beyond the farthest point's 0.268
 constexpr int MaximumTerms = 36;         // an even number, enough for |s| = 1/3
-
-inline int next(int corner)
-{
-  return corner == 2 ? 0 : corner + 1;
-}
-
-inline int previous(int corner)
-{
-  return corner == 0 ? 2 : corner - 1;
-}
 
 /// exp, exactly real on the edges of the half disk.
 inline Complex expOf(const Complex& logarithm)

@@ -9,8 +9,7 @@ namespace conformal
 using namespace halfdisk;
 
 //------------------------------------------------------------------------------
-NetworkShapes::NetworkShapes(
-  const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor)
+NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles, const Run& run)
   : Uses(triangles.rows())
 {
   // Triangles are alike if their squared edges, as shares of the sum, are. Counted from the
@@ -32,7 +31,7 @@ NetworkShapes::NetworkShapes(
   const double resolution = 1e12;
   std::vector<Key> keys(triangles.rows());
   const Index blockSize = 1024;
-  forBlocks(parallelFor, triangles.rows(), blockSize,
+  forBlocks(run, triangles.rows(), blockSize,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -85,7 +84,7 @@ NetworkShapes::NetworkShapes(
   }
   this->Tables.resize(numberOfTables);
   const Index shapesPerBlock = 16;
-  forBlocks(parallelFor, static_cast<Index>(firstUse.size()), shapesPerBlock,
+  forBlocks(run, static_cast<Index>(firstUse.size()), shapesPerBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -3,7 +3,7 @@
 #ifndef ConformalNetworkShapes_h
 #define ConformalNetworkShapes_h
 
-#include "Base/Parallel.h"
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "TriangleMap/SchwarzChristoffel.h"
 #include "TriangleMap/TriangleMap.h"
@@ -24,8 +24,7 @@ public:
 
   /// @param[in] positions  #N by 3
   /// @param[in] triangles      #R by 3 ids of positions
-  NetworkShapes(
-    const Points& positions, const Triangles& triangles, const ParallelFor& parallelFor = {});
+  NetworkShapes(const Points& positions, const Triangles& triangles, const Run& run = {});
 
   /// How many shapes have tables.
   Index numberOfTables() const { return static_cast<Index>(this->Tables.size()); }

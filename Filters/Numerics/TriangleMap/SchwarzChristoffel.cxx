@@ -13,7 +13,7 @@ using namespace halfdisk;
 
 namespace
 {
-constexpr double SmallestAngle = 1e-9; // radians; needles beyond carry no shape in doubles
+constexpr double MinimumAngle = 1e-9; // radians; needles beyond carry no shape in doubles
 
 /// The matrix a^-1 b, a being upper triangular.
 Eigen::Matrix2d upperTriangularSolve(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b)
@@ -68,7 +68,7 @@ TriangleShape::TriangleShape(const Vector3& p0, const Vector3& p1, const Vector3
   {
     const double cosine = -edges[next(k)].dot(edges[previous(k)]);
     const double angle = std::atan2(doubleArea, cosine);
-    if (!(angle > SmallestAngle) || !std::isfinite(angle))
+    if (!(angle > MinimumAngle) || !std::isfinite(angle))
     {
       return;
     }
@@ -143,7 +143,7 @@ HalfDiskPoint TriangleShape::solve(
   for (int iteration = 0; iteration < 100; ++iteration)
   {
     logS = { logS.real(), std::min(Pi, std::max(0.0, logS.imag())) };
-    if (logS.real() > LargestLogS)
+    if (logS.real() > MaximumLogS)
     {
       // Too far for this corner's series: go on from the neighbor on whose side the point lies.
       const Complex s = expOf({ std::min(logS.real(), -0.1), logS.imag() });

@@ -182,7 +182,7 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
     const double guess = series.guess(point.S) / point.S;
     point.S *= guess;
     point.LogS += std::log(guess);
-    for (int iteration = 0; iteration < 20 && point.LogS < LargestLogS; ++iteration)
+    for (int iteration = 0; iteration < 20 && point.LogS < MaximumLogS; ++iteration)
     {
       const Sums at = this->sums(k, point.S, point.LogS);
       const double miss = point.LogS + std::log1p(at.Map) / a - logUniform;

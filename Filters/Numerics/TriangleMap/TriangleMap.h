@@ -69,10 +69,7 @@ public:
   /// share of the edge.
   double logFactor(int edge, bool atSecond);
 
-  static int corner(int edge, bool atSecond)
-  {
-    return atSecond ? halfdisk::previous(edge) : halfdisk::next(edge);
-  }
+  static int corner(int edge, bool atSecond) { return atSecond ? previous(edge) : next(edge); }
 
 private:
   static CornerTable makeTable(const TriangleShape& shape, int corner);

@@ -18,7 +18,7 @@ void ColorList::add(const double* color, std::size_t components)
         "found " + std::to_string(value) + " in a color, expected 0 to 255 or 0 to 1");
     }
     this->Values.push_back(static_cast<float>(value));
-    this->Largest = std::max(this->Largest, this->Values.back());
+    this->Maximum = std::max(this->Maximum, this->Values.back());
   }
   this->Components = std::max(this->Components, components);
   this->HasAny = true;
@@ -33,7 +33,7 @@ void ColorList::addMissing()
 //------------------------------------------------------------------------------
 NamedArray ColorList::take()
 {
-  const float scale = this->Largest > 1.0F ? 1.0F : 255.0F;
+  const float scale = this->Maximum > 1.0F ? 1.0F : 255.0F;
   NamedArray colors;
   colors.Name = this->Components == 4 ? "RGBA" : "RGB";
   colors.Type = ScalarType::UInt8;

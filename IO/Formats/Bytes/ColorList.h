@@ -39,7 +39,7 @@ public:
 private:
   const ByteReader& Input;
   std::vector<float> Values; ///< 4 for each, -1 where the file gives none
-  float Largest = 0.0F;
+  float Maximum = 0.0F;
   std::size_t Components = 3;
   bool HasAny = false;
 };

@@ -57,7 +57,7 @@ public:
   void endRecord() {}
 
   /// The fewest bytes that a number and what parts it from the one before take.
-  static std::size_t leastBytes(ScalarType type) { return sizeOf(type); }
+  static std::size_t minimumBytes(ScalarType type) { return sizeOf(type); }
 
 private:
   ByteReader& Input;
@@ -142,7 +142,7 @@ public:
     }
   }
 
-  static std::size_t leastBytes(ScalarType) { return 2; }
+  static std::size_t minimumBytes(ScalarType) { return 2; }
 
 private:
   template <typename Predicate>

@@ -159,8 +159,8 @@ bool OutputFile::isSameAs(const OutputFile& other) const
 template <typename Claim>
 fs::path OutputFile::claimName(Claim claim) const
 {
-  constexpr int mostTries = 100;
-  for (int i = 0; i < mostTries; ++i)
+  constexpr int maximumTries = 100;
+  for (int i = 0; i < maximumTries; ++i)
   {
     fs::path path = this->Target.parent_path() / this->NewName();
     if (claim(path.c_str()))

@@ -116,7 +116,7 @@ public:
       if ((this->IsAtEnd && this->Stream.avail_in > 0) ||
         (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR))
       {
-        throw BinaryTextError("found data that zlib cannot decompress");
+        throw GIFTIError("found data that zlib cannot decompress");
       }
       this->IsAtEnd = code == Z_STREAM_END;
       sink(buffer.data(), buffer.size() - this->Stream.avail_out);
@@ -166,7 +166,7 @@ void BinaryTextDecoder::add(std::string_view text)
     this->IsPadded = this->IsPadded || c == '=';
     if (bits < 0 ? c != '=' : this->IsPadded)
     {
-      throw BinaryTextError("found a character that is not valid base64 at this place");
+      throw GIFTIError("found a character that is not valid base64 at this place");
     }
     if (bits < 0)
     {
@@ -192,7 +192,7 @@ void BinaryTextDecoder::addBytes(const unsigned char* bytes, std::size_t count)
 {
   if (count > this->Expected - this->Bytes.size())
   {
-    throw BinaryTextError(
+    throw GIFTIError(
       "found more bytes than the " + std::to_string(this->Expected) + " of the dimensions");
   }
   if (count == 0)
@@ -208,7 +208,7 @@ OwnedArray<unsigned char> BinaryTextDecoder::take()
 {
   if (this->Bytes.size() != this->Expected)
   {
-    throw BinaryTextError("found " + std::to_string(this->Bytes.size()) + " bytes, expected " +
+    throw GIFTIError("found " + std::to_string(this->Bytes.size()) + " bytes, expected " +
       std::to_string(this->Expected) + " by the dimensions");
   }
   return std::move(this->Bytes);

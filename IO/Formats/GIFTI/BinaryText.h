@@ -20,7 +20,8 @@ namespace conformal
 std::string encodeBinaryText(
   std::string_view bytes, bool isCompressed, const ParseProgress& progress = {});
 
-class BinaryTextError : public std::runtime_error
+/// What is wrong at the parser's place in the file.
+class GIFTIError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
@@ -36,11 +37,11 @@ public:
   ~BinaryTextDecoder();
 
   /// Decode a piece; blanks are passed over.
-  /// @throws BinaryTextError
+  /// @throws GIFTIError
   void add(std::string_view text);
 
   /// The bytes, when all the text was added.
-  /// @throws BinaryTextError if there are fewer than expected
+  /// @throws GIFTIError if there are fewer than expected
   OwnedArray<unsigned char> take();
 
 private:

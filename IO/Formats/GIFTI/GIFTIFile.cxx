@@ -17,14 +17,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostArrays = 10000; // more than any real file has
-
-// What is wrong at the parser's place in the file.
-class GIFTIError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
+constexpr std::size_t MaximumArrays = 10000; // more than any real file has
 
 void require(bool condition, const std::string& message)
 {
@@ -231,9 +224,9 @@ private:
       text = std::string_view(attributes[0]) == "NumberOfDataArrays" ? attributes[1] : text;
     }
     require(readNumber(text, this->NumberOfArrays) == text.size() && !text.empty() &&
-        this->NumberOfArrays <= MostArrays,
+        this->NumberOfArrays <= MaximumArrays,
       "found NumberOfDataArrays " + quoted(text) + " of GIFTI, expected a count of up to " +
-        std::to_string(MostArrays));
+        std::to_string(MaximumArrays));
   }
 
   std::string wrongCountMessage(const std::string& amount) const
@@ -305,11 +298,11 @@ private:
   }
 
   // Zlib makes a byte into no more than that many.
-  static constexpr std::uint64_t MostGrowth = 1032;
+  static constexpr std::uint64_t MaximumGrowth = 1032;
 
   void setSize(NamedArray& values, const Sizes& sizes, std::size_t dimensions)
   {
-    const std::uint64_t most = std::min(MostGrowth * this->FileSize, this->Limits.MaximumMemory);
+    const std::uint64_t most = std::min(MaximumGrowth * this->FileSize, this->Limits.MaximumMemory);
     this->NumberOfValues = 1;
     for (std::size_t i = 0; i < dimensions; ++i)
     {
@@ -483,7 +476,7 @@ private:
       {
         handle(this->Handler);
       }
-      catch (const std::runtime_error& e)
+      catch (const GIFTIError& e)
       {
         this->fail(ParseCode::Malformed, e.what());
       }

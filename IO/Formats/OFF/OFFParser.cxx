@@ -163,7 +163,7 @@ private:
     const std::size_t numbers = coordinates + (this->Keyword.HasNormals ? 3 : 0);
     const bool isText = std::is_same<Values, TextValues>::value;
     const std::size_t count = this->Limits.checkedCount(this->Input, "points", this->NumberOfPoints,
-      numbers * values.leastBytes(type) - (isText ? 1 : 0), 6 * sizeof(T));
+      numbers * values.minimumBytes(type) - (isText ? 1 : 0), 6 * sizeof(T));
     NamedArray normals = makeArray("Normals", type, 3);
     NamedArray tcoords = makeArray("TCoords", type, 2);
     this->Data.Points = makeArray("Points", type, 3);
@@ -292,7 +292,7 @@ private:
       }
       const std::size_t corners =
         this->Limits.checkedCount(this->Input, "ids of a face", static_cast<std::uint64_t>(length),
-          values.leastBytes(ScalarType::Int32), sizeof(std::int64_t));
+          values.minimumBytes(ScalarType::Int32), sizeof(std::int64_t));
       for (std::size_t c = 0; c < corners; ++c)
       {
         polygons.add(values.template next<std::int32_t>());

@@ -17,7 +17,7 @@ class LZFDecoder
 {
 public:
   /// A byte of compressed data gives no more than that many.
-  static constexpr std::uint64_t MostGrowth = 88;
+  static constexpr std::uint64_t MaximumGrowth = 88;
 
   /// @param[in] compressedBytes  of the block that begins at the next byte of the input
   LZFDecoder(ByteReader& input, std::uint64_t compressedBytes)

@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostNumbers = 100000; // of a point, more than any real file has
+constexpr std::size_t MaximumNumbers = 100000; // of a point, more than any real file has
 constexpr std::string_view Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
 
@@ -129,7 +129,7 @@ private:
     std::set<std::string_view> names;
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
     {
-      this->check(this->Header.Fields.size() < MostNumbers, "fewer fields");
+      this->check(this->Header.Fields.size() < MaximumNumbers, "fewer fields");
       if (word != PCDField::Padding && !names.insert(word).second)
       {
         this->Input.fail(ParseCode::Malformed,
@@ -172,8 +172,8 @@ private:
       fields[i].Type = *type;
       fields[i].Count = this->Counts.empty() ? 1 : this->Counts[i];
       numbers += fields[i].Count;
-      this->checkHeader(
-        numbers <= MostNumbers, "no more than " + std::to_string(MostNumbers) + " numbers a point");
+      this->checkHeader(numbers <= MaximumNumbers,
+        "no more than " + std::to_string(MaximumNumbers) + " numbers a point");
     }
     const bool hasSize = this->Width && this->Height;
     this->checkHeader(hasSize || this->Points.has_value(), "POINTS, or WIDTH and HEIGHT");

@@ -42,11 +42,11 @@ public:
       this->Input.beginBinary();
     }
     const std::size_t recordBytes = this->recordBytes();
-    const std::uint64_t leastBytes = isText      ? 2 * this->numbers() - 1
+    const std::uint64_t minimumBytes = isText    ? 2 * this->numbers() - 1
       : this->Header.Format == PCDFormat::Binary ? recordBytes
                                                  : 0;
     std::size_t count = this->Limits.checkedCount(
-      this->Input, "points", this->Header.NumberOfPoints, leastBytes, 2 * recordBytes);
+      this->Input, "points", this->Header.NumberOfPoints, minimumBytes, 2 * recordBytes);
     if (this->Header.Format == PCDFormat::Binary)
     {
       this->Input.skip(this->Piece.begin(count) * recordBytes);
@@ -201,7 +201,7 @@ private:
     {
       expected += field.isPadding() ? 0 : count * field.bytes();
     }
-    if (uncompressed != expected || expected > LZFDecoder::MostGrowth * compressed)
+    if (uncompressed != expected || expected > LZFDecoder::MaximumGrowth * compressed)
     {
       this->Input.fail(ParseCode::Malformed,
         "found " + std::to_string(compressed) + " bytes that give " + std::to_string(uncompressed) +

@@ -13,7 +13,8 @@ namespace
 {
 constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t SomeBytes = 4096;
-constexpr std::size_t MostNames = 100000; // of elements and properties; more than any real file has
+constexpr std::size_t MaximumNames =
+  100000; // of elements and properties; more than any real file has
 
 // The first words of a line, one more than any line of a header may have.
 std::vector<std::string_view> wordsOf(std::string_view line)
@@ -177,7 +178,7 @@ private:
     element.Name = this->Words[1];
     element.Count = this->count();
     this->check(this->ElementNames.insert(element.Name).second, "an element's name once");
-    this->check(++this->NumberOfNames <= MostNames, "fewer elements");
+    this->check(++this->NumberOfNames <= MaximumNames, "fewer elements");
     this->PropertyNames.clear();
     header.Elements.push_back(std::move(element));
   }
@@ -196,7 +197,7 @@ private:
     property.Type = this->type(this->Words[this->Words.size() - 2]);
     property.Name = this->Words.back();
     this->check(this->PropertyNames.insert(property.Name).second, "a property's name once");
-    this->check(++this->NumberOfNames <= MostNames, "fewer properties");
+    this->check(++this->NumberOfNames <= MaximumNames, "fewer properties");
     element.Properties.push_back(std::move(property));
   }
 

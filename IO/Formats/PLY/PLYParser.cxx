@@ -87,19 +87,19 @@ private:
     }
     for (const PLYElement& element : this->Header.Elements)
     {
-      std::size_t leastBytes = 0;
+      std::size_t minimumBytes = 0;
       for (const PLYProperty& property : element.Properties)
       {
-        leastBytes += values.leastBytes(property.IsList ? property.CountType : property.Type);
+        minimumBytes += values.minimumBytes(property.IsList ? property.CountType : property.Type);
       }
       // The last number of a text has no blank to its right: one byte less is enough.
-      const bool isText = this->Header.Format == PLYFormat::Ascii && leastBytes > 0;
-      const std::size_t count =
-        this->Limits.checkedCount(this->Input, "records of the element " + quoted(element.Name),
-          element.Count, leastBytes - (isText ? 1 : 0), element.Properties.size() * sizeof(double));
+      const bool isText = this->Header.Format == PLYFormat::Ascii && minimumBytes > 0;
+      const std::size_t count = this->Limits.checkedCount(this->Input,
+        "records of the element " + quoted(element.Name), element.Count,
+        minimumBytes - (isText ? 1 : 0), element.Properties.size() * sizeof(double));
       if (element.Name == "vertex" && isCut)
       {
-        this->Input.skip(piece.begin(count) * leastBytes);
+        this->Input.skip(piece.begin(count) * minimumBytes);
         this->readPoints(values, element, piece.end(count) - piece.begin(count));
         if (!piece.isLast())
         {
@@ -122,7 +122,7 @@ private:
       {
         this->readGrid(values, element, count);
       }
-      else if (leastBytes > 0)
+      else if (minimumBytes > 0)
       {
         this->skipRecords(values, element, count);
       }
@@ -373,7 +373,7 @@ private:
         "found a list of " + std::to_string(length) + " members, expected 0 or more");
     }
     return this->Limits.checkedCount(this->Input, "members of the list " + quoted(list.Name),
-      length, values.leastBytes(list.Type), sizeof(std::int64_t));
+      length, values.minimumBytes(list.Type), sizeof(std::int64_t));
   }
 
   template <typename Values>

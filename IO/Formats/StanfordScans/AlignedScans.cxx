@@ -16,7 +16,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostScans = 10000; // more than any real list has
+constexpr std::size_t MaximumScans = 10000; // more than any real list has
 
 bool isMesh(std::string_view word)
 {
@@ -134,9 +134,9 @@ private:
     {
       this->Lines.failExpecting("scans in the file's folder");
     }
-    if (this->Files.size() == MostScans)
+    if (this->Files.size() == MaximumScans)
     {
-      this->Lines.failExpecting("no more than " + std::to_string(MostScans) + " scans");
+      this->Lines.failExpecting("no more than " + std::to_string(MaximumScans) + " scans");
     }
     OpenedScan scan = this->Open(name);
     SurfaceResult result;

@@ -11,8 +11,8 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MostSampleLines = 100;
-constexpr std::size_t MostColumns = 1000; // more than any real table has
+constexpr std::size_t MaximumSampleLines = 100;
+constexpr std::size_t MaximumColumns = 1000; // more than any real table has
 constexpr std::string_view Blanks = " \t\v\f";
 
 using Words = std::vector<std::string_view>;
@@ -93,7 +93,7 @@ Sample takeSample(std::string_view start, bool isWhole)
   Sample sample;
   ByteReader input(start);
   LineReader lines(input);
-  for (std::size_t number = 1; sample.Lines.size() < MostSampleLines && lines.next(); ++number)
+  for (std::size_t number = 1; sample.Lines.size() < MaximumSampleLines && lines.next(); ++number)
   {
     const std::string_view line = lines.text();
     const bool isCut =
@@ -108,7 +108,7 @@ Sample takeSample(std::string_view start, bool isWhole)
     }
     if (isIgnoredLine(line))
     {
-      if (sample.Lines.empty() && sample.Remarks.size() < MostSampleLines)
+      if (sample.Lines.empty() && sample.Remarks.size() < MaximumSampleLines)
       {
         sample.Remarks.emplace_back(trimmed(line, "#/; \t\v\f"));
       }
@@ -365,9 +365,10 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
   layout.Delimiter = has(';') ? ';' : has(',') && !decimalComma ? ',' : ' ';
   const std::size_t columns = split(line, layout.Delimiter).size();
-  if (columns < 3 || columns > MostColumns)
+  if (columns < 3 || columns > MaximumColumns)
   {
-    refuse(sample.FirstLine, line, "3 to " + std::to_string(MostColumns) + " numbers of a point");
+    refuse(
+      sample.FirstLine, line, "3 to " + std::to_string(MaximumColumns) + " numbers of a point");
   }
 
   Rows rows;

@@ -15,7 +15,7 @@ namespace conformal
 namespace
 {
 constexpr std::size_t SampleBytes = std::size_t(4) << 20; // a hundred lines, even of long ones
-constexpr std::size_t MostReservedBytes = std::size_t(64)
+constexpr std::size_t MaximumReservedBytes = std::size_t(64)
   << 20; // for lines that are only estimated
 
 class TextCloudReader
@@ -103,7 +103,7 @@ private:
       rowBytes += array.tupleBytes();
     }
     const std::size_t rows =
-      std::min(static_cast<std::size_t>(lines + 1.0), MostReservedBytes / rowBytes);
+      std::min(static_cast<std::size_t>(lines + 1.0), MaximumReservedBytes / rowBytes);
     for (NamedArray& array : this->Layout.Arrays)
     {
       array.Values.reserve(rows * array.tupleBytes());
@@ -234,9 +234,9 @@ private:
     {
       this->Lines.failExpecting("the number of points that follow");
     }
-    constexpr std::size_t leastBytes = 5; // "0 0 0" at the end of a file
+    constexpr std::size_t minimumBytes = 5; // "0 0 0" at the end of a file
     this->PointsToCome =
-      this->Limits.checkedCount(this->Input, "points", count, leastBytes, 3 * sizeof(double));
+      this->Limits.checkedCount(this->Input, "points", count, minimumBytes, 3 * sizeof(double));
   }
 
   void refuseLine(std::string_view line)

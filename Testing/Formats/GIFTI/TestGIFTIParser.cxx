@@ -131,10 +131,10 @@ TEST(GIFTIParser, DecodesKnownTexts)
   }
   for (const char* text : { "TWF*", "T=Fu", "TWFuTWFu", "TWE=" })
   {
-    EXPECT_THROW(decoded(text, 3, false), conformal::BinaryTextError) << text;
+    EXPECT_THROW(decoded(text, 3, false), conformal::GIFTIError) << text;
   }
   const std::string bomb = conformal::encodeBinaryText(std::string(10000000, '\0'), true);
-  EXPECT_THROW(decoded(bomb, 1000, true), conformal::BinaryTextError);
+  EXPECT_THROW(decoded(bomb, 1000, true), conformal::GIFTIError);
 }
 
 TEST(GIFTIParser, RefusesBrokenFilesWithTheirLine)

@@ -33,7 +33,7 @@ SurfaceResult parse(std::string_view bytes, const conformal::AlignedScansOptions
   return conformal::parseAlignedScans(input, open, options);
 }
 
-double largestError(const SurfaceResult& result)
+double maximumError(const SurfaceResult& result)
 {
   const std::vector<double> points = values<double>(result.Data.Points);
   double error = 0.0;
@@ -64,7 +64,7 @@ TEST(AlignedScans, LieOnTheObjectThatWasScanned)
   {
     const SurfaceResult result = parse(file);
     ASSERT_TRUE(result.Status.ok()) << result.Status.text();
-    EXPECT_LT(largestError(result), 1e-6);
+    EXPECT_LT(maximumError(result), 1e-6);
     EXPECT_EQ(result.Data.Points.numberOfTuples(), 3u * 25u);
     const std::vector<std::int32_t> ids =
       values<std::int32_t>(*samples::find(result.Data.PointArrays, "ScanId"));
@@ -75,7 +75,7 @@ TEST(AlignedScans, LieOnTheObjectThatWasScanned)
   }
   conformal::AlignedScansOptions options;
   options.InvertRotation = true;
-  EXPECT_GT(largestError(parse(conf, options)), 0.5);
+  EXPECT_GT(maximumError(parse(conf, options)), 0.5);
 }
 
 TEST(AlignedScans, RefusesBrokenFilesWithTheirLine)

@@ -27,7 +27,7 @@ Points some()
 }
 }
 
-TEST(CoordinateFrame, PutsTheLargestCoordinateBetweenOneAndTwo)
+TEST(CoordinateFrame, PutsTheMaximumCoordinateBetweenOneAndTwo)
 {
   for (const double scale : { Smallest, 1e-310, 1e-200, 0.3, 1.0, 1e7, 1e154, 1e200, Largest })
   {
@@ -87,7 +87,7 @@ TEST(CoordinateFrame, IsThatOfAllProcesses)
     const double theirs = 48.0;
     ++call == 1 ? void(values[1] = 1) : void(std::memcpy(values + 1, &theirs, sizeof(theirs)));
   };
-  EXPECT_EQ(frameOf({ some() }, {}, reduce).Unit, 32.0);
+  EXPECT_EQ(frameOf({ some() }, reduce).Unit, 32.0);
 }
 
 TEST(CoordinateFrame, KeepsTheDirectionOfPointsFarAway)

@@ -56,7 +56,7 @@ TEST(CloudThinning, SelectsTheSameOnAllProcesses)
       const Index last = points.rows() * (reduce.Rank + 1) / 3;
       const Points own = points.middleRows(first, last - first);
       const Points ownNormals = normals.middleRows(first, last - first);
-      TrainingSamples part{ PointView(own), {}, {}, {}, reduce };
+      TrainingSamples part{ PointView(own), {}, {}, reduce };
       part.setNormals(PointView(ownNormals));
       const OrientedPoints found = selectSamples(part, 700);
       EXPECT_EQ(found.Positions, expected.Positions);

@@ -2,6 +2,7 @@
 
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -96,18 +97,11 @@ TEST(Orientation, TellsTheSidesOfAThinWall)
 TEST(Orientation, ReportsAndStops)
 {
   const WindingNumbers cloud(sphere());
-  int reports = 0;
-  double last = 0.0;
-  orient(cloud, {}, {},
-    [&](double fraction)
-    {
-      EXPECT_GT(fraction, last);
-      last = fraction;
-      return ++reports > 0;
-    });
-  EXPECT_EQ(reports, 20);
-  EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(orient(cloud, {}, {}, [&](double) { return false; }), Aborted);
+  runs::Watch watch;
+  orient(cloud, {}, watch.run());
+  EXPECT_EQ(watch.calls(), 20);
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_THROW(orient(cloud, {}, runs::stoppingAt(0.0)), Aborted);
 }
 
 TEST(Orientation, AreasAddUpToThatOfTheSurface)

@@ -92,7 +92,7 @@ TEST(SampleRotation, RanksTakeWhatOneWouldTake)
     {
       const Index first = firsts[reduce.Rank], size = firsts[reduce.Rank + 1] - first;
       const Points own = points.middleRows(first, size);
-      const TrainingSamples part(own, {}, {}, {}, reduce);
+      const TrainingSamples part(own, {}, {}, reduce);
       SampleRotation rotation(part, 9);
       for (int turn = 0; turn < 4; ++turn)
       {

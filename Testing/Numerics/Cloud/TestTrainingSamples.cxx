@@ -1,6 +1,7 @@
 #include "Cloud/TrainingSamples.h"
 
 #include "Base/Random.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ Points cloud(Index size)
 }
 }
 
-TEST(TrainingSamples, CentroidIsZeroAndLargestRadiusOne)
+TEST(TrainingSamples, CentroidIsZeroAndMaximumRadiusOne)
 {
   const Points points = cloud(3000);
   const TrainingSamples samples(points);
@@ -44,7 +45,7 @@ TEST(TrainingSamples, CentroidIsZeroAndLargestRadiusOne)
   }
   EXPECT_LT(mean.norm(), 1e-14);
   EXPECT_NEAR(radius, 1.0, 1e-14);
-  EXPECT_EQ(samples.rank(), 3);
+  EXPECT_EQ(samples.dimension(), 3);
 }
 
 TEST(TrainingSamples, FloatsAreReadInPlace)
@@ -82,7 +83,7 @@ TEST(TrainingSamples, ExtremeUnitsStayFinite)
   {
     const Points points = unit * cloud(50);
     const TrainingSamples samples(points);
-    EXPECT_EQ(samples.rank(), 3) << unit;
+    EXPECT_EQ(samples.dimension(), 3) << unit;
     for (Index i = 0; i < samples.size(); ++i)
     {
       EXPECT_TRUE(samples[i].allFinite()) << unit;
@@ -122,31 +123,24 @@ TEST(TrainingSamples, LeavesOutWhatIsNotFiniteSkippedOrOfNoWeight)
   EXPECT_THROW(TrainingSamples(points, few), std::invalid_argument);
 }
 
-TEST(TrainingSamples, RankTellsFlatClouds)
+TEST(TrainingSamples, DimensionTellsFlatClouds)
 {
   Points points = cloud(100);
   points.col(2) = 2.0 * points.col(0) - points.col(1);
-  EXPECT_EQ(TrainingSamples(points).rank(), 2);
+  EXPECT_EQ(TrainingSamples(points).dimension(), 2);
   points.col(1) = 3.0 * points.col(0);
   points.col(2) = points.col(0);
-  EXPECT_EQ(TrainingSamples(points).rank(), 1);
+  EXPECT_EQ(TrainingSamples(points).dimension(), 1);
   points.rowwise() = Eigen::RowVector3d(4, 5, 6);
-  EXPECT_EQ(TrainingSamples(points).rank(), 0);
-  EXPECT_EQ(TrainingSamples(Points(0, 3)).rank(), 0);
+  EXPECT_EQ(TrainingSamples(points).dimension(), 0);
+  EXPECT_EQ(TrainingSamples(Points(0, 3)).dimension(), 0);
   EXPECT_TRUE(TrainingSamples(Points(0, 3)).empty());
 }
 
 TEST(TrainingSamples, ThreadsChangeNoBit)
 {
   const Points points = cloud(200000);
-  const conformal::ParallelFor backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count; i-- > 0;)
-    {
-      body(i);
-    }
-  };
-  const TrainingSamples a(points), b(points, {}, {}, backwards);
+  const TrainingSamples a(points), b(points, {}, {}, {}, runs::backwards());
   for (Index i = 0; i < points.rows(); i += 97)
   {
     EXPECT_EQ(a[i], b[i]);

@@ -1,6 +1,7 @@
 #include "Cloud/WindingNumbers.h"
 
 #include "Base/Random.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -62,19 +63,6 @@ double numberAt(const Vector3& x, const Points& points, const Points& areas, dou
   return sum;
 }
 
-// Runs the last block first, each in a thread of its own.
-void inThreads(Index count, const std::function<void(Index)>& body)
-{
-  for (Index i = count - 1; i >= 0; i -= 2)
-  {
-    std::thread other(body, i);
-    if (i > 0)
-    {
-      body(i - 1);
-    }
-    other.join();
-  }
-}
 }
 
 TEST(WindingNumbers, AreOneInsideAndZeroOutside)
@@ -161,13 +149,13 @@ TEST(WindingNumbers, AreTheSameOnAnyThreads)
 {
   const Points points = randomPoints(2000, 1), areas = randomPoints(2000, 2);
   const Points places = randomPoints(1000, 3);
-  const WindingNumbers one(points), many(points, inThreads);
+  const WindingNumbers one(points), many(points, runs::backwards());
   const Eigen::VectorXd values = areas.col(0);
-  EXPECT_EQ(one.atPoints(areas, 0.02), many.atPoints(areas, 0.02, inThreads));
-  EXPECT_EQ(one.descentAtPoints(areas, 0.02), many.descentAtPoints(areas, 0.02, inThreads));
-  EXPECT_EQ(one.transposed(values, 0.02), many.transposed(values, 0.02, inThreads));
+  EXPECT_EQ(one.atPoints(areas, 0.02), many.atPoints(areas, 0.02, runs::backwards()));
+  EXPECT_EQ(one.descentAtPoints(areas, 0.02), many.descentAtPoints(areas, 0.02, runs::backwards()));
+  EXPECT_EQ(one.transposed(values, 0.02), many.transposed(values, 0.02, runs::backwards()));
   EXPECT_EQ(one.at(places, one.sources(areas), 0.02),
-    many.at(places, many.sources(areas), 0.02, inThreads));
+    many.at(places, many.sources(areas), 0.02, runs::backwards()));
 }
 
 TEST(WindingNumbers, NeedNoManyPoints)

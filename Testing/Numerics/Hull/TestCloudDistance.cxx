@@ -2,6 +2,7 @@
 
 #include "Cloud/StrayPoints.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Search/PointTree.h"
 
 #include <gtest/gtest.h>
@@ -101,14 +102,8 @@ TEST(CloudDistance, DoesNotDependOnTheOrderOfBlocks)
   const Points points = ellipsoid(20000);
   const TrainingSamples samples{ PointView(points) };
   const FreudenthalLattice lattice = latticeAround(samples, 0.05, 3);
-  const auto backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count - 1; i >= 0; --i)
-    {
-      body(i);
-    }
-  };
-  EXPECT_EQ(distanceToSamples(lattice, samples), distanceToSamples(lattice, samples, backwards));
+  EXPECT_EQ(
+    distanceToSamples(lattice, samples), distanceToSamples(lattice, samples, runs::backwards()));
 }
 
 // A sample in the middle is an outlier of a dense cloud, but not of a sparse one.

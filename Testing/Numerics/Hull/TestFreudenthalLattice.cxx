@@ -96,7 +96,7 @@ TEST(FreudenthalLattice, VisitsInnerNodesOnce)
   lattice.Size = { 5, 6, 40 };
   Marks visits(lattice.numberOfNodes(), 0), expected(lattice.numberOfNodes(), 0);
   fill(lattice, expected, { 1, 1, 1 }, { 3, 4, 38 }, 1);
-  conformal::forInnerRows(lattice, {}, {},
+  conformal::forInnerRows(lattice, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -158,7 +158,7 @@ TEST(FreudenthalLattice, SimpleNodesKeepTheTopology)
   EXPECT_LT(simple, 2700);
 }
 
-TEST(FreudenthalLattice, KeepsTheLargestPiece)
+TEST(FreudenthalLattice, KeepsTheMaximumPiece)
 {
   const FreudenthalLattice lattice = cube(10);
   Marks marks(lattice.numberOfNodes(), 0), expected = marks;

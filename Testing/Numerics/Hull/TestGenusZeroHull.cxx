@@ -2,6 +2,7 @@
 
 #include "Hull/CloudDistance.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -410,7 +411,7 @@ TEST(GenusZeroHull, WrapsCloudsThatEncloseNothing)
   }
 }
 
-TEST(GenusZeroHull, KeepsTheLargestPiece)
+TEST(GenusZeroHull, KeepsTheMaximumPiece)
 {
   const Points large = pointsOf(20000, onSphere);
   Points small = 0.4 * pointsOf(3000, onSphere);
@@ -460,15 +461,8 @@ TEST(GenusZeroHull, DoesNotDependOnTheOrderOfBlocks)
 {
   const Points points = pointsOf(30000, onSphere, 0.01);
   const TrainingSamples samples{ PointView(points) };
-  const auto backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count - 1; i >= 0; --i)
-    {
-      body(i);
-    }
-  };
   const GenusZeroHullResult a = makeGenusZeroHull(samples, spaced(0.03));
-  const GenusZeroHullResult b = makeGenusZeroHull(samples, spaced(0.03), backwards);
+  const GenusZeroHullResult b = makeGenusZeroHull(samples, spaced(0.03), runs::backwards());
   EXPECT_EQ(a.Positions, b.Positions);
   EXPECT_EQ(a.Triangles, b.Triangles);
   EXPECT_EQ(a.NumberOfSamplesOutside, b.NumberOfSamplesOutside);
@@ -497,7 +491,7 @@ TEST(GenusZeroHull, RefusesWhatItCannotWrap)
   EXPECT_THROW(makeGenusZeroHull(samples, options), std::invalid_argument);
 }
 
-TEST(GenusZeroHull, SaysTheSmallestSpacingWhereTheLatticeIsTooLarge)
+TEST(GenusZeroHull, SaysTheMinimumSpacingWhereTheLatticeIsTooLarge)
 {
   const Points sphere = pointsOf(1000, onSphere);
   const TrainingSamples samples{ PointView(sphere) };
@@ -507,7 +501,7 @@ TEST(GenusZeroHull, SaysTheSmallestSpacingWhereTheLatticeIsTooLarge)
   std::string message;
   try
   {
-    makeGenusZeroHull(samples, spaced(GenusZeroHullLimits::LeastSpacing));
+    makeGenusZeroHull(samples, spaced(GenusZeroHullLimits::MinimumSpacing));
   }
   catch (const std::length_error& e)
   {
@@ -523,7 +517,7 @@ TEST(GenusZeroHull, SaysTheSmallestSpacingWhereTheLatticeIsTooLarge)
   // A rod takes all of the documented range.
   const Points rod = pointsOf(1000, [](double u, double v) { return Vector3(u, 0.001 * v, 0.0); });
   EXPECT_LE(conformal::latticeAround(
-              TrainingSamples{ PointView(rod) }, GenusZeroHullLimits::LeastSpacing, margin)
+              TrainingSamples{ PointView(rod) }, GenusZeroHullLimits::MinimumSpacing, margin)
               .numberOfNodes(),
     conformal::MaximumNumberOfNodes);
 }
@@ -532,22 +526,15 @@ TEST(GenusZeroHull, ReportsProgressAndStops)
 {
   const Points points = pointsOf(5000, onSphere);
   const TrainingSamples samples{ PointView(points) };
-  double last = 0.0;
-  int calls = 0;
-  const auto count = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    last = fraction;
-    ++calls;
-    return true;
-  };
-  makeGenusZeroHull(samples, spaced(0.08), {}, count);
-  EXPECT_EQ(last, 1.0);
-  EXPECT_GE(calls, 20);
-  for (int stop = 0; stop < calls; ++stop)
+  runs::Watch watch;
+  makeGenusZeroHull(samples, spaced(0.08), watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_GE(watch.calls(), 20);
+  for (int stop = 0; stop < watch.calls(); ++stop)
   {
     int left = stop;
-    EXPECT_THROW(makeGenusZeroHull(samples, spaced(0.08), {}, [&](double) { return left-- > 0; }),
+    EXPECT_THROW(
+      makeGenusZeroHull(samples, spaced(0.08), { {}, [&](double) { return left-- > 0; } }),
       conformal::Aborted);
   }
 }

@@ -1,4 +1,5 @@
 #include "Hull/IndicatorLattice.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -117,16 +118,8 @@ TEST(IndicatorLattice, ReportsAndStops)
   const Points points = sphere();
   const FreudenthalLattice lattice = latticeOf(0.04);
   const WindingNumbers cloud(points);
-  double last = 0.0;
-  indicatorOn(lattice, cloud, shares(points), Width, {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      last = fraction;
-      return true;
-    });
-  EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(
-    indicatorOn(lattice, cloud, shares(points), Width, {}, [](double f) { return f < 0.5; }),
-    Aborted);
+  runs::Watch watch;
+  indicatorOn(lattice, cloud, shares(points), Width, watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_THROW(indicatorOn(lattice, cloud, shares(points), Width, runs::stoppingAt(0.5)), Aborted);
 }

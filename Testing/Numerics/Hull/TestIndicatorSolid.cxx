@@ -158,7 +158,7 @@ TEST(IndicatorSolid, IsTheSameOnAnyNumberOfProcesses)
       const Points own = reduce.Rank == 0 ? Points(points.topRows(middle))
         : reduce.Rank == 1                ? Points(points.bottomRows(points.rows() - middle))
                                           : Points(0, 3);
-      const TrainingSamples part{ PointView(own), {}, {}, {}, reduce };
+      const TrainingSamples part{ PointView(own), {}, {}, reduce };
       const IndicatorSolid found = solidByWindingNumbers(part, 0.05);
       EXPECT_EQ(found.Inside, expected.Inside);
       EXPECT_EQ(found.Field.Values, expected.Field.Values);

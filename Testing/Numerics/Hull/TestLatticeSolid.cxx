@@ -37,7 +37,7 @@ Marks ring(const FreudenthalLattice& lattice)
 }
 }
 
-TEST(LatticeSolid, KeepsTheLargestPiece)
+TEST(LatticeSolid, KeepsTheMaximumPiece)
 {
   const FreudenthalLattice lattice = cube(19);
   const Marks large = ring(lattice);

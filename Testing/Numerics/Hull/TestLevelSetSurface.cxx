@@ -67,7 +67,7 @@ TEST(LevelSetSurface, IsClosedAndOfTheSetsTopology)
   for (int i = 0; i < 20; ++i)
   {
     std::vector<std::uint8_t> inside(nodes.numberOfNodes(), 0);
-    conformal::forInnerRows(nodes, {}, {},
+    conformal::forInnerRows(nodes, {},
       [&](int first, int last)
       {
         for (int node = first; node < last; ++node)

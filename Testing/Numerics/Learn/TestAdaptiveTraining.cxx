@@ -6,6 +6,7 @@
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <Eigen/Geometry>
@@ -144,7 +145,7 @@ Vector3 center(const ConformalSOMResult& result, Index triangle)
     3.0;
 }
 
-double meanSmallestAngle(const ConformalSOMResult& result)
+double meanMinimumAngle(const ConformalSOMResult& result)
 {
   double sum = 0.0;
   for (Index r = 0; r < result.Triangles.rows(); ++r)
@@ -170,13 +171,6 @@ void expectWhole(const ConformalSOMResult& result, Index neurons)
   EXPECT_TRUE(conformal::checkGenusZero(result.Triangles, result.Positions.rows()).isGenusZero());
 }
 
-const conformal::ParallelFor Backwards = [](Index count, const std::function<void(Index)>& body)
-{
-  for (Index i = count; i-- > 0;)
-  {
-    body(i);
-  }
-};
 }
 
 TEST(AdaptiveTraining, HasAsManyNeuronsAsWanted)
@@ -211,8 +205,8 @@ TEST(AdaptiveTraining, FitsLimbsCloser)
   const double ratio = meanSquareDistance(others, own) / meanSquareDistance(others, lattice);
   RecordProperty("Ratio", std::to_string(ratio));
   EXPECT_LT(ratio, 0.5);
-  EXPECT_GT(meanSmallestAngle(own), 49.0);
-  EXPECT_GT(meanSmallestAngle(own), meanSmallestAngle(lattice) + 5.0);
+  EXPECT_GT(meanMinimumAngle(own), 49.0);
+  EXPECT_GT(meanMinimumAngle(own), meanMinimumAngle(lattice) + 5.0);
   // And no part of it leaves the object, as webs would.
   double farthest = 0.0;
   for (Index r = 0; r < own.Triangles.rows(); ++r)
@@ -298,8 +292,9 @@ TEST(AdaptiveTraining, SameBitsInAnyOrderOfBlocks)
 {
   const Points points = Jack::cloud(8000, 3);
   const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), adaptive(1000));
-  const ConformalSOMResult b = trainConformalSOM(
-    TrainingSamples(points, {}, {}, Backwards), adaptive(1000), nullptr, Backwards);
+  const ConformalSOMResult b =
+    trainConformalSOM(TrainingSamples(points, {}, {}, {}, runs::backwards()), adaptive(1000),
+      nullptr, runs::backwards());
   EXPECT_EQ(a.Positions, b.Positions);
   EXPECT_EQ(a.Triangles, b.Triangles);
   EXPECT_EQ(a.SpherePositions, b.SpherePositions);
@@ -323,7 +318,7 @@ TEST(AdaptiveTraining, RanksShareTheSums)
       const Points own = points.middleRows(first, size);
       const std::vector<double> weights(priority.begin() + first, priority.begin() + first + size);
       const ConformalSOMResult result =
-        trainConformalSOM(TrainingSamples(own, weights, {}, {}, reduce), adaptive(1000));
+        trainConformalSOM(TrainingSamples(own, weights, {}, reduce), adaptive(1000));
       EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
       EXPECT_EQ(result.Triangles, whole.Triangles) << reduce.Rank;
       EXPECT_EQ(result.UnsupportedFraction, whole.UnsupportedFraction);
@@ -429,23 +424,14 @@ TEST(AdaptiveTraining, DegenerateCloudsGiveFiniteMeshes)
 TEST(AdaptiveTraining, StopsWhenToldTo)
 {
   const Points points = Jack::cloud(8000, 3);
-  double last = -1.0;
-  int calls = 0;
-  trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1.0);
-      last = fraction;
-      ++calls;
-      return true;
-    });
-  EXPECT_EQ(last, 1.0);
-  EXPECT_GE(calls, 50);
+  runs::Watch watch;
+  trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_GE(watch.calls(), 50);
   for (const double when : { 0.0, 0.1, 0.3, 0.5, 0.9, 0.98 })
   {
-    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, {},
-                   [&](double fraction) { return fraction < when; }),
+    EXPECT_THROW(
+      trainConformalSOM(TrainingSamples(points), adaptive(1000), nullptr, runs::stoppingAt(when)),
       conformal::Aborted)
       << when;
   }

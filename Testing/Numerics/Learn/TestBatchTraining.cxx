@@ -52,8 +52,7 @@ TEST(BatchTraining, GoesFromCoarseToFine)
   ConformalSOMOptions options = fast(StartingShape::Sphere);
   options.PassesPerLevel = 3;
   options.NumberOfPolishRounds = 2;
-  const ConformalSOMResult result =
-    trainBatch(TrainingSamples{ PointView(cloud) }, options, {}, {});
+  const ConformalSOMResult result = trainBatch(TrainingSamples{ PointView(cloud) }, options, {});
   const int frequencies[] = { 4, 4, 4, 8, 8, 8, 8, 8 };
   ASSERT_EQ(result.History.size(), std::size(frequencies));
   for (std::size_t i = 0; i < result.History.size(); ++i)
@@ -72,7 +71,7 @@ TEST(BatchTraining, StartsFromTheHullWhereTold)
 {
   const Points cloud = ellipsoidCloud(8000);
   const ConformalSOMResult result =
-    trainBatch(TrainingSamples{ PointView(cloud) }, fast(StartingShape::Hull), {}, {});
+    trainBatch(TrainingSamples{ PointView(cloud) }, fast(StartingShape::Hull), {});
   EXPECT_TRUE(result.Hulled);
   EXPECT_FALSE(result.HullLeaks);
   EXPECT_LT(result.History.back().MeanSquareError, 1e-4);
@@ -85,7 +84,7 @@ TEST(BatchTraining, LearnsFromTheSphereAlone)
   needle.col(0) *= 12.0;
   const auto learned = [](const Points& points, StartingShape shape)
   {
-    return conformal::learnWithoutPolish(TrainingSamples{ PointView(points) }, fast(shape), {}, {});
+    return conformal::learnWithoutPolish(TrainingSamples{ PointView(points) }, fast(shape), {});
   };
   const auto result = learned(egg, StartingShape::Automatic);
   ASSERT_TRUE(result);
@@ -121,7 +120,7 @@ TEST(BatchTraining, TellsHandlesOfTheObjectFromThoseOfTheHull)
   ConformalSOMOptions options = fast(StartingShape::Hull);
   options.NumberOfPolishRounds = 1;
   const auto cutFraction = [&](const Points& cloud)
-  { return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}, {}).CutFraction; };
+  { return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}).CutFraction; };
   EXPECT_EQ(cutFraction(ring(0.03)), 0.0);
   // Two discs as wide as the tube.
   EXPECT_NEAR(cutFraction(ring(0.0)), Tube / (2.0 * pi), 0.03);
@@ -135,7 +134,7 @@ TEST(BatchTraining, FindsTheNoise)
     const Points cloud = ellipsoidCloud(40000, noise);
     ConformalSOMOptions options = fast(StartingShape::Sphere);
     options.Frequency = 24;
-    return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}, {}).NoiseToDetail;
+    return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}).NoiseToDetail;
   };
   const double clean = noiseToDetail(0.0), noisy = noiseToDetail(0.05);
   EXPECT_LT(clean, 0.5);
@@ -154,7 +153,7 @@ TEST(BatchTraining, KeepsAStartThatFits)
     const Vector3 onEllipsoid = Vector3(start.row(i)).cwiseProduct(Vector3(1.0, 0.7, 0.8));
     start.row(i) = samples.normalize(onEllipsoid);
   }
-  const ConformalSOMResult result = trainBatchFrom(start, samples, options, {}, {});
+  const ConformalSOMResult result = trainBatchFrom(start, samples, options, {});
   EXPECT_FALSE(result.Hulled);
   EXPECT_EQ(result.History.size(), 20U); // a rough start is due twice the rounds
   EXPECT_LT((result.Positions - start).rowwise().norm().maxCoeff(), 0.05);
@@ -175,8 +174,7 @@ TEST(BatchTraining, ReportsTheShareWithoutSamples)
   cloud.conservativeResize(kept, 3);
   ConformalSOMOptions options = fast(StartingShape::Sphere);
   options.Frequency = 16;
-  const ConformalSOMResult result =
-    trainBatch(TrainingSamples{ PointView(cloud) }, options, {}, {});
+  const ConformalSOMResult result = trainBatch(TrainingSamples{ PointView(cloud) }, options, {});
   EXPECT_GT(result.UnsupportedFraction, 0.05);
   EXPECT_LT(result.UnsupportedFraction, 0.3);
 }

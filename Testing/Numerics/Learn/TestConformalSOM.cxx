@@ -5,6 +5,7 @@
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
+#include "Runs.h"
 #include "Search/PointTree.h"
 #include "Search/TriangleTree.h"
 
@@ -121,13 +122,6 @@ ConformalSOMOptions batch(int frequency)
   return options;
 }
 
-const conformal::ParallelFor Backwards = [](Index count, const std::function<void(Index)>& body)
-{
-  for (Index i = count; i-- > 0;)
-  {
-    body(i);
-  }
-};
 }
 
 TEST(ConformalSOM, DefaultsAreThePapers)
@@ -189,8 +183,8 @@ TEST(ConformalSOM, SameInputSameBitsInAnyOrderOfBlocks)
   for (const ConformalSOMOptions& options : { online(6), batch(12) })
   {
     const ConformalSOMResult a = trainConformalSOM(TrainingSamples(points), options);
-    const ConformalSOMResult b =
-      trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards);
+    const ConformalSOMResult b = trainConformalSOM(
+      TrainingSamples(points, {}, {}, {}, runs::backwards()), options, nullptr, runs::backwards());
     EXPECT_EQ(a.Positions, b.Positions);
     ConformalSOMOptions other = options;
     other.RandomSeed = 2;
@@ -273,7 +267,8 @@ TEST(ConformalSOM, WebsAreSeenAndAvoided)
   EXPECT_TRUE(conformal::checkGenusZero(clean.Triangles, clean.Positions.rows()).isGenusZero());
   EXPECT_LT(pointToSurface(TrainingSamples(points), clean), 1e-4);
   EXPECT_EQ(clean.Positions,
-    trainConformalSOM(TrainingSamples(points, {}, {}, Backwards), options, nullptr, Backwards)
+    trainConformalSOM(
+      TrainingSamples(points, {}, {}, {}, runs::backwards()), options, nullptr, runs::backwards())
       .Positions);
 }
 
@@ -402,7 +397,7 @@ TEST(ConformalSOM, RanksShareTheSums)
         const Points own = points.middleRows(first, size);
         const std::vector<double> weights(
           priority.begin() + first, priority.begin() + first + size);
-        const TrainingSamples part(own, weights, {}, {}, reduce);
+        const TrainingSamples part(own, weights, {}, reduce);
         EXPECT_EQ(part.totalSize(), points.rows());
         const ConformalSOMResult result = trainConformalSOM(part, options);
         EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
@@ -440,7 +435,7 @@ TEST(ConformalSOM, RanksPresentTheSamePatterns)
         const std::vector<double> weights(
           priority.begin() + first, priority.begin() + first + 1000);
         const TrainingSamples part(
-          own, weighted ? conformal::NumberView(weights) : conformal::NumberView(), {}, {}, reduce);
+          own, weighted ? conformal::NumberView(weights) : conformal::NumberView(), {}, reduce);
         const ConformalSOMResult result = trainConformalSOM(part, options);
         EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
         EXPECT_EQ(conformal::quantizationErrors(part, result, {}), errors);
@@ -466,7 +461,7 @@ TEST(ConformalSOM, RanksWithoutPointsDrawWithTheOthers)
       const bool hasAll = reduce.Rank == 1;
       const Points own = hasAll ? points : Points(0, 3);
       const TrainingSamples part(
-        own, hasAll ? conformal::NumberView(priority) : conformal::NumberView(), {}, {}, reduce);
+        own, hasAll ? conformal::NumberView(priority) : conformal::NumberView(), {}, reduce);
       EXPECT_TRUE(part.weighted());
       EXPECT_EQ(trainConformalSOM(part, options).Positions, whole.Positions) << reduce.Rank;
     });
@@ -481,7 +476,7 @@ TEST(ConformalSOM, RanksRefuseWeightsThatSomeLack)
     {
       const conformal::NumberView weights =
         reduce.Rank == 0 ? conformal::NumberView(priority) : conformal::NumberView();
-      EXPECT_THROW(TrainingSamples(points, weights, {}, {}, reduce), std::invalid_argument);
+      EXPECT_THROW(TrainingSamples(points, weights, {}, reduce), std::invalid_argument);
     });
 }
 
@@ -498,7 +493,7 @@ TEST(ConformalSOM, RanksShareTheHull)
       const Points own = reduce.Rank == 0 ? Points(points.topRows(2500))
                                           : Points(points.bottomRows(points.rows() - 2500));
       const ConformalSOMResult result =
-        trainConformalSOM(TrainingSamples(own, {}, {}, {}, reduce), options);
+        trainConformalSOM(TrainingSamples(own, {}, {}, reduce), options);
       EXPECT_EQ(result.Positions, whole.Positions) << reduce.Rank;
       EXPECT_EQ(result.NumberOfSamplesOutside, whole.NumberOfSamplesOutside);
     });
@@ -567,22 +562,13 @@ TEST(ConformalSOM, StopsWhenToldTo)
   const Points points = potato(2000);
   for (const ConformalSOMOptions& options : { online(6), batch(6) })
   {
-    int calls = 0;
-    double last = -1.0;
-    trainConformalSOM(TrainingSamples(points), options, nullptr, {},
-      [&](double fraction)
-      {
-        EXPECT_GE(fraction, last);
-        EXPECT_LE(fraction, 1.0);
-        last = fraction;
-        ++calls;
-        return true;
-      });
-    EXPECT_GE(calls, 15);
-    EXPECT_LE(calls, 2000);
-    EXPECT_EQ(last, 1.0);
-    EXPECT_THROW(trainConformalSOM(TrainingSamples(points), options, nullptr, {},
-                   [&](double fraction) { return fraction < 0.5; }),
+    runs::Watch watch;
+    trainConformalSOM(TrainingSamples(points), options, nullptr, watch.run());
+    EXPECT_GE(watch.calls(), 15);
+    EXPECT_LE(watch.calls(), 2000);
+    EXPECT_EQ(watch.last(), 1.0);
+    EXPECT_THROW(
+      trainConformalSOM(TrainingSamples(points), options, nullptr, runs::stoppingAt(0.5)),
       conformal::Aborted);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -97,7 +98,7 @@ TEST(LeastSquaresPolish, FindsTheMeshThatThePatternsLieOn)
   Displaced mesh(0.05);
   const TrainingSamples samples{ PointView(mesh.Cloud) };
   const double before = farthest(samples, mesh.Start, samples.size());
-  polish(samples, loose(), {}, {}, mesh.Start);
+  polish(samples, loose(), mesh.Start);
   const double after = farthest(samples, mesh.Start, samples.size());
   EXPECT_GT(before, 0.01);
   EXPECT_LT(after, 0.05 * before);
@@ -113,7 +114,7 @@ TEST(LeastSquaresPolish, WithoutRoundsDoesNothing)
   PolishOptions options;
   options.NumberOfRounds = 0;
   const std::vector<double> masses =
-    polish(TrainingSamples{ PointView(mesh.Cloud) }, options, {}, {}, mesh.Start);
+    polish(TrainingSamples{ PointView(mesh.Cloud) }, options, mesh.Start);
   EXPECT_EQ(mesh.Start.Positions, start);
   EXPECT_TRUE(mesh.Start.History.empty());
   EXPECT_EQ(masses, std::vector<double>(mesh.Start.Triangles.rows(), 0.0));
@@ -126,7 +127,7 @@ TEST(LeastSquaresPolish, CountsThePatternsOfEachTriangle)
   PolishOptions options = loose();
   options.OutlierRatio = 1e6;
   const std::vector<double> masses =
-    polish(TrainingSamples{ PointView(mesh.Cloud) }, options, {}, {}, mesh.Start);
+    polish(TrainingSamples{ PointView(mesh.Cloud) }, options, mesh.Start);
   EXPECT_NEAR(std::accumulate(masses.begin(), masses.end(), 0.0),
     static_cast<double>(mesh.Cloud.rows()), 1e-6);
   for (const double mass : masses)
@@ -149,11 +150,11 @@ TEST(LeastSquaresPolish, LeavesOutliersOut)
   ConformalSOMResult kept = mesh.Start;
   PolishOptions options = loose();
   options.OutlierRatio = 6.0;
-  polish(samples, options, {}, {}, kept);
+  polish(samples, options, kept);
   const double without = farthest(samples, kept, size);
   EXPECT_LT(without, 0.005);
   options.OutlierRatio = 1e6;
-  polish(samples, options, {}, {}, mesh.Start);
+  polish(samples, options, mesh.Start);
   EXPECT_GT(farthest(samples, mesh.Start, size), 3.0 * without);
 }
 
@@ -173,7 +174,7 @@ TEST(LeastSquaresPolish, AsksWhatBelongs)
   PolishOptions options = loose();
   options.OutlierRatio = 1e6;
   options.Belongs = [&](const Vector3& x) { return samples.restore(x)[0] < 1.01; };
-  polish(samples, options, {}, {}, mesh.Start);
+  polish(samples, options, mesh.Start);
   EXPECT_LT(farthest(samples, mesh.Start, size), 0.01);
 }
 
@@ -181,14 +182,7 @@ TEST(LeastSquaresPolish, DoesNotDependOnTheOrderOfBlocks)
 {
   Displaced one(0.05), other(0.05);
   const TrainingSamples samples{ PointView(one.Cloud) };
-  const auto backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count; i-- > 0;)
-    {
-      body(i);
-    }
-  };
-  polish(samples, {}, {}, {}, one.Start);
-  polish(samples, {}, backwards, {}, other.Start);
+  polish(samples, {}, one.Start);
+  polish(samples, {}, other.Start, runs::backwards());
   EXPECT_EQ(one.Start.Positions, other.Start.Positions);
 }

@@ -39,7 +39,7 @@ struct Drawn
   {
     const Index size = this->Mesh.Positions.rows();
     return this->Equations.solve(
-      this->Mesh.Positions, Eigen::VectorXd::Constant(size, stiffness), evenness, {}, {});
+      this->Mesh.Positions, Eigen::VectorXd::Constant(size, stiffness), evenness, {});
   }
 
   conformal::Mesh Mesh;
@@ -132,7 +132,7 @@ TEST(SurfaceEquations, StopsWhenTold)
   const Index size = drawn.Mesh.Positions.rows();
   int steps = 0;
   EXPECT_THROW(drawn.Equations.solve(drawn.Mesh.Positions, Eigen::VectorXd::Constant(size, 0.01),
-                 1.0, {}, [&](double) { return ++steps < 6; }),
+                 1.0, { {}, [&](double) { return ++steps < 6; } }),
     conformal::Aborted);
   EXPECT_EQ(steps, 6);
 }

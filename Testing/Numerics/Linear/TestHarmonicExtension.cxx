@@ -1,3 +1,4 @@
+#include "Base/NumericalFailure.h"
 #include "Linear/HarmonicExtension.h"
 
 #include <gtest/gtest.h>
@@ -83,8 +84,8 @@ TEST(HarmonicExtension, RefusesSpringsThatPush)
   {
     const String string(pieces, 1.0, -3.0);
     Columns values = Columns::Zero(pieces + 1, 1);
-    EXPECT_THROW(
-      extendHarmonically(string.Weights, string.Places, string.Free, values), std::runtime_error)
+    EXPECT_THROW(extendHarmonically(string.Weights, string.Places, string.Free, values),
+      conformal::NumericalFailure)
       << pieces;
   }
 }

@@ -1,7 +1,9 @@
 #include "Linear/MultifrontalCholesky.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
@@ -54,30 +56,13 @@ Membrane membrane(int frequency)
   return result;
 }
 
-Columns solved(const Membrane& of, const conformal::ParallelFor& parallelFor = {})
+Columns solved(const Membrane& of, const conformal::Run& run = {})
 {
   Columns columns = of.Places.leftCols<2>();
-  MultifrontalCholesky(of.Weights, of.Diagonal, of.Places, parallelFor).solve(columns);
+  MultifrontalCholesky(of.Weights, of.Diagonal, of.Places, run).solve(columns);
   return columns;
 }
 
-// Blocks in an order of its own, on two threads.
-void twoThreads(Index count, const std::function<void(Index)>& body)
-{
-  std::thread other(
-    [&]()
-    {
-      for (Index i = count - 1; i >= 0; i -= 2)
-      {
-        body(i);
-      }
-    });
-  for (Index i = count - 2; i >= 0; i -= 2)
-  {
-    body(i);
-  }
-  other.join();
-}
 }
 
 TEST(MultifrontalCholesky, AgreesWithAnotherFactorization)
@@ -105,14 +90,14 @@ TEST(MultifrontalCholesky, AgreesWithAnotherFactorization)
 TEST(MultifrontalCholesky, SameBitsOnTwoThreads)
 {
   const Membrane of = membrane(90); // large fronts, too
-  EXPECT_EQ(solved(of), solved(of, twoThreads));
+  EXPECT_EQ(solved(of), solved(of, runs::backwards()));
 }
 
 TEST(MultifrontalCholesky, RefusesWhatIsNotPositiveDefinite)
 {
   Membrane of = membrane(5);
   of.Diagonal[7] = -1.0;
-  EXPECT_THROW(solved(of), std::runtime_error);
+  EXPECT_THROW(solved(of), conformal::NumericalFailure);
 }
 
 // A graph that no cut makes smaller.
@@ -140,7 +125,7 @@ TEST(MultifrontalCholesky, RefusesWhatWouldFillUp)
   of.Weights.Weights.assign(of.Weights.Neighbors.Ids.size(), 1.0);
   of.Diagonal.assign(size, 100.0);
   of.Places = conformal::Points::Random(size, 3);
-  EXPECT_THROW(solved(of), std::runtime_error);
+  EXPECT_THROW(solved(of), conformal::NumericalFailure);
 }
 
 TEST(MultifrontalCholesky, PartsAreKeptApart)
@@ -184,18 +169,9 @@ TEST(MultifrontalCholesky, PartsAreKeptApart)
 TEST(MultifrontalCholesky, ReportsProgressAndStops)
 {
   const Membrane of = membrane(40);
-  double last = 0.0;
-  int calls = 0;
-  const MultifrontalCholesky factor(of.Weights, of.Diagonal, of.Places, {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1.0 + 1e-12);
-      last = fraction;
-      return ++calls > 0;
-    });
-  EXPECT_GT(calls, 10);
-  EXPECT_THROW(MultifrontalCholesky(of.Weights, of.Diagonal, of.Places, {},
-                 [](double fraction) { return fraction < 0.5; }),
+  runs::Watch watch;
+  const MultifrontalCholesky factor(of.Weights, of.Diagonal, of.Places, watch.run());
+  EXPECT_GT(watch.calls(), 10);
+  EXPECT_THROW(MultifrontalCholesky(of.Weights, of.Diagonal, of.Places, runs::stoppingAt(0.5)),
     conformal::Aborted);
 }

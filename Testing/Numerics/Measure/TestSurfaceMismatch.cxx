@@ -1,6 +1,7 @@
 #include "Measure/SurfaceMismatch.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -154,32 +155,10 @@ TEST(SurfaceMismatch, CountsIsolatedPointsOnOneSideOnly)
 TEST(SurfaceMismatch, DoesNotDependOnThreads)
 {
   const auto coarse = conformal::makeGeodesicSphere(6), fine = conformal::makeGeodesicSphere(20);
-  const auto backwardsOnTwo = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread odd(
-      [&]()
-      {
-        for (Index i = count - 1; i >= 0; --i)
-        {
-          if (i % 2)
-          {
-            body(i);
-          }
-        }
-      });
-    for (Index i = count - 1; i >= 0; --i)
-    {
-      if (i % 2 == 0)
-      {
-        body(i);
-      }
-    }
-    odd.join();
-  };
   const SurfaceMismatch one = measureSurfaceMismatch(
     coarse.Positions, coarse.Triangles, fine.Positions, fine.Triangles, fewSamples());
   const SurfaceMismatch two = measureSurfaceMismatch(coarse.Positions, coarse.Triangles,
-    fine.Positions, fine.Triangles, fewSamples(), backwardsOnTwo);
+    fine.Positions, fine.Triangles, fewSamples(), {}, runs::backwards());
   EXPECT_EQ(one.MeanSquarePointToSurface, two.MeanSquarePointToSurface);
   EXPECT_EQ(one.MeanSquareSurfaceToPoint, two.MeanSquareSurfaceToPoint);
   EXPECT_EQ(one.ModelDistances, two.ModelDistances);
@@ -230,17 +209,11 @@ TEST(SurfaceMismatch, RefusesWhatCannotBeMeasured)
 TEST(SurfaceMismatch, ReportsProgressAndStops)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
-  double last = 0.0;
+  runs::Watch watch;
   measureSurfaceMismatch(sphere.Positions, sphere.Triangles, sphere.Positions, sphere.Triangles,
-    fewSamples(), {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      last = fraction;
-      return true;
-    });
-  EXPECT_EQ(last, 1.0);
+    fewSamples(), {}, watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
   EXPECT_THROW(measureSurfaceMismatch(sphere.Positions, sphere.Triangles, sphere.Positions,
-                 sphere.Triangles, {}, {}, [](double) { return false; }),
+                 sphere.Triangles, {}, {}, runs::stoppingAt(0.0)),
     conformal::Aborted);
 }

@@ -1,6 +1,7 @@
 #include "Mesh/GenusZeroCheck.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -261,7 +262,6 @@ TEST(GenusZeroCheck, RefusesIdsOutOfRange)
 TEST(GenusZeroCheck, StopsWhenAsked)
 {
   const auto sphere = conformal::makeGeodesicSphere(2);
-  EXPECT_THROW(checkGenusZero(sphere.Triangles, sphere.Positions.rows(), {},
-                 [](double fraction) { return fraction < 0.5; }),
+  EXPECT_THROW(checkGenusZero(sphere.Triangles, sphere.Positions.rows(), {}, runs::stoppingAt(0.5)),
     conformal::Aborted);
 }

@@ -2,6 +2,7 @@
 
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -80,5 +81,5 @@ TEST(MeshDecimation, RefusesSurfacesThatAreNotOfGenusZero)
 TEST(MeshDecimation, StopsWhenToldTo)
 {
   const auto sphere = bumpySphere(20);
-  EXPECT_THROW(conformal::decimate(sphere, 50, [](double) { return false; }), conformal::Aborted);
+  EXPECT_THROW(conformal::decimate(sphere, 50, runs::stoppingAt(0.0)), conformal::Aborted);
 }

@@ -2,6 +2,7 @@
 
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ RemeshingOptions exactly(Index count)
   return options;
 }
 
-double smallestAngle(const Surface& surface, Index r)
+double minimumAngle(const Surface& surface, Index r)
 {
   double smallest = 4.0;
   for (int k = 0; k < 3; ++k)
@@ -51,12 +52,12 @@ double smallestAngle(const Surface& surface, Index r)
   return smallest * 180.0 / std::acos(-1.0);
 }
 
-double meanSmallestAngle(const Surface& surface)
+double meanMinimumAngle(const Surface& surface)
 {
   double sum = 0.0;
   for (Index r = 0; r < surface.Triangles.rows(); ++r)
   {
-    sum += smallestAngle(surface, r);
+    sum += minimumAngle(surface, r);
   }
   return sum / static_cast<double>(surface.Triangles.rows());
 }
@@ -85,16 +86,16 @@ TEST(Remeshing, MeetsTheNumberWithEvenTriangles)
   for (const Index count : { 300, 1500, 6000 })
   {
     Surface surface = ellipsoid(12, { 3.0, 1.0, 0.7 });
-    const double before = meanSmallestAngle(surface);
+    const double before = meanMinimumAngle(surface);
     remesh(surface, exactly(count));
     EXPECT_EQ(surface.Positions.rows(), count);
     EXPECT_EQ(surface.Triangles.rows(), 2 * count - 4);
     EXPECT_TRUE(isGenusZero(surface));
     EXPECT_LT(before, 35.0);
-    EXPECT_GT(meanSmallestAngle(surface), 50.0) << count;
+    EXPECT_GT(meanMinimumAngle(surface), 50.0) << count;
     for (Index r = 0; r < surface.Triangles.rows(); ++r)
     {
-      ASSERT_GT(smallestAngle(surface, r), 15.0) << count;
+      ASSERT_GT(minimumAngle(surface, r), 15.0) << count;
     }
   }
 }
@@ -116,14 +117,7 @@ TEST(Remeshing, DoesNotDependOnTheOrderOfBlocks)
 {
   Surface one = ellipsoid(16, { 2.0, 1.0, 0.7 }), other = one;
   remesh(one, exactly(1000));
-  const auto backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count; i-- > 0;)
-    {
-      body(i);
-    }
-  };
-  remesh(other, exactly(1000), backwards);
+  remesh(other, exactly(1000), runs::backwards());
   EXPECT_EQ(one.Positions, other.Positions);
   EXPECT_EQ(one.Triangles, other.Triangles);
 }
@@ -159,17 +153,10 @@ TEST(Remeshing, KeepsTheTopologyOfTheSmallest)
 TEST(Remeshing, ReportsProgressAndStops)
 {
   Surface surface = ellipsoid(10, { 2.0, 1.0, 0.7 });
-  double last = 0.0;
-  const auto rising = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    last = fraction;
-    return true;
-  };
-  remesh(surface, exactly(500), {}, rising);
-  EXPECT_EQ(last, 1.0);
-  EXPECT_THROW(remesh(surface, exactly(500), {}, [](double fraction) { return fraction < 0.3; }),
-    conformal::Aborted);
+  runs::Watch watch;
+  remesh(surface, exactly(500), watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_THROW(remesh(surface, exactly(500), runs::stoppingAt(0.3)), conformal::Aborted);
 }
 
 TEST(Remeshing, RefusesOptionsOutOfRange)

@@ -4,6 +4,7 @@
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <Eigen/Geometry>
@@ -210,14 +211,7 @@ TEST(SharpEdges, SameBitsInAnyOrderOfBlocks)
 {
   Mesh a = cube(), b = a;
   sharpenEdges(a);
-  sharpenEdges(b,
-    [](Index count, const std::function<void(Index)>& body)
-    {
-      for (Index i = count; i-- > 0;)
-      {
-        body(i);
-      }
-    });
+  sharpenEdges(b, runs::backwards());
   EXPECT_EQ(a.Positions, b.Positions);
 }
 
@@ -227,8 +221,7 @@ TEST(SharpEdges, StopsWhenToldTo)
   {
     Mesh mesh = cube();
     const Points before = mesh.Positions;
-    EXPECT_THROW(
-      sharpenEdges(mesh, {}, [&](double fraction) { return fraction < when; }), conformal::Aborted);
+    EXPECT_THROW(sharpenEdges(mesh, runs::stoppingAt(when)), conformal::Aborted);
     EXPECT_EQ(mesh.Positions, before);
   }
 }

@@ -1,6 +1,7 @@
 #include "Mesh/TriangleSubdivision.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -86,24 +87,8 @@ TEST(TriangleSubdivision, CutsEachTriangleIntoEqualParts)
 TEST(TriangleSubdivision, ThreadsChangeNoBit)
 {
   const Mesh mesh = makeGeodesicSphere(8);
-  const auto twoThreads = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread other(
-      [&]
-      {
-        for (Index i = 1; i < count; i += 2)
-        {
-          body(i);
-        }
-      });
-    for (Index i = 0; i < count; i += 2)
-    {
-      body(i);
-    }
-    other.join();
-  };
   const Mesh alone = conformal::subdivide(mesh, 7),
-             both = conformal::subdivide(mesh, 7, twoThreads);
+             both = conformal::subdivide(mesh, 7, runs::backwards());
   EXPECT_EQ(alone.Positions, both.Positions);
   EXPECT_EQ(alone.Triangles, both.Triangles);
 }
@@ -112,8 +97,8 @@ TEST(TriangleSubdivision, SaysWhatItCannotDo)
 {
   EXPECT_THROW(conformal::subdivide(tetrahedron(), 0), std::invalid_argument);
   EXPECT_THROW(conformal::subdivide(tetrahedron(), 30000), std::length_error);
-  EXPECT_THROW(conformal::subdivide(makeGeodesicSphere(40), 3, {}, [](double) { return false; }),
-    conformal::Aborted);
+  EXPECT_THROW(
+    conformal::subdivide(makeGeodesicSphere(40), 3, runs::stoppingAt(0.0)), conformal::Aborted);
 }
 
 TEST(TriangleSubdivision, MeetsANumberOfPoints)

@@ -1,3 +1,4 @@
+#include "Runs.h"
 #include "Search/BoxTree.h"
 
 #include <gtest/gtest.h>
@@ -29,15 +30,6 @@ std::vector<Box> boxes(int count)
     box.extend(Vector3(center.array() + size(random)));
   }
   return result;
-}
-
-/// Blocks from the last to the first: nothing may depend on who comes first.
-void backwards(Index count, const std::function<void(Index)>& body)
-{
-  for (Index i = count; i-- > 0;)
-  {
-    body(i);
-  }
 }
 
 /// Follows a branch, of which it expects tight bounds.
@@ -89,7 +81,7 @@ TEST(BoxTree, HoldsEveryItemOnceInTightBounds)
 TEST(BoxTree, DoesNotDependOnTheOrderOfThreads)
 {
   const std::vector<Box> all = boxes(20000);
-  const BoxTree tree = buildBoxTree(all), again = buildBoxTree(all, backwards);
+  const BoxTree tree = buildBoxTree(all), again = buildBoxTree(all, runs::backwards());
   EXPECT_EQ(again.Items, tree.Items);
   ASSERT_EQ(again.Nodes.size(), tree.Nodes.size());
   for (std::size_t i = 0; i < tree.Nodes.size(); ++i)
@@ -107,14 +99,8 @@ TEST(BoxTree, OfNothingIsEmpty)
 TEST(BoxTree, ReportsForwardsAndStopsWhenAsked)
 {
   const std::vector<Box> all = boxes(30000);
-  double last = 0.0;
-  buildBoxTree(all, {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      last = fraction;
-      return true;
-    });
-  EXPECT_NEAR(last, 1.0, 1e-12);
-  EXPECT_THROW(buildBoxTree(all, {}, [](double) { return false; }), conformal::Aborted);
+  runs::Watch watch;
+  buildBoxTree(all, watch.run());
+  EXPECT_NEAR(watch.last(), 1.0, 1e-12);
+  EXPECT_THROW(buildBoxTree(all, runs::stoppingAt(0.0)), conformal::Aborted);
 }

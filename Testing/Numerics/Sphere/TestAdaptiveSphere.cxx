@@ -1,6 +1,7 @@
 #include "Sphere/AdaptiveSphere.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Sphere/SphereOrientation.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ std::vector<SphereDensity> jumps()
 }
 
 /// Of all corners, in degrees.
-double smallestAngle(const Mesh& mesh)
+double minimumAngle(const Mesh& mesh)
 {
   double smallest = 180.0;
   for (Index r = 0; r < mesh.Triangles.rows(); ++r)
@@ -97,7 +98,7 @@ void expectSphere(const Mesh& mesh, Index wanted)
     solidAngle += 2.0 * std::atan2(a.dot(b.cross(c)), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
   }
   EXPECT_NEAR(solidAngle, 4.0 * std::acos(-1.0), 1e-9);
-  EXPECT_GE(smallestAngle(mesh), conformal::AdaptiveSphereLimits::MinimumAngle - 1e-6);
+  EXPECT_GE(minimumAngle(mesh), conformal::AdaptiveSphereLimits::MinimumAngle - 1e-6);
 }
 
 /// Share of the points where a test is true.
@@ -111,11 +112,11 @@ double share(const Mesh& mesh, const std::function<bool(const Vector3&)>& test)
   return static_cast<double>(count) / static_cast<double>(mesh.Positions.rows());
 }
 
-Mesh made(const SphereDensity& density, Index size, const conformal::ParallelFor& threads = {})
+Mesh made(const SphereDensity& density, Index size, const conformal::Run& run = {})
 {
   AdaptiveSphereOptions options;
   options.NumberOfPoints = size;
-  return makeAdaptiveSphere(density, options, threads);
+  return makeAdaptiveSphere(density, options, run);
 }
 }
 
@@ -207,44 +208,21 @@ TEST(AdaptiveSphere, UnitsOfTheDensityDoNotCount)
 
 TEST(AdaptiveSphere, ThreadsChangeNoBit)
 {
-  const auto twoThreads = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread other(
-      [&]
-      {
-        for (Index i = 1; i < count; i += 2)
-        {
-          body(i);
-        }
-      });
-    for (Index i = 0; i < count; i += 2)
-    {
-      body(i);
-    }
-    other.join();
-  };
-  const Mesh alone = made(jumps()[0], 5000), both = made(jumps()[0], 5000, twoThreads);
+  const Mesh alone = made(jumps()[0], 5000), both = made(jumps()[0], 5000, runs::backwards());
   EXPECT_EQ(alone.Positions, both.Positions);
   EXPECT_EQ(alone.Triangles, both.Triangles);
 }
 
 TEST(AdaptiveSphere, ReportsAndStops)
 {
-  std::vector<double> reports;
-  makeAdaptiveSphere(densityOf(even), {}, {},
-    [&](double fraction)
-    {
-      reports.push_back(fraction);
-      return true;
-    });
-  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
-  EXPECT_EQ(reports.back(), 1.0);
-  EXPECT_GT(reports.size(), 50U);
+  runs::Watch watch;
+  makeAdaptiveSphere(densityOf(even), {}, watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_GT(watch.calls(), 50);
   for (const double last : { 0.0, 0.3, 0.9 })
   {
     EXPECT_THROW(
-      makeAdaptiveSphere(densityOf(even), {}, {}, [=](double fraction) { return fraction < last; }),
-      conformal::Aborted);
+      makeAdaptiveSphere(densityOf(even), {}, runs::stoppingAt(last)), conformal::Aborted);
   }
 }
 

@@ -28,7 +28,7 @@ Points sphere()
   return conformal::makeGeodesicSphere(6).Positions;
 }
 
-double largestDistance(const Points& a, const Points& b)
+double maximumDistance(const Points& a, const Points& b)
 {
   return (a - b).rowwise().norm().maxCoeff();
 }
@@ -107,7 +107,7 @@ TEST(MoebiusTransform, IsFoundFromWhatItDid)
   someTransform().applyTo(moved);
   Points found = points;
   conformal::closestMoebiusTransform(points, moved, weights).applyTo(found);
-  EXPECT_LT(largestDistance(found, moved), 1e-7);
+  EXPECT_LT(maximumDistance(found, moved), 1e-7);
 
   Points turned = points;
   MoebiusTransform turn = someTransform();

@@ -35,7 +35,7 @@ protected:
     return conformal::repairFlips(this->Positions, this->Sphere.Positions, this->Sphere.Triangles,
       this->Strings, this->Rings, this->Shapes);
   }
-  double largestDistance() const
+  double maximumDistance() const
   {
     double largest = 0.0;
     for (std::size_t v = 0; v < this->Positions.size(); ++v)
@@ -57,7 +57,7 @@ protected:
 TEST_F(FlipRepair, LeavesAGoodMapAlone)
 {
   EXPECT_TRUE(this->repair());
-  EXPECT_EQ(this->largestDistance(), 0.0);
+  EXPECT_EQ(this->maximumDistance(), 0.0);
 }
 
 TEST_F(FlipRepair, PutsOneVertexBack)
@@ -68,7 +68,7 @@ TEST_F(FlipRepair, PutsOneVertexBack)
   ASSERT_GT(this->bad(), 0u);
   EXPECT_TRUE(this->repair());
   EXPECT_EQ(this->bad(), 0u);
-  EXPECT_LT(this->largestDistance(), 0.01); // nearly to where it was: relaxed
+  EXPECT_LT(this->maximumDistance(), 0.01); // nearly to where it was: relaxed
 }
 
 // Turned upside down, vertices one by one find no kernel.

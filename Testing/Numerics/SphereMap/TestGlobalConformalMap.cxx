@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Sphere/MoebiusTransform.h"
 #include "Sphere/SphereOrientation.h"
 
@@ -365,22 +366,6 @@ TEST(GlobalConformalMap, GuYauCountsInfiniteStringConstants)
 
 TEST(GlobalConformalMap, SameBitsOnTwoThreads)
 {
-  const auto parallelFor = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread other(
-      [&]()
-      {
-        for (Index i = 1; i < count; i += 2)
-        {
-          body(i);
-        }
-      });
-    for (Index i = 0; i < count; i += 2)
-    {
-      body(i);
-    }
-    other.join();
-  };
   const auto mesh = bumpy(40);
   for (auto method : { GlobalConformalMethod::Robust, GlobalConformalMethod::GuYau })
   {
@@ -388,7 +373,7 @@ TEST(GlobalConformalMap, SameBitsOnTwoThreads)
     options.Method = method;
     options.MaximumNumberOfIterations = 20;
     const auto one = globalConformalMap(mesh, options);
-    const auto two = globalConformalMap(mesh, options, parallelFor);
+    const auto two = globalConformalMap(mesh, options, runs::backwards());
     EXPECT_EQ(one.Positions, two.Positions);
     EXPECT_EQ(one.Energy, two.Energy);
   }
@@ -405,23 +390,13 @@ TEST(GlobalConformalMap, ReportsProgressAndStops)
   {
     for (const auto& mesh : { smooth, rough })
     {
-      double last = -1.0;
-      int calls = 0;
-      globalConformalMap(mesh, options, {},
-        [&](double fraction)
-        {
-          EXPECT_GE(fraction, last);
-          EXPECT_LE(fraction, 1.0);
-          last = fraction;
-          return ++calls > 0;
-        });
-      EXPECT_EQ(last, 1.0);
-      EXPECT_GT(calls, 5);
+      runs::Watch watch;
+      globalConformalMap(mesh, options, watch.run());
+      EXPECT_EQ(watch.last(), 1.0);
+      EXPECT_GT(watch.calls(), 5);
       for (double end : { 0.01, 0.2, 0.5 })
       {
-        EXPECT_THROW(
-          globalConformalMap(mesh, options, {}, [end](double fraction) { return fraction < end; }),
-          conformal::Aborted);
+        EXPECT_THROW(globalConformalMap(mesh, options, runs::stoppingAt(end)), conformal::Aborted);
       }
     }
   }

@@ -24,7 +24,7 @@ Points ellipsoid(const Points& sphere)
   return sphere * Vector3(0.8, 0.9, 1.0).asDiagonal();
 }
 
-double largestDistance(const Points& a, const Points& b)
+double maximumDistance(const Points& a, const Points& b)
 {
   return (a - b).rowwise().norm().maxCoeff();
 }
@@ -51,7 +51,7 @@ TEST(GuYauMap, LeavesTheSphereWhereItIs)
   EXPECT_TRUE(result.Converged);
   EXPECT_EQ(result.NumberOfNegativeStringConstants, 0);
   EXPECT_EQ(result.NumberOfInfiniteStringConstants, 0);
-  EXPECT_LT(largestDistance(result.Positions, sphere.Positions), 0.01);
+  EXPECT_LT(maximumDistance(result.Positions, sphere.Positions), 0.01);
   EXPECT_NEAR(result.Energy, 4.0 * std::acos(-1.0), 0.1);
 }
 
@@ -80,5 +80,5 @@ TEST(GuYauMap, TurnsWithTheSurface)
   options.MaximumNumberOfIterations = 50;
   const GuYauResult result = mapByGuYau({ points, sphere.Triangles }, options);
   const GuYauResult turned = mapByGuYau({ points * turn.transpose(), sphere.Triangles }, options);
-  EXPECT_LT(largestDistance(turned.Positions, result.Positions * turn.transpose()), 1e-10);
+  EXPECT_LT(maximumDistance(turned.Positions, result.Positions * turn.transpose()), 1e-10);
 }

@@ -2,6 +2,7 @@
 
 #include "Linear/EdgeWeights.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 #include "Sphere/MoebiusTransform.h"
 #include "SphereMap/FlipRepair.h"
 
@@ -99,13 +100,6 @@ TEST(HarmonicSphereMap, DoesNotDependOnThreads)
   const Mesh sphere = makeGeodesicSphere(10);
   Points points = sphere.Positions;
   points.col(0) *= 3.0;
-  const auto backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    for (Index i = count; i-- > 0;)
-    {
-      body(i);
-    }
-  };
   const Points one = mapHarmonically({ points, sphere.Triangles }).Positions;
-  EXPECT_EQ(mapHarmonically({ points, sphere.Triangles }, backwards).Positions, one);
+  EXPECT_EQ(mapHarmonically({ points, sphere.Triangles }, runs::backwards()).Positions, one);
 }

@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -133,17 +134,8 @@ TEST(ProgressiveSphereMap, RefusesWhatItCannotMap)
 TEST(ProgressiveSphereMap, ReportsProgressAndStops)
 {
   const auto mesh = limb(2.0);
-  double last = -1.0;
-  int calls = 0;
-  mapToSphere(mesh, {},
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LE(fraction, 1.0);
-      last = fraction;
-      return ++calls > 0;
-    });
-  EXPECT_GT(calls, 5);
-  EXPECT_THROW(
-    mapToSphere(mesh, {}, [](double fraction) { return fraction < 0.5; }), conformal::Aborted);
+  runs::Watch watch;
+  mapToSphere(mesh, {}, watch.run());
+  EXPECT_GT(watch.calls(), 5);
+  EXPECT_THROW(mapToSphere(mesh, {}, runs::stoppingAt(0.5)), conformal::Aborted);
 }

@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
+#include "Runs.h"
 #include "Search/TriangleTree.h"
 
 #include <Eigen/LU>
@@ -331,7 +332,7 @@ TEST(CurvedSeamlessSurface, FollowsThePaperToTheLetter)
 TEST(CurvedSeamlessSurface, TheSpheresOwnDomesGiveTheSphere)
 {
   const Points directions = makeGeodesicSphere(40).Positions;
-  const auto largestError = [&](int f)
+  const auto maximumError = [&](int f)
   {
     const Mesh network = makeGeodesicSphere(f);
     const auto result = buildCurvedSeamlessSurface(
@@ -339,9 +340,9 @@ TEST(CurvedSeamlessSurface, TheSpheresOwnDomesGiveTheSphere)
     EXPECT_EQ(result.NumberOfDegeneratePatches, 0);
     return (result.Positions.rowwise().norm().array() - 1.0).abs().maxCoeff();
   };
-  EXPECT_NEAR(largestError(3), 2.0e-4, 1e-5);
-  EXPECT_NEAR(largestError(6), 1.5e-5, 1e-6);
-  EXPECT_NEAR(largestError(12), 1.0e-6, 1e-7);
+  EXPECT_NEAR(maximumError(3), 2.0e-4, 1e-5);
+  EXPECT_NEAR(maximumError(6), 1.5e-5, 1e-6);
+  EXPECT_NEAR(maximumError(12), 1.0e-6, 1e-7);
 }
 
 TEST(CurvedSeamlessSurface, NetworkVerticesGoToTheirWeightsExactly)
@@ -424,24 +425,9 @@ TEST(CurvedSeamlessSurface, ThreadsAndCompanyChangeNothing)
   const Points directions = randomDirections(3000);
   const auto alone =
     buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions);
-  const conformal::ParallelFor twoThreads = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread second(
-      [&]()
-      {
-        for (Index i = count - 1; i >= count / 2; --i)
-        {
-          body(i);
-        }
-      });
-    for (Index i = 0; i < count / 2; ++i)
-    {
-      body(i);
-    }
-    second.join();
-  };
-  const auto together = buildCurvedSeamlessSurface(
-    { { model, network.Triangles }, network.Positions }, directions, {}, nullptr, twoThreads);
+  const auto together =
+    buildCurvedSeamlessSurface({ { model, network.Triangles }, network.Positions }, directions, {},
+      nullptr, runs::backwards());
   EXPECT_EQ(alone.Positions, together.Positions);
   EXPECT_EQ(alone.Normals, together.Normals);
   const CurvedSeamlessSurface surface({ { model, network.Triangles }, network.Positions });
@@ -457,7 +443,7 @@ TEST(CurvedSeamlessSurface, EveryDomeHeightComesToTheSphereAsCloseAsItCan)
 {
   const Mesh network = makeGeodesicSphere(6);
   const Points directions = makeGeodesicSphere(40).Positions;
-  const auto largestError = [&](DomeHeight domeHeight)
+  const auto maximumError = [&](DomeHeight domeHeight)
   {
     const Points images =
       buildCurvedSeamlessSurface({ { network.Positions, network.Triangles }, network.Positions },
@@ -465,10 +451,10 @@ TEST(CurvedSeamlessSurface, EveryDomeHeightComesToTheSphereAsCloseAsItCan)
         .Positions;
     return (images.rowwise().norm().array() - 1.0).abs().maxCoeff();
   };
-  EXPECT_NEAR(largestError(DomeHeight::None), 7.8e-3, 3e-4);
-  EXPECT_NEAR(largestError(DomeHeight::Published), 1.5e-5, 1e-6);
-  EXPECT_LT(largestError(DomeHeight::Scaled), 2e-5);
-  EXPECT_LT(largestError(DomeHeight::Curvature), 5e-4);
+  EXPECT_NEAR(maximumError(DomeHeight::None), 7.8e-3, 3e-4);
+  EXPECT_NEAR(maximumError(DomeHeight::Published), 1.5e-5, 1e-6);
+  EXPECT_LT(maximumError(DomeHeight::Scaled), 2e-5);
+  EXPECT_LT(maximumError(DomeHeight::Curvature), 5e-4);
 }
 
 TEST(CurvedSeamlessSurface, ScaledDomesGrowWithTheModelAroundThem)
@@ -781,24 +767,18 @@ TEST(CurvedSeamlessSurface, RefusesWhatIsNoMap)
 TEST(CurvedSeamlessSurface, ReportsProgressAndStopsWhenAsked)
 {
   const Mesh network = makeGeodesicSphere(3);
-  const auto build = [&](const conformal::Progress& progress)
+  const auto build = [&](const conformal::Run& run)
   {
     buildCurvedSeamlessSurface({ { network.Positions, network.Triangles }, network.Positions },
-      makeGeodesicSphere(120).Positions, {}, nullptr, {}, progress);
+      makeGeodesicSphere(120).Positions, {}, nullptr, run);
   };
-  std::vector<double> fractions;
-  build(
-    [&](double fraction)
-    {
-      fractions.push_back(fraction);
-      return true;
-    });
-  EXPECT_EQ(fractions.front(), 0.0);
-  EXPECT_EQ(fractions.back(), 1.0);
-  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  EXPECT_GT(fractions.size(), 6u); // stages of the mesh, then chunks of points
-  for (const double stopAt : fractions)
+  runs::Watch watch;
+  build(watch.run());
+  EXPECT_EQ(watch.fractions().front(), 0.0);
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_GT(watch.calls(), 6); // stages of the mesh, then chunks of points
+  for (const double stopAt : watch.fractions())
   {
-    EXPECT_THROW(build([&](double fraction) { return fraction < stopAt; }), conformal::Aborted);
+    EXPECT_THROW(build(runs::stoppingAt(stopAt)), conformal::Aborted);
   }
 }

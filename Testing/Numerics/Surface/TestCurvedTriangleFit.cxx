@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/VertexNormals.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -112,24 +113,8 @@ TEST(CurvedTriangleFit, ThreadsChangeNothing)
   const Points cloud = ellipsoid(30);
   const TrainingSamples samples{ PointView(cloud) };
   const CurvedTriangles start = ball(5, 1.0);
-  const conformal::ParallelFor backwards = [](Index count, const std::function<void(Index)>& body)
-  {
-    std::thread other(
-      [&]()
-      {
-        for (Index i = count - 1; i >= count / 2; --i)
-        {
-          body(i);
-        }
-      });
-    for (Index i = 0; i < count / 2; ++i)
-    {
-      body(i);
-    }
-    other.join();
-  };
   const CurvedTriangles alone = fitCurvedTriangles(start, samples),
-                        together = fitCurvedTriangles(start, samples, {}, backwards);
+                        together = fitCurvedTriangles(start, samples, {}, runs::backwards());
   EXPECT_EQ(alone.positions(), together.positions());
   EXPECT_EQ(alone.normals(), together.normals());
 }
@@ -145,7 +130,5 @@ TEST(CurvedTriangleFit, RefusesOptionsOutOfRangeAndStopsWhenAsked)
   options.NumberOfFitRounds = 1;
   options.FitSmoothness = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(fitCurvedTriangles(start, samples, options), std::invalid_argument);
-  EXPECT_THROW(
-    fitCurvedTriangles(start, samples, {}, {}, [](double fraction) { return fraction < 0.5; }),
-    conformal::Aborted);
+  EXPECT_THROW(fitCurvedTriangles(start, samples, {}, runs::stoppingAt(0.5)), conformal::Aborted);
 }

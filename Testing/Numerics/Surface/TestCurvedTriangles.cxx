@@ -163,7 +163,7 @@ TEST(CurvedTriangles, WithoutNormalsTheyAreFlat)
     flat, conformal::triangleNeighbors(sphere.Triangles, sphere.Positions.rows()));
   const double angle = 180.0 - std::acos(-std::sqrt(5.0) / 3.0) * 180.0 / std::acos(-1.0);
   EXPECT_NEAR(jumps.Mean, angle, 1e-10);
-  EXPECT_NEAR(jumps.Largest, angle, 1e-10);
+  EXPECT_NEAR(jumps.Maximum, angle, 1e-10);
 }
 
 TEST(CurvedTriangles, NormalsJumpLittleOnARoundSurface)

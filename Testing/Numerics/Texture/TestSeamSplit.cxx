@@ -38,7 +38,7 @@ SphericalTexture unsplit(const Mesh& sphere, SphereProjection projection)
 SphericalTexture split(const Mesh& sphere, SphereProjection projection)
 {
   SphericalTexture texture = unsplit(sphere, projection);
-  splitAtSeams(texture, sphere.Triangles, sphere.Positions, TextureWrap::Clamp, {}, {});
+  splitAtSeams(texture, sphere.Triangles, sphere.Positions, TextureWrap::Clamp, {});
   return texture;
 }
 

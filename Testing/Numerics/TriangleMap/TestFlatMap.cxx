@@ -53,7 +53,7 @@ Points shaken(const Points& points, double by, unsigned int seed)
   return result;
 }
 
-double smallestAngle(const Points& points, const Triangles& triangles)
+double minimumAngle(const Points& points, const Triangles& triangles)
 {
   double smallest = 180.0;
   for (Index r = 0; r < triangles.rows(); ++r)
@@ -179,7 +179,7 @@ double slip(const Shape& mesh, const FlatMap& map, Index r, int edge, double t, 
   return (here - there).norm() / length;
 }
 
-double largestSlip(const Shape& mesh, const FlatMap& map, double aside, int count)
+double maximumSlip(const Shape& mesh, const FlatMap& map, double aside, int count)
 {
   Random random(5);
   double largest = 0.0;
@@ -203,11 +203,11 @@ TEST(FlatMap, MeetsAcrossEdgesOfTrianglesOfAnyShape)
     const Shape mesh = randomMesh(by);
     if (by == 0.15)
     {
-      EXPECT_LT(smallestAngle(mesh.Model, mesh.Triangles), 1.0);
+      EXPECT_LT(minimumAngle(mesh.Model, mesh.Triangles), 1.0);
     }
     const FlatMap map = mesh.map(SeamMode::EdgeMatched);
-    EXPECT_LT(largestSlip(mesh, map, 1e-12, 100000), 1e-9) << by;
-    EXPECT_LT(largestSlip(mesh, map, 0.0, 10000), 1e-13) << by;
+    EXPECT_LT(maximumSlip(mesh, map, 1e-12, 100000), 1e-9) << by;
+    EXPECT_LT(maximumSlip(mesh, map, 0.0, 10000), 1e-13) << by;
   }
 }
 

@@ -1,10 +1,7 @@
-/// Abstract parallel loops and reductions: how the core runs on threads and processes.
-///
-/// Results do not depend on the number of threads: work is cut into blocks of a fixed size,
-/// whatever runs them, and blocks never add into each other's results.
+/// How processes that hold parts of one cloud add up what they found.
 
-#ifndef ConformalParallel_h
-#define ConformalParallel_h
+#ifndef ConformalReduce_h
+#define ConformalReduce_h
 
 #include "Base/Types.h"
 
@@ -17,9 +14,6 @@
 
 namespace conformal
 {
-/// Runs body(i) once for every i in [0, count), in any order, perhaps at the same time.
-using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
-
 /// How processes that hold parts of one cloud add up what they found. Called by all of them, in the
 /// same order and with the same counts. Sums of integers are the same in any order, hence the same
 /// bits for any number of processes; what is not a sum is written as one.
@@ -83,41 +77,6 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
       return number;
     });
   return all;
-}
-
-/// Run body(begin, end) over [0, size) in blocks of blockSize; in order where no ParallelFor is
-/// given.
-inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSize,
-  const std::function<void(Index, Index)>& body)
-{
-  const Index count = (size + blockSize - 1) / blockSize;
-  const auto runBlock = [&](Index block)
-  { body(block * blockSize, std::min(size, (block + 1) * blockSize)); };
-  if (parallelFor)
-  {
-    parallelFor(count, runBlock);
-    return;
-  }
-  for (Index block = 0; block < count; ++block)
-  {
-    runBlock(block);
-  }
-}
-
-/// The same with a report now and then, always from the calling thread: after a sixteenth of the
-/// blocks, but no more than 256 and no less than 64, which keep many threads busy.
-/// @throws Aborted if the progress says stop
-inline void forBlocks(const ParallelFor& parallelFor, Index size, Index blockSize,
-  const Progress& progress, const std::function<void(Index, Index)>& body)
-{
-  const Index chunkSize = blockSize * std::clamp<Index>(size / blockSize / 16, 64, 256);
-  for (Index start = 0; start < size; start += chunkSize)
-  {
-    const Index length = std::min(chunkSize, size - start);
-    forBlocks(parallelFor, length, blockSize,
-      [&](Index begin, Index end) { body(start + begin, start + end); });
-    report(progress, static_cast<double>(start + length) / static_cast<double>(size));
-  }
 }
 }
 
