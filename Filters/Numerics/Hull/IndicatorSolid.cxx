@@ -19,7 +19,7 @@ constexpr Index ThinnedPoints = 10000;
 constexpr Index MinimumPoints = 20; // of which anything can be told
 
 // Widths, in units of the largest radius and of the typical spacing of the thinned points.
-constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.6, FirstToLastWidth = 4.0;
+constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.5, FirstToLastWidth = 4.0;
 
 // Noise that is no smaller against the spacing asks for a width of its own, and for wider ones
 // while there are more handles and cavities than these.

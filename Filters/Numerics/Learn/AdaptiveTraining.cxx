@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -60,9 +61,10 @@ double edgeFor(double area, Index neurons)
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(neurons));
 }
 
-double spacingFor(const TrainingSamples& samples, Index neurons)
+double spacingFor(const TrainingSamples& samples, HullIndicator indicator, Index neurons)
 {
-  return std::min(std::max(hullSpacing(samples), SpacingForEdge * edgeFor(TypicalArea, neurons)),
+  return std::min(
+    std::max(hullSpacing(samples, indicator), SpacingForEdge * edgeFor(TypicalArea, neurons)),
     GenusZeroHullLimits::MaximumSpacing);
 }
 
@@ -83,7 +85,7 @@ public:
   FirstSurface(const TrainingSamples& samples, const ConformalSOMOptions& options)
     : Samples(samples)
     , Options(coarseLattice(options))
-    , Spacing(spacingFor(samples, options.NumberOfNeurons))
+    , Spacing(spacingFor(samples, options.HullIndicator, options.NumberOfNeurons))
   {
   }
 
@@ -148,7 +150,11 @@ private:
     result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
     // Over what nobody has seen, winding numbers know better where the surface is than the points
     // across from there.
-    polishing.DrawsIdle = hull.Indicator == HullIndicator::Distance;
+    if (hull.Indicator == HullIndicator::WindingNumbers)
+    {
+      polishing.Guide =
+        std::make_shared<TriangleTree>(hull.Positions, hull.Triangles, run.unwatched());
+    }
     const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
     if (strays > ManyStrays * static_cast<double>(this->Samples.totalSize()))
     {
@@ -252,7 +258,7 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
     std::min(options.NumberOfPolishRounds / 2, polishing.NumberOfRounds);
   last.OutlierRatio = polishing.OutlierRatio;
   last.Belongs = polishing.Belongs;
-  last.DrawsIdle = polishing.DrawsIdle;
+  last.Guide = polishing.Guide;
   const int turns = start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
   steps.replan(workFrom(static_cast<double>(result.Positions.rows()), turns));
 

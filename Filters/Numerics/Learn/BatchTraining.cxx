@@ -345,7 +345,7 @@ ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hul
   if (hull)
   {
     polish.Belongs = [=](const Vector3& x) { return hull->Data.contains(x); };
-    polish.DrawsIdle = hull->Indicator == HullIndicator::Distance;
+    polish.Guide = hull->Guide;
   }
   polishAndCheck(samples, polish, result, run);
   return result;

@@ -31,10 +31,11 @@ constexpr double Balance = 0.18;
 constexpr double WorkOfThinning = 10000.0, WorkOfMap = 800e6;
 }
 
-double hullSpacing(const TrainingSamples& samples)
+double hullSpacing(const TrainingSamples& samples, HullIndicator indicator)
 {
+  const double factor = indicator == HullIndicator::WindingNumbers ? 0.25 : 0.6;
   return std::clamp(
-    0.6 * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
+    factor * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
 }
 
 double workOfHull(const TrainingSamples& samples, double spacing, HullIndicator indicator)
@@ -62,7 +63,7 @@ GenusZeroHullResult makeHull(
 
 double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
 {
-  const double spacing = hullSpacing(samples);
+  const double spacing = hullSpacing(samples, indicator);
   return workOfHull(samples, spacing, indicator) + WorkOfThinning * verticesOfHull(spacing) +
     WorkOfMap;
 }
@@ -70,7 +71,7 @@ double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
 std::optional<HullStart> startFromHull(
   const TrainingSamples& samples, const Points& directions, HullIndicator indicator, const Run& run)
 {
-  const double spacing = hullSpacing(samples);
+  const double spacing = hullSpacing(samples, indicator);
   const double ofHull = workOfHull(samples, spacing, indicator);
   Steps steps(run, { ofHull, workOfHullStart(samples, indicator) - ofHull });
   const GenusZeroHullResult hull = makeHull(samples, spacing, indicator, steps.next());
@@ -94,7 +95,10 @@ std::optional<HullStart> startFromHull(
   start.Positions =
     resample(map.Positions, thinned.Positions, thinned.Triangles, directions, run.unwatched());
   start.Data = hull.Data;
-  start.Indicator = hull.Indicator;
+  if (hull.Indicator == HullIndicator::WindingNumbers)
+  {
+    start.Guide = std::make_shared<TriangleTree>(hull.Positions, hull.Triangles, run.unwatched());
+  }
   start.Leaks = hull.Leaks;
   start.CutFraction = cutFraction(hull);
   start.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;

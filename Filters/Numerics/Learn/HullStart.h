@@ -7,13 +7,16 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/GenusZeroHull.h"
+#include "Search/TriangleTree.h"
 
+#include <memory>
 #include <optional>
 
 namespace conformal
 {
-/// Of a hull as fine as the samples are dense, in units of the largest radius.
-double hullSpacing(const TrainingSamples& samples);
+/// Of a hull as fine as the samples are dense, in units of the largest radius. Winding numbers see
+/// no gaps between samples on a lattice that is finer than these are dense.
+double hullSpacing(const TrainingSamples& samples, HullIndicator indicator);
 
 /// A genus-zero hull of the samples.
 /// @param[in] indicator  how its inside is told from the outside
@@ -30,7 +33,7 @@ struct HullStart
 {
   Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
   HullData Data;    ///< tells samples of the object from those apart from it
-  HullIndicator Indicator = HullIndicator::Distance; ///< that of the hull
+  std::shared_ptr<const TriangleTree> Guide; ///< the hull, where winding numbers told its inside
   bool Leaks = false;
   double CutFraction = 0.0; ///< see cutFraction()
   Index NumberOfSamplesOutside = 0;

@@ -30,6 +30,7 @@ constexpr double FoldStiffening = 3.0, MaximumFoldStiffness = 30.0;
 /// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
 /// as patterns draw.
 constexpr double IdleWeight = 0.5;
+constexpr double GuideWeight = 0.1;   // of a neuron's patterns
 constexpr Index TargetsPerNeuron = 1; // patterns kept for them to look for
 
 /// See PolishOptions.
@@ -90,7 +91,11 @@ public:
     const int firstIdle = std::max(1, this->Options.NumberOfRounds / 2);
     this->draw(number + 1 == firstIdle, steps.next());
     steps.next();
-    if (this->Options.AutomaticPriority && this->Options.DrawsIdle && number >= firstIdle)
+    if (this->Options.Guide)
+    {
+      this->drawToGuide();
+    }
+    else if (this->Options.AutomaticPriority && number >= firstIdle)
     {
       this->drawIdle();
     }
@@ -217,6 +222,71 @@ private:
         {
           this->Equations.pull(static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
         }
+      }
+    }
+  }
+
+  /// Neurons between patterns that are far apart, not those at the rims of larger holes: as wide as
+  /// the marks of the others reach, and back.
+  std::vector<bool> idleBetweenPatterns() const
+  {
+    constexpr int rings = 4;
+    const std::vector<bool> idle =
+      idleVertices(this->Triangles, this->Masses, this->Positions.rows());
+    const auto grow = [&](std::vector<bool>& marks)
+    {
+      for (int ring = 0; ring < rings; ++ring)
+      {
+        const std::vector<bool> before = marks;
+        for (Index i = 0; i < this->Positions.rows(); ++i)
+        {
+          marks[i] = before[i] ||
+            std::any_of(this->Neighbors.begin(i), this->Neighbors.end(i),
+              [&](int neighbor) { return before[neighbor]; });
+        }
+      }
+    };
+    std::vector<bool> marks = idle;
+    marks.flip();
+    grow(marks);
+    marks.flip();
+    grow(marks);
+    marks.flip();
+    for (Index i = 0; i < this->Positions.rows(); ++i)
+    {
+      marks[i] = marks[i] && idle[i];
+    }
+    return marks;
+  }
+
+  void drawToGuide()
+  {
+    constexpr Index blockSize = 256;
+    const Points normals =
+      vertexNormals(this->Positions, this->Triangles, this->Equations.around(), this->Threads);
+    const std::vector<bool> guided = this->idleBetweenPatterns();
+    std::vector<double> along(this->Positions.rows(), 0.0);
+    forBlocks(this->Threads, this->Positions.rows(), blockSize,
+      [&](Index begin, Index end)
+      {
+        int hint = -1;
+        for (Index i = begin; i < end; ++i)
+        {
+          if (guided[i])
+          {
+            const Vector3 place = this->Positions.row(i);
+            const FootPoint foot = this->Options.Guide->closestPoint(place, hint);
+            along[i] = normals.row(i).dot(foot.Position - place);
+            hint = foot.Triangle;
+          }
+        }
+      });
+    for (Index i = 0; i < this->Positions.rows(); ++i)
+    {
+      if (guided[i])
+      {
+        this->Equations.pull(
+          static_cast<int>(i), normals.row(i), along[i], GuideWeight * this->meanMass());
       }
     }
   }

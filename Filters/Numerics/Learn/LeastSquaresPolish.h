@@ -8,8 +8,10 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
+#include "Search/TriangleTree.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace conformal
@@ -22,7 +24,7 @@ struct PolishOptions
   double Evenness = 1.0;                       ///< of triangles, see SurfaceEquations.h
   double OutlierRatio = 6.0;                   ///< see LocalScale.h
   bool AutomaticPriority = true;               ///< see below
-  bool DrawsIdle = true;                       ///< see below
+  std::shared_ptr<const TriangleTree> Guide;   ///< see below; may be null
   Index SamplesPerRound = 1000000;             ///< others in each round, where there are more
   unsigned int RandomSeed = 1;                 ///< which these are
   std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts at all; may be empty
@@ -38,9 +40,12 @@ struct PolishOptions
 /// With AutomaticPriority
 /// - a sample counts in proportion to its distance in units of the root mean square, between 0.3
 ///   and 2.8: tips that a least-squares fit would cut off have a say;
-/// - where DrawsIdle is true, a neuron without samples is drawn along its normal to the nearest one
-/// that lies there, and so
-///   lids over hollows come down.
+/// - where there is no guide, a neuron without samples is drawn along its normal to the nearest one
+///   that lies there, and so lids over hollows come down.
+///
+/// A guide is a surface that knows what samples far from each other imply: neurons between them are
+/// drawn along their normals to it, lightly. Those over holes more than eight edges wide are then
+/// not drawn anywhere.
 ///
 /// @param[in,out] result  weights in the samples' unit, and the history, one record a round
 /// @return for each triangle the weight of the samples that have their feet in it in the last

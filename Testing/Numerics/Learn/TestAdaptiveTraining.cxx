@@ -451,3 +451,41 @@ TEST(AdaptiveTraining, RefusesWhatItCannotUse)
   refused([](auto& o) { o.AreaBalance = 1.1; });
   refused([](auto& o) { o.AreaBalance = std::numeric_limits<double>::quiet_NaN(); });
 }
+
+// An ellipsoid of which an end is missing: with winding numbers the hull, and what is learned from
+// it, go on round over the hole; by the distance they are flat there.
+TEST(AdaptiveTraining, GoesOnOverAHoleByWindingNumbers)
+{
+  const Points all = ellipsoid(9000, 3);
+  Points points(all.rows(), 3);
+  Index size = 0;
+  for (Index i = 0; i < all.rows(); ++i)
+  {
+    if (all(i, 0) < 0.45)
+    {
+      points.row(size++) = all.row(i);
+    }
+  }
+  points.conservativeResize(size, 3);
+  const TrainingSamples samples{ conformal::PointView(points) };
+  ConformalSOMOptions options;
+  options.Lattice = conformal::Lattice::Adaptive;
+  options.NumberOfNeurons = 1500;
+  options.StartingShape = conformal::StartingShape::Hull;
+  const auto volumeBy = [&](conformal::HullIndicator indicator)
+  {
+    options.HullIndicator = indicator;
+    const ConformalSOMResult result = trainAdaptive(samples, options, nullptr, {});
+    EXPECT_TRUE(conformal::checkGenusZero(result.Triangles, result.Positions.rows()).isGenusZero());
+    return conformal::signedVolume(result.Positions, result.Triangles) *
+      std::pow(samples.scale(), 3);
+  };
+  const double whole = 4.0 / 3.0 * Pi * 0.7 * 0.8;
+  // Cut off flat: (2 + 3 c - c^3) / 4 of it.
+  const double flat = whole * (2.0 + 3.0 * 0.45 - std::pow(0.45, 3)) / 4.0;
+  const double byDistance = volumeBy(conformal::HullIndicator::Distance);
+  const double byWindingNumbers = volumeBy(conformal::HullIndicator::WindingNumbers);
+  EXPECT_LT(byDistance, flat + 0.05 * whole);
+  EXPECT_GT(byWindingNumbers, flat + 0.05 * whole);
+  EXPECT_LT(byWindingNumbers, 1.03 * whole);
+}

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
 
 using conformal::ConformalSOMResult;
@@ -185,4 +186,39 @@ TEST(LeastSquaresPolish, DoesNotDependOnTheOrderOfBlocks)
   polish(samples, {}, one.Start);
   polish(samples, {}, other.Start, runs::backwards());
   EXPECT_EQ(one.Start.Positions, other.Start.Positions);
+}
+
+// Patterns on rings around an axis, far from each other on a coarse start: between them the surface
+// is flat, or as round as the guide.
+TEST(LeastSquaresPolish, FollowsAGuideBetweenPatterns)
+{
+  constexpr int rings = 7, perRing = 300;
+  const double pi = std::acos(-1.0);
+  Points cloud(rings * perRing + 2, 3);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int i = 0; i < perRing; ++i)
+    {
+      const double tilt = pi * (ring + 1) / (rings + 1), turn = 2.0 * pi * i / perRing;
+      cloud.row(ring * perRing + i) << std::sin(tilt) * std::cos(turn),
+        std::sin(tilt) * std::sin(turn), std::cos(tilt);
+    }
+  }
+  cloud.bottomRows(2) << 0.0, 0.0, 1.0, 0.0, 0.0, -1.0;
+  const TrainingSamples samples{ PointView(cloud) };
+  const conformal::Mesh sphere = conformal::makeGeodesicSphere(16);
+  const auto leastRadius = [&](const PolishOptions& options)
+  {
+    ConformalSOMResult result;
+    result.SpherePositions = result.Positions = sphere.Positions;
+    result.Triangles = sphere.Triangles;
+    polish(samples, options, result);
+    return result.Positions.rowwise().norm().minCoeff();
+  };
+  PolishOptions options;
+  const double without = leastRadius(options);
+  options.Guide = std::make_shared<conformal::TriangleTree>(sphere.Positions, sphere.Triangles);
+  const double with = leastRadius(options);
+  EXPECT_LT(without, 0.99);
+  EXPECT_GT(with, 0.99);
 }
