@@ -26,16 +26,16 @@ struct AdaptiveSphereLimits
   static constexpr double MinimumAngle = 28.0;
 };
 
-/// A closed triangle mesh of the unit sphere whose points lie as close as a density asks for, N^new
-/// of \cite Liou2008: "dense vertices in an area with fine texture".
+/// A closed triangle mesh of the unit sphere whose points lie as close as a density asks for, as
+/// the "dense vertices in an area with fine texture" of N^new in \cite Liou2008 section 3.
 ///
-/// Delaunay refinement of an icosahedron \cite Chew1993: the triangle that is farthest from the
-/// size wanted gets a point at the middle of its circumscribed circle, until there are as many
-/// points as wanted. Before that a triangle with an angle below MinimumAngle gets one. Such a point
-/// is farther from all others than the triangle's shortest edge is long, so that this comes to an
-/// end whatever the density, and makes the gradual transition that a jump of the density needs.
-/// Then points move to the middle of their triangles, and edges are flipped, as far as no angle
-/// falls below the bound.
+/// This is Delaunay refinement of an icosahedron, as in \cite Chew1993 for curved surfaces. The
+/// triangle that is farthest from the size wanted gets a point at the middle of its circumscribed
+/// circle, until there are as many points as wanted. Before that a triangle with an angle below
+/// MinimumAngle gets one. Such a point is farther from all others than the triangle's shortest edge
+/// is long, so that this comes to an end whatever the density, and makes the gradual transition
+/// that a jump of the density needs. Then points move to the middle of their triangles, and edges
+/// are flipped, as far as no angle falls below the bound.
 ///
 /// Implementation note: sizes get a random factor, else all triangles of a region of even density
 /// would be divided at the same time and a region that is divided last be coarser by 1.7.
