@@ -33,10 +33,15 @@ def triangulated(model):
     return triangles.GetOutput()
 
 
-def spread(model, count):
-    """Points evenly over the model's area; its vertices for a count of 0."""
-    points = (builtin_figure.even_samples(model, count, np.random.RandomState(1)) if count else
-              vtk_to_numpy(model.GetPoints().GetData()).astype(float))
+def spread(model, count, noise=0.0):
+    """Points evenly over the model's area, or its vertices for a count of 0; with Gaussian noise along
+    each axis, whose standard deviation is a share of the model's largest radius."""
+    random = np.random.RandomState(1)
+    vertices = vtk_to_numpy(model.GetPoints().GetData()).astype(float)
+    points = builtin_figure.even_samples(model, count, random) if count else vertices
+    if noise > 0.0:
+        radius = np.linalg.norm(vertices - vertices.mean(axis=0), axis=1).max()
+        points = points + noise * radius * random.standard_normal(points.shape)
     coordinates = vtkPoints()
     coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
     cloud = vtkPolyData()
@@ -104,10 +109,10 @@ def measured(mesh, model):
         fold_fraction(mesh), angle, 100.0 * obtuse, figure(distortion, "MeanQuasiConformalError"))))
 
 
-def compared(model, frequency=36, count=40000):
+def compared(model, frequency=36, count=40000, noise=0.0):
     """The columns of both lattices, and the ratio of the seconds of Adaptive and Geodesic."""
     model = triangulated(model)
-    cloud = spread(model, count)
+    cloud = spread(model, count, noise)
     rows, seconds = {}, []
     for lattice in LATTICES:
         mesh, taken = learned(cloud, lattice, frequency)
@@ -124,21 +129,29 @@ def main():
                         help="of the geodesic lattice, default 36; the other has as many neurons")
     parser.add_argument("--points", type=int, default=40000,
                         help="to learn from, default 40000; 0 for the model's vertices")
+    parser.add_argument("--noise", type=float, default=0.0,
+                        help="of the points: standard deviation along each axis, as a share of the "
+                             "model's largest radius; default 0")
     args = parser.parse_args()
+    if not 0.0 <= args.noise < 1.0:
+        parser.error("--noise must be at least 0 and less than 1")
     models = {}
     for path in args.model:
         reader = scan_files.scan_reader(path)
         reader.Update()
         models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
-    print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in COLUMNS))
+    columns = COLUMNS + (("of noise",) if args.noise > 0.0 else ())
+    print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in columns))
     for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():
-        rows, ratio = compared(model, args.frequency, args.points)
+        rows, ratio = compared(model, args.frequency, args.points, args.noise)
         for lattice, row in rows.items():
+            if args.noise > 0.0:
+                row["of noise"] = np.sqrt(row["p2s"]) / args.noise
             print(f"{name:<24}{lattice:<10}" + "".join(f"{value:>10.3g}" for value in row.values()))
         print(f"{'':<24}Adaptive takes {ratio:.2f} of Geodesic's time")
     print("Lengths: the model's largest radius is 1. p2s, s2p: mean square distances of the model's\n"
           "vertices to the mesh, and of the mesh to the model. angle: mean smallest, in degrees. K: of\n"
-          "the conformal map, 1 if angles are kept.")
+          "the conformal map, 1 if angles are kept. of noise: the root of p2s, as a share of the noise.")
 
 
 if __name__ == "__main__":

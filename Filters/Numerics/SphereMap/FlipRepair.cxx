@@ -3,6 +3,7 @@
 #include "Linear/HarmonicExtension.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -13,6 +14,10 @@ namespace
 constexpr int Rounds = 14;
 constexpr int KernelPasses = 5;
 constexpr int SweepsAfter = 15;
+
+// Then, at the ends of limbs, of so many rings, as much as it takes.
+constexpr int LimbRings[] = { 10, 20 };
+constexpr double Weakenings[] = { 0.25, 0.5, 1.0, 1.5 };
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
 class Repair
@@ -100,6 +105,24 @@ public:
     return false;
   }
 
+  // The same as a membrane that is weaker the smaller its triangles are now, which shrink less
+  // toward the end of a limb then: with a power p of their size by an exponent of sqrt(1 + p^2 / 4)
+  // - p / 2 instead of 1.
+  bool inflate(const std::vector<int>& patch, double weakening)
+  {
+    const std::vector<Vector3> before = this->placesOf(patch);
+    if (this->asMembrane(patch, weakening))
+    {
+      this->intoKernels(patch);
+      if (this->good(patch))
+      {
+        return true;
+      }
+    }
+    this->restore(patch, before);
+    return false;
+  }
+
 private:
   void take(int id, int mark, std::vector<int>& ids)
   {
@@ -147,7 +170,7 @@ private:
   }
 
   // False if the patch and its border do not lie well within one half of the sphere.
-  bool asMembrane(const std::vector<int>& patch)
+  bool asMembrane(const std::vector<int>& patch, double weakening = 0.0)
   {
     std::vector<int> ids = patch;
     const int mark = ++this->Mark;
@@ -199,8 +222,12 @@ private:
            ++k)
       {
         positive.Neighbors.Ids.push_back(localIds[this->Strings.Neighbors.Ids[k]]);
+        const int other = this->Strings.Neighbors.Ids[k];
+        constexpr double shortest = 1e-12; // that rounding leaves something of
+        const double length = (this->Positions[v] - this->Positions[other]).norm();
         positive.Weights.push_back(
-          std::clamp(this->Strings.Weights[k], WeakestString, StrongestString));
+          std::clamp(this->Strings.Weights[k], WeakestString, StrongestString) *
+          std::pow(std::max(length, shortest), weakening));
       }
       positive.Neighbors.Offsets.push_back(static_cast<int>(positive.Neighbors.Ids.size()));
     }
@@ -280,6 +307,25 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
         relaxVertices(positions, patches[i], rings, shapes, AnglesOnly, SweepsAfter);
       }
       run.report((round + static_cast<double>(i) / patches.size()) / Rounds);
+    }
+  }
+  for (const int around : LimbRings)
+  {
+    for (const double weakening : Weakenings)
+    {
+      const std::vector<int> bad = badTriangles(positions, triangles);
+      if (bad.empty())
+      {
+        return true;
+      }
+      for (const std::vector<int>& patch : repair.patches(bad, around))
+      {
+        if (2 * patch.size() < positions.size() && repair.inflate(patch, weakening))
+        {
+          relaxVertices(positions, patch, rings, shapes, AnglesOnly, SweepsAfter);
+        }
+        run.report(1.0);
+      }
     }
   }
   return badTriangles(positions, triangles).empty();

@@ -26,7 +26,9 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// Take the surroundings of each set of bad triangles, ring after ring, until they can be laid out
 /// anew inside their border: by moving vertices into the kernels of their stars, or as a membrane
 /// of strings made positive \cite Tutte1963 in the plane in which straight lines are great circles,
-/// where triangles have the orientation they have on the sphere.
+/// where triangles have the orientation they have on the sphere. At the ends of limbs, where
+/// nothing of the kind is large enough, the strings are weaker the shorter they are, so that
+/// triangles shrink less.
 /// @param[in] strings        cotangentWeights of the surface
 /// @param[in,out] positions  unit vectors; no good triangle becomes bad
 /// @return whether none is bad any more

@@ -22,7 +22,7 @@ constexpr int SweepsOfSmallMesh = 10;
 constexpr int SweepsOfMisshapen = 20;
 constexpr int RingsAround = 4;           // misshapen triangles
 constexpr double Misshapen = 1.5;        // Dirichlet energy over area, 1 being conformal
-constexpr double MaximumBadShare = 0.02; // of the triangles, to be repaired
+constexpr double MaximumBadShare = 0.06; // of the triangles, to be repaired
 constexpr double LimbShare = 0.01;       // of the mean area ratio, around a bad puncture
 
 std::vector<Vector3> toVector(const Points& points)

@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Mesh/Remeshing.h"
 #include "Runs.h"
 #include "Sphere/MoebiusTransform.h"
 #include "Sphere/SphereOrientation.h"
@@ -419,5 +420,27 @@ TEST(GlobalConformalMap, RefusesWhatItCannotMap)
   for (const auto& wrong : options)
   {
     EXPECT_THROW(mapOf(mesh, wrong), std::invalid_argument);
+  }
+}
+
+// The ends of a spindle are too small for numbers in a conformal map. They are mapped less so, but
+// the rest is left as it is.
+TEST(GlobalConformalMap, KeepsTheAnglesOfAllButTheEndsOfLimbs)
+{
+  for (const double length : { 12.0, 13.0 })
+  {
+    Mesh spindle = conformal::makeGeodesicSphere(24);
+    spindle.Positions = (spindle.Positions * Vector3(length, 1.0, 1.0).asDiagonal()).eval();
+    conformal::RemeshingOptions remeshing;
+    remeshing.NumberOfVertices = 4000;
+    remeshing.NumberOfIterations = 8;
+    remeshing.MeetNumber = true;
+    conformal::remesh(spindle, remeshing);
+    const GlobalConformalMapResult map = globalConformalMap(spindle);
+    const auto distortion =
+      conformal::measureDistortion(spindle.Positions, spindle.Triangles, map.Positions);
+    EXPECT_EQ(map.Tier, GlobalConformalTier::Repaired);
+    EXPECT_EQ(map.NumberOfFlippedTriangles, 0);
+    EXPECT_LT(distortion.MeanQuasiConformalError, 1.2);
   }
 }
