@@ -15,7 +15,7 @@ namespace conformal
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///
-/// \cite Barill2018: that of the surface averaged over balls with the width for a radius, which is
+/// \cite Barill2018, that of the surface averaged over balls with the width for a radius, which is
 /// smooth next to the points too. It is linear in the area vectors. Called A below.
 ///
 /// Sums over points far away are taken cluster by cluster, farther than four times half the

@@ -15,8 +15,8 @@ struct RemeshingOptions
   bool MeetNumber = false;        ///< exactly, and end with Delaunay flips
 };
 
-/// Remesh a closed surface with edges of equal length, \cite Botsch2004: edges longer than 4/3 of
-/// it are split, longest first; edges shorter than 4/5 are collapsed, shortest first; edges are
+/// Remesh a closed surface with edges of equal length \cite Botsch2004. Edges longer than 4/3 of it
+/// are split, longest first; edges shorter than 4/5 are collapsed, shortest first; edges are
 /// flipped towards six neighbors for each vertex; vertices move along the surface to the middle of
 /// their triangles. The length is what as many vertices as wanted need on the surface's area.
 ///

@@ -15,8 +15,8 @@ namespace conformal
 /// triangle across an edge takes the side of one plane. A vertex between triangles whose smoothed
 /// normals are more than 37 degrees apart belongs to the edge, if most of the area around it has
 /// its smoothed normal anyway: on a bend, or amid noise, it does not. It moves to where it is
-/// closest to the planes of that area, \cite Kobbelt2001: onto the edge of two, or into the corner
-/// of three.
+/// closest to the planes of that area, onto the edge of two or into the corner of three
+/// \cite Kobbelt2001.
 ///
 /// It stays, or goes half or a quarter of the way, where a triangle would turn by a right angle
 /// or more, become a needle, or fold on to another.

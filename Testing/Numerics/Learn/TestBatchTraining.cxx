@@ -83,9 +83,7 @@ TEST(BatchTraining, LearnsFromTheSphereAlone)
   Points needle = egg;
   needle.col(0) *= 12.0;
   const auto learned = [](const Points& points, StartingShape shape)
-  {
-    return conformal::learnWithoutPolish(TrainingSamples{ PointView(points) }, fast(shape), {});
-  };
+  { return conformal::learnWithoutPolish(TrainingSamples{ PointView(points) }, fast(shape), {}); };
   const auto result = learned(egg, StartingShape::Automatic);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->History.size(), 10U); // two levels of five passes
