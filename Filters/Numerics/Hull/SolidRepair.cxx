@@ -15,8 +15,9 @@ namespace
 /// What a node costs on a way or in a repair, besides how much the indicator is against it.
 constexpr double NodeCost = 0.02;
 
-constexpr double TinyPiece = 0.0005; ///< of all nodes inside
-constexpr double ReachOfPiece = 1.5; ///< in units of the side of a cube of as many nodes
+constexpr double TinyPiece = 0.0005;  ///< of all nodes inside
+constexpr double ReachOfPiece = 1.0;  ///< in units of the side of a cube of as many nodes
+constexpr double FarthestReach = 0.1; ///< in units of the largest radius
 constexpr int NumberOfRounds = 3;
 constexpr double Definite = 0.25; ///< off the level
 
@@ -219,7 +220,9 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
       {
         open += inside[node] == outside;
       }
-      if (static_cast<double>(open) > ReachOfPiece * std::cbrt(static_cast<double>(piece.size())))
+      const double reach = std::min(ReachOfPiece * std::cbrt(static_cast<double>(piece.size())),
+        FarthestReach / lattice.Spacing);
+      if (static_cast<double>(open) > reach)
       {
         mark(piece, outside);
         continue;

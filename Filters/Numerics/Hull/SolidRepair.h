@@ -14,7 +14,8 @@ namespace conformal
 {
 /// Join the pieces of a solid to the largest one, by the ways along which the indicator is missing
 /// least to its level. So limbs come back that are too thin for the points to hold together. What
-/// is tiny, or farther away than it is wide, is no part of the object and left out.
+/// is tiny, farther away than it is wide, or farther than a tenth of the largest radius, is no part
+/// of the object and left out.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the lattice's faces
 /// @return the number of nodes on the ways

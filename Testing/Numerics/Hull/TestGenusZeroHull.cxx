@@ -567,3 +567,25 @@ TEST(GenusZeroHull, WrapsTheBunny)
       (conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3)),
     1.0, 0.1);
 }
+
+// What is apart from the largest piece is left out, whichever way tells what is inside.
+TEST(GenusZeroHull, LeavesOutWhatIsApartByEitherIndicator)
+{
+  const Points large = pointsOf(8000, onSphere);
+  Points small = 0.8 * pointsOf(6000, onSphere);
+  small.col(0).array() += 3.0;
+  const Points both = stack(large, small);
+  const TrainingSamples samples{ PointView(both) };
+  GenusZeroHullOptions options = spaced(0.03);
+  for (const conformal::HullIndicator indicator :
+    { conformal::HullIndicator::Distance, conformal::HullIndicator::WindingNumbers })
+  {
+    options.Indicator = indicator;
+    const GenusZeroHullResult hull = hullOf(both, options);
+    EXPECT_EQ(hull.Indicator, indicator);
+    EXPECT_EQ(hull.NumberOfSamplesOutside, 6000);
+    const double volume =
+      conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3);
+    EXPECT_NEAR(volume, 4.0 / 3.0 * Pi, 1.0); // the distance's is larger by the offset
+  }
+}

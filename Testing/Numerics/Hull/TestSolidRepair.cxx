@@ -23,6 +23,7 @@ FreudenthalLattice cube(int size)
 {
   FreudenthalLattice lattice;
   lattice.Size = { size, size, size };
+  lattice.Spacing = 0.01;
   return lattice;
 }
 
