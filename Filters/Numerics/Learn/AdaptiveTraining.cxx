@@ -213,9 +213,7 @@ double smoothnessFor(const Noise& noise, const ConformalSOMResult& result, Index
     ? noise.Variance / (bending * bending * static_cast<double>(patterns) / neurons)
     : 0.0;
 }
-}
-
-ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
+ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const Mesh* start, const Run& run)
 {
   const Index neurons = options.NumberOfNeurons;
@@ -280,6 +278,24 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);
+  return result;
+}
+}
+
+ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const Mesh* start, const Run& run)
+{
+  // Webs in deep folds show only when the surface is polished; then it is learned anew, as batch
+  // training does. That is rare, and little of the progress is kept for it.
+  constexpr double webs = 0.001, share = 0.95;
+  ConformalSOMResult result = trainFrom(samples, options, start, run.part(0.0, share));
+  if (!start && !result.Hulled && result.UnsupportedFraction > webs &&
+    options.StartingShape == StartingShape::Automatic)
+  {
+    ConformalSOMOptions hulled = options;
+    hulled.StartingShape = StartingShape::Hull;
+    result = trainFrom(samples, hulled, nullptr, run.part(share, 1.0));
+  }
   return result;
 }
 }
