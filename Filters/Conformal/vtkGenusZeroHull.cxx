@@ -96,7 +96,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "Indicator", static_cast<long long>(hull.Indicator));
   AddNumber(data, "NormalsUsed", static_cast<long long>(hull.NormalsUsed));
   addLength("KernelWidth", hull.Width);
-  addLength("LatticeSpacing", hull.Spacing);
+  addLength("GridSpacing", hull.Spacing);
   AddNumber(data, "NumberOfInsideNodes", static_cast<long long>(hull.NumberOfInsideNodes));
   AddNumber(data, "SolidEulerNumber", static_cast<long long>(hull.EulerNumber));
   AddNumber(data, "NumberOfCutNodes", static_cast<long long>(hull.NumberOfCutNodes));

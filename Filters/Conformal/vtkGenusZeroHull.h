@@ -17,12 +17,12 @@
  * - "NormalsUsed" (idtype): 1 if normals were given and told what is outside.
  * - "KernelWidth" (double): the radius over which winding numbers were averaged; wider with noise.
  * 0 for DISTANCE.
- * - "LatticeSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
- * - "NumberOfInsideNodes" (idtype): lattice nodes inside; for DISTANCE those farther from the
+ * - "GridSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
+ * - "NumberOfInsideNodes" (idtype): grid nodes inside; for DISTANCE those farther from the
  * points than the offset. 0 means that the points enclose nothing.
  * - "SolidEulerNumber" (idtype): of what the hull is the surface of, before handles were cut: 1
  *   minus the number of handles.
- * - "NumberOfCutNodes" (idtype): lattice nodes taken away, or added, to open the handles.
+ * - "NumberOfCutNodes" (idtype): grid nodes taken away, or added, to open the handles.
  * - "HoleWidth", "HoleDepth" (double): of the largest hole in the data that was closed, the
  * distance from its middle to the nearest point, and the largest such distance inside, behind the
  * hole. 0 where there is none, and for WINDING_NUMBERS. The nearer they are, the less certain is
@@ -43,7 +43,7 @@
  * curved seamless surface", Neurocomputing 71 (2008)), but of use to it: its method starts from a
  * closed surface of genus zero, and this one has no webs between limbs.
  *
- * The distance to the points is found on a lattice and the surface taken at a small offset. Inside
+ * The distance to the points is found on a grid and the surface taken at a small offset. Inside
  * and outside are told apart by persistence: a hole in the data is closed if what lies behind it is
  * wider than the hole by the factor Persistence. Limbs closer than twice the offset are joined by
  * it, and parted again in the middle between them.
@@ -95,9 +95,9 @@ public:
 
   ///@{
   /**
-   * Spacing of the lattice, as a fraction of the largest distance of a point from the centroid.
+   * Spacing of the grid, as a fraction of the largest distance of a point from the centroid.
    * Gaps of two spacings or less are closed. In [0.002, 0.2]. Default is 0.016. Time and memory
-   * grow with the number of lattice nodes in the points' bounding box, 17 bytes a node: 2 million
+   * grow with the number of grid nodes in the points' bounding box, 17 bytes a node: 2 million
    * of them around a sphere by default, 8 times as many with half the spacing. More than
    * 268,435,456 (4.6 GB) are an error, which says the smallest spacing possible for these points.
    * For a sphere that is 0.00315; the flatter or thinner the object, the smaller it is.

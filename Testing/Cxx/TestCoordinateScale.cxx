@@ -182,7 +182,7 @@ void Gather(Results& results, const std::string& name, vtkDataArray* array,
 Results Run(
   vtkAlgorithm* filter, std::set<std::string> lengths = {}, const std::set<std::string>& areas = {})
 {
-  lengths.insert({ "Points", "QuantizationError", "KernelWidth", "LatticeSpacing", "HoleWidth",
+  lengths.insert({ "Points", "QuantizationError", "KernelWidth", "GridSpacing", "HoleWidth",
     "HoleDepth", "Distance" });
   Results results;
   const contract::Observed observed(filter);

@@ -31,7 +31,7 @@ namespace
 const char* const Counts[] = { "CloudDimension", "Indicator", "NormalsUsed", "NumberOfInsideNodes",
   "SolidEulerNumber", "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside",
   "NumberOfPointsInside" };
-const char* const Lengths[] = { "KernelWidth", "LatticeSpacing", "HoleWidth", "HoleDepth" };
+const char* const Lengths[] = { "KernelWidth", "GridSpacing", "HoleWidth", "HoleDepth" };
 constexpr double Pi = 3.14159265358979323846;
 
 // A sphere's points, evenly spread.
@@ -160,7 +160,7 @@ TEST_F(GenusZeroHull, KnowsASphere)
   this->Filter->GetOutput()->GetCenter(center);
   EXPECT_NEAR(center[0], 5.0, 0.01);
   EXPECT_NEAR(center[1], 0.0, 0.01);
-  EXPECT_NEAR(this->Figure("LatticeSpacing"), 0.1, 1e-6);
+  EXPECT_NEAR(this->Figure("GridSpacing"), 0.1, 1e-6);
   EXPECT_EQ(this->Figure("CloudDimension"), 3);
   EXPECT_EQ(this->Figure("SolidEulerNumber"), 1);
   EXPECT_EQ(this->Figure("NumberOfCutNodes"), 0);
@@ -429,7 +429,7 @@ TEST_F(GenusZeroHull, RefusesParametersThatAreNoNumbers)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   this->Filter->SetSpacing(nan);
   this->Filter->Update();
-  EXPECT_NE(observed.ErrorMessage().find("lattice's spacing"), std::string::npos);
+  EXPECT_NE(observed.ErrorMessage().find("grid's spacing"), std::string::npos);
   this->ExpectEmpty();
   this->Filter->SetSpacing(0.1);
   this->Filter->SetOffset(nan);

@@ -19,7 +19,7 @@ namespace
 {
 constexpr Index SamplesPerBlock = 1 << 12;
 constexpr int PlanesPerReport = 16;
-constexpr double SamplesPerSquare = 32.0; // of the lattice's spacing
+constexpr double SamplesPerSquare = 32.0; // of the grid's spacing
 
 // A second round brings seeds round corners that the first could not turn.
 constexpr int NumberOfSweeps = 6;
@@ -28,10 +28,10 @@ constexpr int NumberOfSweeps = 6;
 constexpr double WorkOfStray = 1700.0, WorkOfIsolated = 3.0, WorkOfSweep = 9.0;
 
 // How many samples count, of all processes.
-double numberOfSelected(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+double numberOfSelected(const FreudenthalGrid& grid, const TrainingSamples& samples)
 {
-  return std::min(static_cast<double>(samples.totalSize()),
-    SamplesPerSquare / (lattice.Spacing * lattice.Spacing));
+  return std::min(
+    static_cast<double>(samples.totalSize()), SamplesPerSquare / (grid.Spacing * grid.Spacing));
 }
 
 // A square distance above, an id below: as integers, these compare by distance, then by id.
@@ -53,13 +53,13 @@ float squareDistanceOf(Entry entry)
   return squareDistance;
 }
 
-// Nodes along the axes that a lattice needs to hold a box, without a margin.
+// Nodes along the axes that a grid needs to hold a box, without a margin.
 Vector3 stepsOver(const Box& bounds, double spacing)
 {
   return ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
 }
 
-// The smallest spacing of a lattice that does not have too many nodes, rounded up to a millionth.
+// The smallest spacing of a grid that does not have too many nodes, rounded up to a millionth.
 double minimumSpacing(const Box& bounds, double tooSmall, int margin)
 {
   const auto fits = [&](double spacing)
@@ -85,14 +85,13 @@ double minimumSpacing(const Box& bounds, double tooSmall, int margin)
 class NearestSamples
 {
 public:
-  NearestSamples(const FreudenthalLattice& lattice, const TrainingSamples& samples, const Run& run)
-    : Lattice(lattice)
-    , Taken(
-        selectSamples(samples, SamplesPerSquare / (lattice.Spacing * lattice.Spacing)).Positions)
+  NearestSamples(const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run)
+    : Grid(grid)
+    , Taken(selectSamples(samples, SamplesPerSquare / (grid.Spacing * grid.Spacing)).Positions)
     , Threads(run.unwatched())
-    , Entries(lattice.numberOfNodes())
+    , Entries(grid.numberOfNodes())
   {
-    forBlocks(this->Threads, lattice.numberOfNodes(), 1 << 16,
+    forBlocks(this->Threads, grid.numberOfNodes(), 1 << 16,
       [&](Index begin, Index end)
       {
         for (Index node = begin; node < end; ++node)
@@ -108,7 +107,7 @@ public:
   // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
   void scatter(const Run& run)
   {
-    const std::array<int, 8> steps = this->Lattice.cornerSteps();
+    const std::array<int, 8> steps = this->Grid.cornerSteps();
     forBlocksReporting(run, this->Taken.rows(), SamplesPerBlock,
       [&](Index begin, Index end)
       {
@@ -133,7 +132,7 @@ public:
       });
   }
 
-  // Forget samples whose cubes' corners make up a small piece of the lattice, if they are few and
+  // Forget samples whose cubes' corners make up a small piece of the grid, if they are few and
   // the cloud is dense, so that there is a meaning in being alone.
   void dropIsolated(const Run& run)
   {
@@ -141,7 +140,7 @@ public:
     constexpr std::size_t maximumIsolated = 32; // corners of four cubes that are apart
     constexpr Index nodesPerSample = 4;         // 8 for a cube alone, 1 or 2 for a sheet of cubes
     constexpr Index minimumRatio = 20;          // of all samples to those isolated
-    const Index size = this->Lattice.numberOfNodes();
+    const Index size = this->Grid.numberOfNodes();
     std::vector<std::uint8_t> marks(size);
     Index numberTouched = 0;
     for (Index node = 0; node < size; ++node)
@@ -158,7 +157,7 @@ public:
     {
       if (marks[node] == touched)
       {
-        markPiece(this->Lattice, marks, static_cast<int>(node), large, piece, run);
+        markPiece(this->Grid, marks, static_cast<int>(node), large, piece, run);
         if (piece.size() <= maximumIsolated)
         {
           isolated.insert(isolated.end(), piece.begin(), piece.end());
@@ -187,7 +186,7 @@ public:
   // From now on ids name places in a small table: nodes share few samples of a large cloud.
   void gatherSeeds(const Run& run)
   {
-    forBlocksReporting(run.inOrder(), this->Lattice.numberOfNodes(), 1 << 10,
+    forBlocksReporting(run.inOrder(), this->Grid.numberOfNodes(), 1 << 10,
       [&](Index begin, Index end)
       {
         for (Index node = begin; node < end; ++node)
@@ -209,7 +208,7 @@ public:
   void sweep(int axis, const Run& run)
   {
     // Planes that hold the lines; within them, steps along the lines and across.
-    const std::array<int, 3>& size = this->Lattice.Size;
+    const std::array<int, 3>& size = this->Grid.Size;
     const int normal = axis == 2 ? 1 : 2;
     const int groups = (size[normal] + PlanesPerReport - 1) / PlanesPerReport;
     for (int group = 0; group < groups; ++group)
@@ -251,13 +250,13 @@ private:
   Entry entry(Index node) const { return this->Entries[node].load(std::memory_order_relaxed); }
   Eigen::Vector3f place(Index sample) const
   {
-    return this->Lattice.toLattice(this->Taken.row(sample)).cast<float>();
+    return this->Grid.toGrid(this->Taken.row(sample)).cast<float>();
   }
   // The lowest corner of the cube a place is in.
   int cubeOf(const Eigen::Vector3f& x) const
   {
     const Eigen::Vector3i low = x.array().floor().cast<int>();
-    return this->Lattice.node(low[0], low[1], low[2]);
+    return this->Grid.node(low[0], low[1], low[2]);
   }
 
   void offer(int node, Entry entry)
@@ -271,10 +270,10 @@ private:
 
   void sweepRows(int z)
   {
-    const std::array<int, 3>& size = this->Lattice.Size;
+    const std::array<int, 3>& size = this->Grid.Size;
     for (int y = 0; y < size[1]; ++y)
     {
-      const int row = this->Lattice.node(0, y, z);
+      const int row = this->Grid.node(0, y, z);
       for (int x = 1; x < size[0]; ++x)
       {
         this->handOn(row + x - 1, row + x, { x, y, z });
@@ -289,7 +288,7 @@ private:
   // Whole rows at a time, as they lie in memory.
   void sweepPlane(int axis, int normal, int plane)
   {
-    const std::array<int, 3>& size = this->Lattice.Size;
+    const std::array<int, 3>& size = this->Grid.Size;
     Eigen::Vector3i start = Eigen::Vector3i::Zero();
     start[normal] = plane;
     const auto handOnRow = [&](int from, int to)
@@ -297,8 +296,8 @@ private:
       Eigen::Vector3i source = start, place = start;
       source[axis] = from;
       place[axis] = to;
-      const int fromNode = this->Lattice.node(0, source[1], source[2]);
-      const int toNode = this->Lattice.node(0, place[1], place[2]);
+      const int fromNode = this->Grid.node(0, source[1], source[2]);
+      const int toNode = this->Grid.node(0, place[1], place[2]);
       for (int x = 0; x < size[0]; ++x)
       {
         this->handOn(fromNode + x, toNode + x, { x, place[1], place[2] });
@@ -327,25 +326,25 @@ private:
     this->Entries[to].store(std::min(ours, makeEntry(square, seed)), std::memory_order_relaxed);
   }
 
-  const FreudenthalLattice& Lattice;
+  const FreudenthalGrid& Grid;
   const Points Taken;              ///< the samples that count
   const Run Threads;               // nobody watches
   std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
-  std::vector<Eigen::Vector3f> Seeds; ///< in lattice coordinates
+  std::vector<Eigen::Vector3f> Seeds; ///< in grid coordinates
 };
 }
 
 //------------------------------------------------------------------------------
-double workOfDistances(const FreudenthalLattice& lattice, const TrainingSamples& samples)
+double workOfDistances(const FreudenthalGrid& grid, const TrainingSamples& samples)
 {
   return (8.0 + WorkOfIsolated + NumberOfSweeps * WorkOfSweep) *
-    static_cast<double>(lattice.numberOfNodes()) +
-    (WorkOfStray + 95.0) * numberOfSelected(lattice, samples);
+    static_cast<double>(grid.numberOfNodes()) +
+    (WorkOfStray + 95.0) * numberOfSelected(grid, samples);
 }
 
 //------------------------------------------------------------------------------
-FreudenthalLattice latticeAround(
+FreudenthalGrid gridAround(
   const TrainingSamples& samples, double spacing, int margin, const Run& run)
 {
   std::vector<Box> boxes((samples.size() + SamplesPerBlock - 1) / SamplesPerBlock);
@@ -370,47 +369,47 @@ FreudenthalLattice latticeAround(
     bounds.Lower = bounds.Lower.cwiseMin(Eigen::Map<const Vector3>(corners.data() + i));
     bounds.Upper = bounds.Upper.cwiseMax(Eigen::Map<const Vector3>(corners.data() + i + 3));
   }
-  return latticeAround(bounds, spacing, margin);
+  return gridAround(bounds, spacing, margin);
 }
 
 //------------------------------------------------------------------------------
-FreudenthalLattice latticeAround(const Box& bounds, double spacing, int margin)
+FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin)
 {
   const Vector3 steps = stepsOver(bounds, spacing);
   const double nodes = (steps.array() + 2.0 * margin).prod();
   if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))
   {
-    throw std::length_error("a lattice of spacing " + std::to_string(spacing) +
+    throw std::length_error("a grid of spacing " + std::to_string(spacing) +
       " times the largest radius would have " + std::to_string(std::llround(nodes)) +
       " nodes around these points; the limit is " + std::to_string(MaximumNumberOfNodes) +
       ", and the smallest spacing possible here " +
       std::to_string(minimumSpacing(bounds, spacing, margin)));
   }
-  FreudenthalLattice lattice;
-  lattice.Spacing = spacing;
+  FreudenthalGrid grid;
+  grid.Spacing = spacing;
   // The cloud in the middle, no sample on the last node of an axis.
-  lattice.Origin =
+  grid.Origin =
     0.5 * (bounds.Lower + bounds.Upper) - spacing * (0.5 * (steps.array() - 1.0) + margin).matrix();
   for (int axis = 0; axis < 3; ++axis)
   {
-    lattice.Size[axis] = static_cast<int>(steps[axis]) + 2 * margin;
+    grid.Size[axis] = static_cast<int>(steps[axis]) + 2 * margin;
   }
-  return lattice;
+  return grid;
 }
 
 //------------------------------------------------------------------------------
 std::vector<float> distanceToSamples(
-  const FreudenthalLattice& lattice, const TrainingSamples& samples, const Run& run)
+  const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run)
 {
-  const auto nodes = static_cast<double>(lattice.numberOfNodes());
-  const double size = numberOfSelected(lattice, samples);
+  const auto nodes = static_cast<double>(grid.numberOfNodes());
+  const double size = numberOfSelected(grid, samples);
   std::vector<double> work = { 3.0 * nodes + 10.0 * size, WorkOfStray * size, 85.0 * size,
     WorkOfIsolated * nodes, 3.0 * nodes };
   work.insert(work.end(), NumberOfSweeps, WorkOfSweep * nodes);
   work.push_back(2.0 * nodes);
   Steps steps(run, work);
   steps.next();
-  NearestSamples nearest(lattice, samples, run);
+  NearestSamples nearest(grid, samples, run);
   nearest.dropStray(steps.next());
   nearest.scatter(steps.next());
   nearest.dropIsolated(steps.next());

@@ -58,12 +58,12 @@ private:
 };
 
 // The node each node climbs to, one step up.
-std::vector<int> climbOneStep(const FreudenthalLattice& lattice,
-  const std::vector<float>& distances, float offset, const Run& run)
+std::vector<int> climbOneStep(
+  const FreudenthalGrid& grid, const std::vector<float>& distances, float offset, const Run& run)
 {
   std::vector<int> above(distances.size(), 0); // the faces are one basin, that of node 0
-  const std::array<int, 14> steps = lattice.neighborSteps();
-  forInnerRows(lattice, run,
+  const std::array<int, 14> steps = grid.neighborSteps();
+  forInnerRows(grid, run,
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -152,12 +152,12 @@ Basins numberBasins(std::vector<int> above, const std::vector<float>& distances,
 }
 
 // The highest saddle between every two basins that touch, highest first.
-std::vector<Saddle> findSaddles(const FreudenthalLattice& lattice, const std::vector<int>& basins,
+std::vector<Saddle> findSaddles(const FreudenthalGrid& grid, const std::vector<int>& basins,
   const std::vector<float>& distances, const Run& run)
 {
   std::unordered_map<std::uint64_t, float> heights;
-  const std::array<int, 14> steps = lattice.neighborSteps();
-  forInnerRows(lattice, run.inOrder(),
+  const std::array<int, 14> steps = grid.neighborSteps();
+  forInnerRows(grid, run.inOrder(),
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -194,7 +194,7 @@ std::vector<Saddle> findSaddles(const FreudenthalLattice& lattice, const std::ve
 
 // Of all directions, the share in which data are seen from a node.
 double enclosure(
-  const FreudenthalLattice& lattice, const std::vector<float>& distances, double offset, int node)
+  const FreudenthalGrid& grid, const std::vector<float>& distances, double offset, int node)
 {
   static const Points directions = makeGeodesicSphere(4).Positions;
   Index seen = 0;
@@ -202,16 +202,16 @@ double enclosure(
   {
     // No data are nearer than the distance; nodes are up to one spacing off the ray.
     const Vector3 direction = directions.row(i);
-    Vector3 x = lattice.coordinates(node).cast<double>();
+    Vector3 x = grid.coordinates(node).cast<double>();
     float distance = distances[node];
-    const auto within = [&](int axis) { return x[axis] > 0.0 && x[axis] < lattice.Size[axis] - 1; };
+    const auto within = [&](int axis) { return x[axis] > 0.0 && x[axis] < grid.Size[axis] - 1; };
     while (distance > offset && within(0) && within(1) && within(2))
     {
       x += std::max(0.5, distance - 1.0) * direction;
       if (within(0) && within(1) && within(2))
       {
         const Eigen::Vector3i nearest = x.array().round().cast<int>();
-        distance = distances[lattice.node(nearest[0], nearest[1], nearest[2])];
+        distance = distances[grid.node(nearest[0], nearest[1], nearest[2])];
       }
     }
     seen += distance <= offset;
@@ -278,8 +278,8 @@ Division divide(
 }
 
 // The basin that is most likely inside of a cloud that leaks, or -1.
-int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& distances,
-  double offset, const Basins& basins, const std::vector<LostBasin>& lost)
+int findLikeliest(const FreudenthalGrid& grid, const std::vector<float>& distances, double offset,
+  const Basins& basins, const std::vector<LostBasin>& lost)
 {
   constexpr double minimumEnclosure = 2.0 / 3.0;
   int best = -1;
@@ -287,7 +287,7 @@ int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& d
   for (const LostBasin& basin : lost)
   {
     if (basin.Peak - basin.Saddle > rise &&
-      enclosure(lattice, distances, offset, basins.Tops[basin.Basin]) >= minimumEnclosure)
+      enclosure(grid, distances, offset, basins.Tops[basin.Basin]) >= minimumEnclosure)
     {
       best = basin.Basin;
       rise = basin.Peak - basin.Saddle;
@@ -298,11 +298,11 @@ int findLikeliest(const FreudenthalLattice& lattice, const std::vector<float>& d
 }
 
 //------------------------------------------------------------------------------
-OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
-  double offset, double persistence, const Run& run)
+OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,
+  double persistence, const Run& run)
 {
   Steps steps(run, { 25.0, 12.0, 14.0, 4.0 }); // for each node
-  const std::array<int, 3>& size = lattice.Size;
+  const std::array<int, 3>& size = grid.Size;
   for (int z = 0; z < size[2]; ++z)
   {
     for (int y = 0; y < size[1]; ++y)
@@ -310,14 +310,13 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
       const bool face = z == 0 || z == size[2] - 1 || y == 0 || y == size[1] - 1;
       for (int x = 0; x < size[0]; x += face ? 1 : size[0] - 1)
       {
-        distances[lattice.node(x, y, z)] = std::numeric_limits<float>::max();
+        distances[grid.node(x, y, z)] = std::numeric_limits<float>::max();
       }
     }
   }
-  std::vector<int> above =
-    climbOneStep(lattice, distances, static_cast<float>(offset), steps.next());
+  std::vector<int> above = climbOneStep(grid, distances, static_cast<float>(offset), steps.next());
   const Basins basins = numberBasins(std::move(above), distances, steps.next());
-  const std::vector<Saddle> saddles = findSaddles(lattice, basins.Of, distances, steps.next());
+  const std::vector<Saddle> saddles = findSaddles(grid, basins.Of, distances, steps.next());
   steps.next();
 
   OutsideNodes result;
@@ -326,7 +325,7 @@ OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& 
   const Index near = std::count(basins.Of.begin(), basins.Of.end(), NotBeyond);
   if (static_cast<double>(division.NumberOfInsideNodes) < minimumShare * static_cast<double>(near))
   {
-    const int likeliest = findLikeliest(lattice, distances, offset, basins, division.Lost);
+    const int likeliest = findLikeliest(grid, distances, offset, basins, division.Lost);
     if (likeliest >= 0)
     {
       division = divide(saddles, basins, persistence, likeliest);

@@ -5,7 +5,7 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
-#include "Hull/FreudenthalLattice.h"
+#include "Hull/FreudenthalGrid.h"
 
 #include <cstdint>
 #include <vector>
@@ -39,12 +39,12 @@ struct OutsideNodes
 /// outside, among those that rise by a tenth and from whose peak data are seen in two thirds of all
 /// directions.
 ///
-/// @param[in,out] distances  of each node, in any unit; those of the lattice's faces are set to the
+/// @param[in,out] distances  of each node, in any unit; those of the grid's faces are set to the
 ///                           largest float, since they are outside whatever they are
 /// @param[in] offset         in the unit of the distances
 /// @param[in] persistence    at least 1
-OutsideNodes findOutside(const FreudenthalLattice& lattice, std::vector<float>& distances,
-  double offset, double persistence, const Run& run = {});
+OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,
+  double persistence, const Run& run = {});
 }
 
 #endif

@@ -2,8 +2,8 @@
 
 #include "Base/Steps.h"
 #include "Hull/CloudDistance.h"
+#include "Hull/GridSolid.h"
 #include "Hull/IndicatorSolid.h"
-#include "Hull/LatticeSolid.h"
 #include "Hull/LevelSetSurface.h"
 #include "Mesh/GenusZeroCheck.h"
 
@@ -50,18 +50,18 @@ Index countSamples(const TrainingSamples& samples, const HullData& data, const R
 
 // Of the nodes next to data, 1, leave those that hang together with one next to the outside.
 // Returns how many are left out.
-Index keepSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+Index keepSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   std::vector<std::uint8_t>& nodes, const Run& run)
 {
   constexpr std::uint8_t inner = 1, surface = 2;
-  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::array<int, 14> steps = grid.neighborSteps();
   std::vector<int> piece;
   for (int node = 0; node < static_cast<int>(nodes.size()); ++node)
   {
     if (nodes[node] == inner &&
       std::any_of(steps.begin(), steps.end(), [&](int step) { return !inside[node + step]; }))
     {
-      markPiece(lattice, nodes, node, surface, piece, run);
+      markPiece(grid, nodes, node, surface, piece, run);
     }
   }
   Index leftOut = 0;
@@ -85,25 +85,25 @@ Index countInside(
 }
 
 // Of the largest cut that handles need, however well it avoids the data, the nodes near these.
-Index countCutData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& solid,
+Index countCutData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& solid,
   const std::vector<float>& distances, double offset, const Run& run)
 {
-  // Data as dense as the lattice have nodes this near in a row, without a gap.
+  // Data as dense as the grid have nodes this near in a row, without a gap.
   constexpr double nearness = 0.6; // offsets
   std::vector<std::uint8_t> opened = solid;
-  cutHandles(lattice, opened, distances, offset, HandleCut::FarFromData, run);
-  return largestCutNearData(lattice, solid, opened, distances, nearness * offset);
+  cutHandles(grid, opened, distances, offset, HandleCut::FarFromData, run);
+  return largestCutNearData(grid, solid, opened, distances, nearness * offset);
 }
 
-void addSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+void addSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, int smoothingPasses, const Run& run,
   GenusZeroHullResult& result)
 {
-  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const auto nodes = static_cast<double>(grid.numberOfNodes());
   const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
   Steps steps(
     run, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
-  Mesh surface = makeLevelSetSurface(lattice, inside, values, level, steps.next());
+  Mesh surface = makeLevelSetSurface(grid, inside, values, level, steps.next());
   smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, steps.next());
   result.Positions.swap(surface.Positions);
   result.Triangles.swap(surface.Triangles);
@@ -114,23 +114,23 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
 {
   const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
   const auto size = static_cast<double>(samples.size());
-  Steps steps(run, { 1.0, 20.0 }); // until the lattice is known
-  const FreudenthalLattice lattice = latticeAround(samples, spacing, margin, steps.next());
-  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  Steps steps(run, { 1.0, 20.0 }); // until the grid is known
+  const FreudenthalGrid grid = gridAround(samples, spacing, margin, steps.next());
+  const auto nodes = static_cast<double>(grid.numberOfNodes());
   const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
   // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
   // samples outside, data hidden inside, the surface and its smoothing.
-  steps.replan({ workOfDistances(lattice, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
+  steps.replan({ workOfDistances(grid, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
     22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes,
     12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
-  std::vector<float> distances = distanceToSamples(lattice, samples, steps.next());
+  std::vector<float> distances = distanceToSamples(grid, samples, steps.next());
 
   GenusZeroHullResult result;
   result.Spacing = spacing;
   std::vector<std::uint8_t> inside;
   {
     OutsideNodes outside =
-      findOutside(lattice, distances, options.Offset, options.Persistence, steps.next());
+      findOutside(grid, distances, options.Offset, options.Persistence, steps.next());
     result.Leaks = outside.Leaks;
     result.LargestHole = { outside.LargestHole.Saddle * spacing,
       outside.LargestHole.Peak * spacing };
@@ -140,20 +140,20 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   {
     mark = !mark;
   }
-  keepLargestPiece(lattice, inside, steps.next());
+  keepLargestPiece(grid, inside, steps.next());
   const Run counting = steps.next();
   result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
-  result.EulerNumber = eulerNumber(lattice, inside, counting);
+  result.EulerNumber = eulerNumber(grid, inside, counting);
   const Run cutting = steps.next();
   if (result.EulerNumber != 1)
   {
     const std::vector<std::uint8_t> uncut = inside;
     result.NumberOfCutNodes = cutHandles(
-      lattice, inside, distances, options.Offset, HandleCut::HalfWay, cutting.part(0.0, 0.5));
+      grid, inside, distances, options.Offset, HandleCut::HalfWay, cutting.part(0.0, 0.5));
     result.NumberOfCutInsideNodes =
       result.NumberOfInsideNodes - countInside(inside, distances, options.Offset);
     result.NumberOfCutDataNodes =
-      countCutData(lattice, uncut, distances, options.Offset, cutting.part(0.5, 1.0));
+      countCutData(grid, uncut, distances, options.Offset, cutting.part(0.5, 1.0));
   }
   steps.next();
   {
@@ -162,13 +162,13 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     {
       data[node] = inside[node] && distances[node] <= options.Offset;
     }
-    result.Data = HullData(lattice, data);
+    result.Data = HullData(grid, data);
     const Index all = countSamples(samples, result.Data, steps.next());
     result.NumberOfSamplesOutside = samples.totalSize() - all;
-    if (keepSurface(lattice, inside, data, steps.next()) > 0)
+    if (keepSurface(grid, inside, data, steps.next()) > 0)
     {
       result.NumberOfSamplesInside =
-        all - countSamples(samples, HullData(lattice, data), run.unwatched());
+        all - countSamples(samples, HullData(grid, data), run.unwatched());
     }
   }
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
@@ -177,18 +177,18 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
     return result; // too coarse a cloud: no surface is asked for
   }
   addSurface(
-    lattice, inside, distances, options.Offset, options.SmoothingPasses, steps.next(), result);
+    grid, inside, distances, options.Offset, options.SmoothingPasses, steps.next(), result);
   return result;
 }
 
 // Nodes at most so many steps from the surface of a solid, on both sides.
 std::vector<std::uint8_t> nodesAlongSurface(
-  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside, int layers)
+  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int layers)
 {
-  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::array<int, 14> steps = grid.neighborSteps();
   std::vector<std::uint8_t> near(inside.size(), 0);
   std::vector<int> front, next;
-  forInnerRows(lattice, {},
+  forInnerRows(grid, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -251,14 +251,14 @@ GenusZeroHullResult makeHullByWindingNumbers(
   constexpr double reach = 1.5;
   const int layers = std::max(1, static_cast<int>(reach * solid.Width / options.Spacing));
   const Run counting = steps.next();
-  std::vector<std::uint8_t> near = nodesAlongSurface(solid.Lattice, solid.Inside, layers);
-  result.Data = HullData(solid.Lattice, near);
+  std::vector<std::uint8_t> near = nodesAlongSurface(solid.Grid, solid.Inside, layers);
+  result.Data = HullData(solid.Grid, near);
   const Index atSurface = countSamples(samples, result.Data, counting.part(0.0, 0.5));
   for (std::size_t node = 0; node < near.size(); ++node)
   {
     near[node] = near[node] || solid.Inside[node];
   }
-  const Index all = countSamples(samples, HullData(solid.Lattice, near), counting.part(0.5, 1.0));
+  const Index all = countSamples(samples, HullData(solid.Grid, near), counting.part(0.5, 1.0));
   result.NumberOfSamplesOutside = samples.totalSize() - all;
   result.NumberOfSamplesInside = all - atSurface;
 
@@ -266,15 +266,15 @@ GenusZeroHullResult makeHullByWindingNumbers(
   {
     value = -value; // rising outward, as a distance
   }
-  addSurface(solid.Lattice, solid.Inside, solid.Field.Values, -solid.Field.Level,
+  addSurface(solid.Grid, solid.Inside, solid.Field.Values, -solid.Field.Level,
     options.SmoothingPasses, steps.next(), result);
   return result;
 }
 }
 
 //------------------------------------------------------------------------------
-HullData::HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes)
-  : Lattice(lattice)
+HullData::HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& nodes)
+  : Grid(grid)
   , Nodes(nodes.begin(), nodes.end())
 {
 }
@@ -283,20 +283,20 @@ HullData::HullData(const FreudenthalLattice& lattice, const std::vector<std::uin
 bool HullData::contains(const Vector3& sample) const
 {
   // A corner of the sample's cube.
-  const Eigen::Vector3i cube = this->Lattice.toLattice(sample).array().floor().cast<int>();
+  const Eigen::Vector3i cube = this->Grid.toGrid(sample).array().floor().cast<int>();
   const Eigen::Vector3i low = cube.cwiseMax(0);
   const Eigen::Vector3i high =
     (cube.array() + 1)
       .matrix()
       .cwiseMin(
-        Eigen::Map<const Eigen::Vector3i>(this->Lattice.Size.data()) - Eigen::Vector3i::Ones());
+        Eigen::Map<const Eigen::Vector3i>(this->Grid.Size.data()) - Eigen::Vector3i::Ones());
   for (int z = low[2]; z <= high[2]; ++z)
   {
     for (int y = low[1]; y <= high[1]; ++y)
     {
       for (int x = low[0]; x <= high[0]; ++x)
       {
-        if (this->Nodes[this->Lattice.node(x, y, z)])
+        if (this->Nodes[this->Grid.node(x, y, z)])
         {
           return true;
         }
@@ -347,15 +347,14 @@ GenusZeroHullResult makeGenusZeroHull(
     throw std::invalid_argument("there are no samples for a hull");
   }
   using Limits = GenusZeroHullLimits;
-  requireRange(
-    options.Spacing, Limits::MinimumSpacing, Limits::MaximumSpacing, "lattice's spacing");
+  requireRange(options.Spacing, Limits::MinimumSpacing, Limits::MaximumSpacing, "grid's spacing");
   requireRange(options.Offset, Limits::MinimumOffset, Limits::MaximumOffset, "offset");
   requireRange(
     options.Persistence, Limits::MinimumPersistence, Limits::MaximumPersistence, "persistence");
   requireRange(
     options.SmoothingPasses, 0, Limits::MaximumSmoothingPasses, "number of smoothing passes");
 
-  // An attempt that has to be repeated has come far; the next ones, quick on a lattice of an eighth
+  // An attempt that has to be repeated has come far; the next ones, quick on a grid of an eighth
   // of the nodes, share what is left.
   double reached = 0.0;
   const auto attempt = [&](double spacing)

@@ -7,7 +7,7 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Hull/DistanceBasins.h"
-#include "Hull/FreudenthalLattice.h"
+#include "Hull/FreudenthalGrid.h"
 #include "Mesh/Mesh.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ enum class HullIndicator
 struct GenusZeroHullOptions
 {
   HullIndicator Indicator = HullIndicator::Distance;
-  double Spacing = 0.016;   ///< of the lattice, in units of the largest radius
+  double Spacing = 0.016;   ///< of the grid, in units of the largest radius
   double Offset = 1.0;      ///< Distance: of the surface from the data, in spacings
   double Persistence = 1.5; ///< Distance: see DistanceBasins.h
   int SmoothingPasses = 10; ///< of the surface
@@ -46,7 +46,7 @@ public:
   HullData() = default;
 
   /// @param[in] nodes  1 for the nodes next to these data, else 0
-  HullData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& nodes);
+  HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& nodes);
 
   /// Whether a sample, in the normalized frame, is data of the hull, or within a spacing or two of
   /// such. False for outliers and for what lies apart from the largest piece; where winding numbers
@@ -54,7 +54,7 @@ public:
   bool contains(const Vector3& sample) const;
 
 private:
-  FreudenthalLattice Lattice;
+  FreudenthalGrid Grid;
   std::vector<bool> Nodes;
 };
 
@@ -66,7 +66,7 @@ struct GenusZeroHullResult : Mesh
   HullIndicator Indicator = HullIndicator::Distance; ///< what was used
   bool NormalsUsed = false;         ///< WindingNumbers: whether those of the samples were of use
   double Width = 0.0;               ///< WindingNumbers: of their kernel; more than usual with noise
-  double Spacing = 0.0;             ///< of the lattice: that of the options, or a multiple
+  double Spacing = 0.0;             ///< of the grid: that of the options, or a multiple
   Index NumberOfInsideNodes = 0;    ///< farther inside than the offset; 0 where nothing is enclosed
   Index EulerNumber = 1;            ///< of the solid before its handles were cut: 1 - handles
   Index NumberOfCutNodes = 0;       ///< where handles were cut
@@ -93,10 +93,10 @@ double cutFraction(const GenusZeroHullResult& hull);
 
 /// Wrap a cloud into one closed surface of genus zero, at about the offset from the data.
 ///
-/// 1. The distance to the data is found on a lattice (CloudDistance.h).
+/// 1. The distance to the data is found on a grid (CloudDistance.h).
 /// 2. The outside is told from the inside by persistence, so that holes in the data are closed
 ///    (DistanceBasins.h). The solid is all that is not outside; its largest piece is kept.
-/// 3. Handles are cut open (LatticeSolid.h), so that the solid is a ball.
+/// 3. Handles are cut open (GridSolid.h), so that the solid is a ball.
 /// 4. Its surface is taken by marching tetrahedra and smoothed (LevelSetSurface.h).
 ///
 /// With WindingNumbers, the solid is that of IndicatorSolid.h and its surface goes through the
@@ -104,15 +104,15 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// hull is made by the distance.
 ///
 /// It is closed and of genus zero by construction, whatever the data. If the samples are too far
-/// apart for the lattice, nothing is inside and they fall to pieces; then, that is where the
+/// apart for the grid, nothing is inside and they fall to pieces; then, that is where the
 /// largest piece holds less than half of the samples, all is done again with twice the spacing.
 ///
-/// Memory: at most 17 bytes a node while it runs; the lattice of spacing h has at most
+/// Memory: at most 17 bytes a node while it runs; the grid of spacing h has at most
 /// (2 / h + 2 Offset + 8)^3 nodes, 2.7 million by default. The samples are not copied.
 ///
 /// @param[in] samples  at least one; of any rank, though only a cloud of rank 3 has an inside
 /// @throws std::invalid_argument if there are no samples or an option is out of range
-/// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
+/// @throws std::length_error if the grid would have more than MaximumNumberOfNodes
 ///   (CloudDistance.h)
 /// @post the result depends only on the arguments, not on threads
 GenusZeroHullResult makeGenusZeroHull(

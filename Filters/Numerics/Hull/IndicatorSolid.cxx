@@ -5,7 +5,7 @@
 #include "Cloud/Orientation.h"
 #include "Cloud/StrayPoints.h"
 #include "Hull/CloudDistance.h"
-#include "Hull/LatticeSolid.h"
+#include "Hull/GridSolid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,18 +45,18 @@ Box boxOf(const Points& points)
   return box;
 }
 
-// Nodes above the level, none in the lattice's outer layers: what is there is outside.
-std::vector<std::uint8_t> nodesAbove(const FreudenthalLattice& lattice, const Indicator& indicator)
+// Nodes above the level, none in the grid's outer layers: what is there is outside.
+std::vector<std::uint8_t> nodesAbove(const FreudenthalGrid& grid, const Indicator& indicator)
 {
   constexpr int layers = 3;
   std::vector<std::uint8_t> inside(indicator.Values.size(), 0);
-  for (int z = layers; z < lattice.Size[2] - layers; ++z)
+  for (int z = layers; z < grid.Size[2] - layers; ++z)
   {
-    for (int y = layers; y < lattice.Size[1] - layers; ++y)
+    for (int y = layers; y < grid.Size[1] - layers; ++y)
     {
-      for (int x = layers; x < lattice.Size[0] - layers; ++x)
+      for (int x = layers; x < grid.Size[0] - layers; ++x)
       {
-        const int node = lattice.node(x, y, z);
+        const int node = grid.node(x, y, z);
         inside[node] = indicator.Values[node] > indicator.Level;
       }
     }
@@ -71,12 +71,12 @@ struct Faults
   Index sum() const { return this->Handles + this->Cavities; }
 };
 
-Faults faultsOf(const FreudenthalLattice& lattice, std::vector<std::uint8_t> inside)
+Faults faultsOf(const FreudenthalGrid& grid, std::vector<std::uint8_t> inside)
 {
   Faults faults;
-  keepLargestPiece(lattice, inside);
-  faults.Cavities = fillCavities(lattice, inside);
-  faults.Handles = 1 - eulerNumber(lattice, inside);
+  keepLargestPiece(grid, inside);
+  faults.Cavities = fillCavities(grid, inside);
+  faults.Handles = 1 - eulerNumber(grid, inside);
   return faults;
 }
 }
@@ -108,10 +108,10 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
     return solid;
   }
   const int margin = static_cast<int>(std::ceil(Bulge / spacing)) + 3;
-  solid.Lattice = latticeAround(boxOf(cloud.Positions), spacing, margin);
+  solid.Grid = gridAround(boxOf(cloud.Positions), spacing, margin);
 
   const auto size = static_cast<double>(cloud.Positions.rows());
-  const auto nodes = static_cast<double>(solid.Lattice.numberOfNodes());
+  const auto nodes = static_cast<double>(solid.Grid.numberOfNodes());
   const auto workFromOrientation = [&]
   {
     return std::vector<double>{ solid.NormalsUsed ? 0.0 : WorkOfOrientation * size,
@@ -161,10 +161,10 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
       steps.replan(workFromOrientation());
       orientAnew();
     }
-    Indicator field = indicatorOn(solid.Lattice, numbers, areas, width, steps.next());
+    Indicator field = indicatorOn(solid.Grid, numbers, areas, width, steps.next());
     steps.next();
-    std::vector<std::uint8_t> inside = nodesAbove(solid.Lattice, field);
-    const Index faults = faultsOf(solid.Lattice, inside).sum();
+    std::vector<std::uint8_t> inside = nodesAbove(solid.Grid, field);
+    const Index faults = faultsOf(solid.Grid, inside).sum();
     if (fewest < 0 || faults < fewest)
     {
       fewest = faults;
@@ -178,10 +178,10 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
     }
   }
   const Run repairing = steps.next();
-  joinPieces(solid.Lattice, solid.Field, solid.Inside, repairing.part(0.0, 0.3));
-  fillCavities(solid.Lattice, solid.Inside, repairing.part(0.3, 0.5));
-  solid.EulerNumber = eulerNumber(solid.Lattice, solid.Inside);
-  solid.Repair = openHandles(solid.Lattice, solid.Field, solid.Inside, repairing.part(0.5, 1.0));
+  joinPieces(solid.Grid, solid.Field, solid.Inside, repairing.part(0.0, 0.3));
+  fillCavities(solid.Grid, solid.Inside, repairing.part(0.3, 0.5));
+  solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
+  solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, repairing.part(0.5, 1.0));
   if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
   {
     solid.Inside.clear();

@@ -6,8 +6,8 @@
 #include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
-#include "Hull/FreudenthalLattice.h"
-#include "Hull/IndicatorLattice.h"
+#include "Hull/FreudenthalGrid.h"
+#include "Hull/IndicatorGrid.h"
 #include "Hull/SolidRepair.h"
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace conformal
 {
 struct IndicatorSolid
 {
-  FreudenthalLattice Lattice;
+  FreudenthalGrid Grid;
   Indicator Field;                  ///< at the nodes
   std::vector<std::uint8_t> Inside; ///< 1 for the nodes of the solid, else 0; empty for no solid
   double Width = 0.0;               ///< of the winding numbers
@@ -32,7 +32,7 @@ struct IndicatorSolid
 ///    thinned to 10,000 (CloudThinning.h).
 /// 2. Normals are those of the samples, if these have some that agree on what is inside, else they
 ///    are found (Orientation.h).
-/// 3. The winding number is found on a lattice (IndicatorLattice.h); inside is what lies above its
+/// 3. The winding number is found on a grid (IndicatorGrid.h); inside is what lies above its
 ///    level. Where the points are noisy (Orientation.h), the width is that of the noise, and while
 ///    what is inside has many handles and cavities, it is found anew with a larger width; what has
 ///    the fewest is taken.
@@ -41,7 +41,7 @@ struct IndicatorSolid
 ///
 /// @param[in] samples  of rank 3
 /// @return no solid where there are too few points to tell
-/// @throws std::length_error if the lattice would have more than MaximumNumberOfNodes
+/// @throws std::length_error if the grid would have more than MaximumNumberOfNodes
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
 IndicatorSolid solidByWindingNumbers(

@@ -88,8 +88,8 @@ Cut cutOf(unsigned int set)
 class CutEdges
 {
 public:
-  CutEdges(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
-    : Steps(lattice.cornerSteps())
+  CutEdges(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
+    : Steps(grid.cornerSteps())
     , Inside(inside)
   {
   }
@@ -126,14 +126,14 @@ int countBits(unsigned int bits)
 }
 
 //------------------------------------------------------------------------------
-Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, const Run& run)
 {
   // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
   // next row, but no node near a face is in the set.
   Steps steps(run, { 11.0, 20.0, 1.5 }); // for each node
-  const CutEdges edges(lattice, inside);
-  const Index cubes = lattice.numberOfNodes() - edges.Steps[7];
+  const CutEdges edges(grid, inside);
+  const Index cubes = grid.numberOfNodes() - edges.Steps[7];
   std::vector<int> firstEdge(cubes, -1);
   std::vector<Vector3> positions;
   const auto place = [&](int node, int other)
@@ -141,7 +141,7 @@ Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<st
     const bool from = inside[node] != 0;
     const double in = values[from ? node : other], out = values[from ? other : node];
     const double t = in < level && level < out ? (level - in) / (out - in) : 0.5;
-    const Vector3 a = lattice.position(node), b = lattice.position(other);
+    const Vector3 a = grid.position(node), b = grid.position(other);
     return Vector3(from ? a + t * (b - a) : b + t * (a - b));
   };
   forBlocksReporting(steps.next().inOrder(), cubes, 1 << 10,

@@ -5,7 +5,7 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
-#include "Hull/FreudenthalLattice.h"
+#include "Hull/FreudenthalGrid.h"
 #include "Mesh/Mesh.h"
 
 #include <cstdint>
@@ -19,9 +19,9 @@ namespace conformal
 /// A vertex lies where the values pass the level if they rise through it from inside to outside,
 /// else, as where the set was cut, in the middle of its edge.
 ///
-/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the lattice's faces
+/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the grid's faces
 /// @param[in] values  of each node
-Mesh makeLevelSetSurface(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, const Run& run = {});
 
 /// Smooth a closed surface without shrinking it: each pass moves vertices towards the centroid of

@@ -1,7 +1,7 @@
 #include "Hull/SolidRepair.h"
 
 #include "Base/Steps.h"
-#include "Hull/LatticeSolid.h"
+#include "Hull/GridSolid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,12 +36,12 @@ struct Reached
 class Ways
 {
 public:
-  Ways(const FreudenthalLattice& lattice, const Indicator& indicator)
-    : Steps(lattice.neighborSteps())
+  Ways(const FreudenthalGrid& grid, const Indicator& indicator)
+    : Steps(grid.neighborSteps())
     , Field(indicator)
     , Costs(indicator.Values.size(), std::numeric_limits<float>::infinity())
     , From(indicator.Values.size(), -1)
-    , Faces(lattice)
+    , Faces(grid)
   {
   }
 
@@ -104,20 +104,20 @@ public:
   }
 
 private:
-  /// Nodes of the lattice's three outer layers, which ways and what is around them keep off.
+  /// Nodes of the grid's three outer layers, which ways and what is around them keep off.
   struct FaceTest
   {
-    explicit FaceTest(const FreudenthalLattice& lattice)
-      : Lattice(lattice)
+    explicit FaceTest(const FreudenthalGrid& grid)
+      : Grid(grid)
     {
     }
     bool near(int node) const
     {
-      const Eigen::Vector3i x = this->Lattice.coordinates(node);
-      const Eigen::Map<const Eigen::Vector3i> size(this->Lattice.Size.data());
+      const Eigen::Vector3i x = this->Grid.coordinates(node);
+      const Eigen::Map<const Eigen::Vector3i> size(this->Grid.Size.data());
       return x.minCoeff() < 3 || (size - x).minCoeff() < 4;
     }
-    const FreudenthalLattice& Lattice;
+    const FreudenthalGrid& Grid;
   };
 
   const std::array<int, 14> Steps;
@@ -137,7 +137,7 @@ struct Repair
 };
 
 /// The connected pieces of what differs between two sets.
-void addRepairs(const FreudenthalLattice& lattice, const Indicator& indicator,
+void addRepairs(const FreudenthalGrid& grid, const Indicator& indicator,
   const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after,
   std::vector<Repair>& repairs)
 {
@@ -152,7 +152,7 @@ void addRepairs(const FreudenthalLattice& lattice, const Indicator& indicator,
     if (marks[node] == unseen)
     {
       Repair repair;
-      markPiece(lattice, marks, node, seen, repair.Nodes);
+      markPiece(grid, marks, node, seen, repair.Nodes);
       for (const int changed : repair.Nodes)
       {
         repair.Cost += std::abs(indicator.Values[changed] - indicator.Level) + NodeCost;
@@ -164,7 +164,7 @@ void addRepairs(const FreudenthalLattice& lattice, const Indicator& indicator,
 }
 
 //------------------------------------------------------------------------------
-Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
+Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t outside = 0, unseen = 1, apart = 2, joined = 3;
@@ -175,7 +175,7 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
     if (inside[node] == unseen)
     {
       pieces.emplace_back();
-      markPiece(lattice, inside, node, apart, pieces.back());
+      markPiece(grid, inside, node, apart, pieces.back());
       total += pieces.back().size();
     }
   }
@@ -202,8 +202,8 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
   }
   if (pieces.size() > 1)
   {
-    const std::array<int, 14> steps = lattice.neighborSteps();
-    Ways ways(lattice, indicator);
+    const std::array<int, 14> steps = grid.neighborSteps();
+    Ways ways(grid, indicator);
     ways.start(pieces.front());
     for (std::size_t left = pieces.size() - 1; left > 0; --left)
     {
@@ -213,15 +213,15 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
         break;
       }
       std::vector<int> piece;
-      markPiece(lattice, inside, end, joined, piece);
+      markPiece(grid, inside, end, joined, piece);
       const std::vector<int> way = ways.way(end);
       Index open = 0;
       for (const int node : way)
       {
         open += inside[node] == outside;
       }
-      const double reach = std::min(ReachOfPiece * std::cbrt(static_cast<double>(piece.size())),
-        FarthestReach / lattice.Spacing);
+      const double reach = std::min(
+        ReachOfPiece * std::cbrt(static_cast<double>(piece.size())), FarthestReach / grid.Spacing);
       if (static_cast<double>(open) > reach)
       {
         mark(piece, outside);
@@ -249,29 +249,28 @@ Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
 }
 
 //------------------------------------------------------------------------------
-Index fillCavities(
-  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run)
+Index fillCavities(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t unseen = 0, solid = 1, face = 2, open = 3, cavity = 4;
-  for (int z = 0; z < lattice.Size[2]; ++z)
+  for (int z = 0; z < grid.Size[2]; ++z)
   {
-    for (int y = 0; y < lattice.Size[1]; ++y)
+    for (int y = 0; y < grid.Size[1]; ++y)
     {
-      const bool all = z == 0 || y == 0 || z + 1 == lattice.Size[2] || y + 1 == lattice.Size[1];
-      for (int x = 0; x < lattice.Size[0]; x += all ? 1 : lattice.Size[0] - 1)
+      const bool all = z == 0 || y == 0 || z + 1 == grid.Size[2] || y + 1 == grid.Size[1];
+      for (int x = 0; x < grid.Size[0]; x += all ? 1 : grid.Size[0] - 1)
       {
-        inside[lattice.node(x, y, z)] = face;
+        inside[grid.node(x, y, z)] = face;
       }
     }
   }
   std::vector<int> nodes;
-  markPiece(lattice, inside, lattice.node(1, 1, 1), open, nodes, run);
+  markPiece(grid, inside, grid.node(1, 1, 1), open, nodes, run);
   Index count = 0;
   for (int node = 0; node < static_cast<int>(inside.size()); ++node)
   {
     if (inside[node] == unseen)
     {
-      markPiece(lattice, inside, node, cavity, nodes);
+      markPiece(grid, inside, node, cavity, nodes);
       ++count;
     }
   }
@@ -283,24 +282,23 @@ Index fillCavities(
 }
 
 //------------------------------------------------------------------------------
-HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
+HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run)
 {
   HandleRepair done;
   const std::vector<std::uint8_t> before = inside;
-  Index euler = eulerNumber(lattice, inside);
+  Index euler = eulerNumber(grid, inside);
   for (int round = 0; round < NumberOfRounds && euler < 1; ++round)
   {
     constexpr double share = 1.0 / (NumberOfRounds + 1);
     Steps steps(run.part(round * share, (round + 1) * share), { 1.0, 1.0 });
     std::vector<Repair> repairs;
     std::vector<std::uint8_t> changed = inside;
-    cutHandles(
-      lattice, changed, indicator.Values, indicator.Level, HandleCut::HalfWay, steps.next());
-    addRepairs(lattice, indicator, inside, changed, repairs);
+    cutHandles(grid, changed, indicator.Values, indicator.Level, HandleCut::HalfWay, steps.next());
+    addRepairs(grid, indicator, inside, changed, repairs);
     changed = inside;
-    fillHandles(lattice, changed, indicator.Values, steps.next());
-    addRepairs(lattice, indicator, inside, changed, repairs);
+    fillHandles(grid, changed, indicator.Values, steps.next());
+    addRepairs(grid, indicator, inside, changed, repairs);
     std::stable_sort(repairs.begin(), repairs.end(),
       [](const Repair& a, const Repair& b) { return a.Cost < b.Cost; });
     const auto change = [&](const Repair& repair)
@@ -312,9 +310,9 @@ HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& ind
     };
     for (const Repair& repair : repairs)
     {
-      const Index around = eulerNumberAround(lattice, inside, repair.Nodes);
+      const Index around = eulerNumberAround(grid, inside, repair.Nodes);
       change(repair);
-      const Index gain = eulerNumberAround(lattice, inside, repair.Nodes) - around;
+      const Index gain = eulerNumberAround(grid, inside, repair.Nodes) - around;
       if (gain > 0 && euler + gain <= 1)
       {
         euler += gain;
@@ -326,11 +324,11 @@ HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& ind
     }
   }
   // What the rounds have left, and anything that changes side by side may have made.
-  keepLargestPiece(lattice, inside);
-  fillCavities(lattice, inside);
-  if (eulerNumber(lattice, inside) != 1)
+  keepLargestPiece(grid, inside);
+  fillCavities(grid, inside);
+  if (eulerNumber(grid, inside) != 1)
   {
-    cutHandles(lattice, inside, indicator.Values, indicator.Level, HandleCut::HalfWay);
+    cutHandles(grid, inside, indicator.Values, indicator.Level, HandleCut::HalfWay);
   }
   run.report(1.0);
   for (std::size_t node = 0; node < inside.size(); ++node)

@@ -4,8 +4,8 @@
 #define ConformalSolidRepair_h
 
 #include "Base/Types.h"
-#include "Hull/FreudenthalLattice.h"
-#include "Hull/IndicatorLattice.h"
+#include "Hull/FreudenthalGrid.h"
+#include "Hull/IndicatorGrid.h"
 
 #include <cstdint>
 #include <vector>
@@ -17,15 +17,15 @@ namespace conformal
 /// is tiny, farther away than it is wide, or farther than a tenth of the largest radius, is no part
 /// of the object and left out.
 ///
-/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the lattice's faces
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the grid's faces
 /// @return the number of nodes on the ways
-Index joinPieces(const FreudenthalLattice& lattice, const Indicator& indicator,
+Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Fill what is outside of a solid but enclosed by it.
 /// @return the number of cavities
 Index fillCavities(
-  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run = {});
+  const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// What openHandles() did.
 struct HandleRepair
@@ -39,7 +39,7 @@ struct HandleRepair
 /// either way.
 ///
 /// @param[in,out] inside  a connected set without cavities
-HandleRepair openHandles(const FreudenthalLattice& lattice, const Indicator& indicator,
+HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 }
 

@@ -20,7 +20,7 @@ constexpr Index HullVertices = 12000; // more do not show in the learned surface
 // surface is drawn into them. Measured: 0.016 is faster by a third, 0.010 no better.
 constexpr double FinestSpacing = 0.012;
 
-// Of an object whose largest radius is 1. Few points lie far apart, and a lattice finer than that
+// Of an object whose largest radius is 1. Few points lie far apart, and a grid finer than that
 // would see gaps between them.
 constexpr double TypicalArea = 5.0;
 

@@ -15,7 +15,7 @@
 namespace conformal
 {
 /// Of a hull as fine as the samples are dense, in units of the largest radius. Winding numbers see
-/// no gaps between samples on a lattice that is finer than these are dense.
+/// no gaps between samples on a grid that is finer than these are dense.
 double hullSpacing(const TrainingSamples& samples, HullIndicator indicator);
 
 /// A genus-zero hull of the samples.
@@ -40,7 +40,7 @@ struct HullStart
 };
 
 /// The hull thinned, mapped to the sphere without folds and resampled at
-/// the directions of a lattice.
+/// the directions of a grid.
 /// @param[in] directions  #N by 3 unit vectors
 /// @return nothing if the hull cannot be mapped: it winds so much that the sphere has no room for
 /// it

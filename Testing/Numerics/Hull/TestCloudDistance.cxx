@@ -12,9 +12,9 @@
 #include <stdexcept>
 
 using conformal::distanceToSamples;
-using conformal::FreudenthalLattice;
+using conformal::FreudenthalGrid;
+using conformal::gridAround;
 using conformal::Index;
-using conformal::latticeAround;
 using conformal::Points;
 using conformal::PointView;
 using conformal::TrainingSamples;
@@ -51,22 +51,22 @@ Points normalizedWithout(const std::vector<std::uint8_t>& left, const TrainingSa
 }
 }
 
-TEST(CloudDistance, LatticeHoldsTheSamplesWithAMargin)
+TEST(CloudDistance, GridHoldsTheSamplesWithAMargin)
 {
   const Points points = ellipsoid(500);
   const TrainingSamples samples{ PointView(points) };
-  const FreudenthalLattice lattice = latticeAround(samples, 0.07, 3);
+  const FreudenthalGrid grid = gridAround(samples, 0.07, 3);
   double least = 1e9, most = -1e9;
   for (Index i = 0; i < samples.size(); ++i)
   {
-    const Vector3 x = lattice.toLattice(samples[i]);
+    const Vector3 x = grid.toGrid(samples[i]);
     least = std::min(least, x.minCoeff());
-    most = std::max(most, x[0] - (lattice.Size[0] - 1));
+    most = std::max(most, x[0] - (grid.Size[0] - 1));
   }
   EXPECT_GE(least, 3.0);
   EXPECT_LT(least, 3.6);
   EXPECT_LE(most, -3.0);
-  EXPECT_THROW(latticeAround(samples, 1e-4, 3), std::length_error);
+  EXPECT_THROW(gridAround(samples, 1e-4, 3), std::length_error);
 }
 
 // Exact up to one spacing and never too small; beyond, close to it.
@@ -77,13 +77,12 @@ TEST(CloudDistance, AgreesWithATree)
   const std::vector<std::uint8_t> stray = conformal::strayPoints(points);
   const TrainingSamples samples(points);
   const conformal::PointTree tree(normalizedWithout(stray, samples));
-  const FreudenthalLattice lattice = latticeAround(samples, 0.05, 4);
-  const std::vector<float> distances = distanceToSamples(lattice, samples);
+  const FreudenthalGrid grid = gridAround(samples, 0.05, 4);
+  const std::vector<float> distances = distanceToSamples(grid, samples);
   double sum = 0.0, worst = 0.0;
-  for (int node = 0; node < lattice.numberOfNodes(); ++node)
+  for (int node = 0; node < grid.numberOfNodes(); ++node)
   {
-    const double exact =
-      std::sqrt(tree.nearest(lattice.position(node)).SquareDistance) / lattice.Spacing;
+    const double exact = std::sqrt(tree.nearest(grid.position(node)).SquareDistance) / grid.Spacing;
     if (exact <= 1.0)
     {
       ASSERT_NEAR(distances[node], exact, 1e-4);
@@ -101,9 +100,8 @@ TEST(CloudDistance, DoesNotDependOnTheOrderOfBlocks)
 {
   const Points points = ellipsoid(20000);
   const TrainingSamples samples{ PointView(points) };
-  const FreudenthalLattice lattice = latticeAround(samples, 0.05, 3);
-  EXPECT_EQ(
-    distanceToSamples(lattice, samples), distanceToSamples(lattice, samples, runs::backwards()));
+  const FreudenthalGrid grid = gridAround(samples, 0.05, 3);
+  EXPECT_EQ(distanceToSamples(grid, samples), distanceToSamples(grid, samples, runs::backwards()));
 }
 
 // A sample in the middle is an outlier of a dense cloud, but not of a sparse one.
@@ -114,10 +112,10 @@ TEST(CloudDistance, LeavesOutliersOfDenseCloudsOut)
     Points points = ellipsoid(size);
     points.row(77).setZero();
     const TrainingSamples samples{ PointView(points) };
-    const FreudenthalLattice lattice = latticeAround(samples, 0.05, 3);
-    const Eigen::Vector3i there = lattice.toLattice(samples[77]).array().round().cast<int>();
-    const std::vector<float> distances = distanceToSamples(lattice, samples);
-    const double distance = distances[lattice.node(there[0], there[1], there[2])] * lattice.Spacing;
+    const FreudenthalGrid grid = gridAround(samples, 0.05, 3);
+    const Eigen::Vector3i there = grid.toGrid(samples[77]).array().round().cast<int>();
+    const std::vector<float> distances = distanceToSamples(grid, samples);
+    const double distance = distances[grid.node(there[0], there[1], there[2])] * grid.Spacing;
     EXPECT_NEAR(distance, size == 200 ? 0.0 : 0.5, 0.06);
   }
 }

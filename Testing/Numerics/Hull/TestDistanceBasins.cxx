@@ -7,7 +7,7 @@
 
 using conformal::DataHole;
 using conformal::findOutside;
-using conformal::FreudenthalLattice;
+using conformal::FreudenthalGrid;
 using conformal::OutsideNodes;
 using conformal::Vector3;
 
@@ -15,9 +15,9 @@ namespace
 {
 constexpr double Spacing = 0.05, Offset = 0.075;
 
-FreudenthalLattice nodesAround(double halfWidth)
+FreudenthalGrid nodesAround(double halfWidth)
 {
-  FreudenthalLattice nodes;
+  FreudenthalGrid nodes;
   const int size = 2 * static_cast<int>(std::ceil(halfWidth / Spacing)) + 1;
   nodes.Size = { size, size, size };
   nodes.Spacing = Spacing;
@@ -34,7 +34,7 @@ double distanceToShell(const Vector3& x, double angle)
     : std::hypot(across - std::sin(angle), x[2] - std::cos(angle));
 }
 
-std::vector<float> shell(const FreudenthalLattice& nodes, double angle)
+std::vector<float> shell(const FreudenthalGrid& nodes, double angle)
 {
   std::vector<float> distances(nodes.numberOfNodes());
   for (int node = 0; node < nodes.numberOfNodes(); ++node)
@@ -44,22 +44,22 @@ std::vector<float> shell(const FreudenthalLattice& nodes, double angle)
   return distances;
 }
 
-OutsideNodes outsideOfShell(const FreudenthalLattice& nodes, double angle, double persistence)
+OutsideNodes outsideOfShell(const FreudenthalGrid& nodes, double angle, double persistence)
 {
   std::vector<float> distances = shell(nodes, angle);
   return findOutside(nodes, distances, Offset, persistence);
 }
 
-bool isOutside(const FreudenthalLattice& nodes, const OutsideNodes& found, const Vector3& x)
+bool isOutside(const FreudenthalGrid& nodes, const OutsideNodes& found, const Vector3& x)
 {
-  const Eigen::Vector3i at = nodes.toLattice(x).array().round().cast<int>();
+  const Eigen::Vector3i at = nodes.toGrid(x).array().round().cast<int>();
   return found.Outside[nodes.node(at[0], at[1], at[2])] == 1;
 }
 }
 
 TEST(DistanceBasins, OutsideIsWhatIsBeyondTheOffset)
 {
-  const FreudenthalLattice nodes = nodesAround(1.4);
+  const FreudenthalGrid nodes = nodesAround(1.4);
   const OutsideNodes found = outsideOfShell(nodes, 0.0, 1.5);
   for (int node = 0; node < nodes.numberOfNodes(); ++node)
   {
@@ -79,7 +79,7 @@ TEST(DistanceBasins, OutsideIsWhatIsBeyondTheOffset)
 // deepest place behind it lies on the axis.
 TEST(DistanceBasins, ClosesAHoleAndMeasuresIt)
 {
-  const FreudenthalLattice nodes = nodesAround(1.4);
+  const FreudenthalGrid nodes = nodesAround(1.4);
   for (const double angle : { 0.3, 0.5 })
   {
     const OutsideNodes found = outsideOfShell(nodes, angle, 1.5);
@@ -95,7 +95,7 @@ TEST(DistanceBasins, ClosesAHoleAndMeasuresIt)
 // one.
 TEST(DistanceBasins, OpensWhatIsNotPersistent)
 {
-  const FreudenthalLattice nodes = nodesAround(1.4);
+  const FreudenthalGrid nodes = nodesAround(1.4);
   const double angle = 0.5, ratio = 1.0 / std::sin(angle);
   const OutsideNodes closed = outsideOfShell(nodes, angle, 0.85 * ratio);
   EXPECT_FALSE(isOutside(nodes, closed, Vector3::Zero()));
@@ -107,7 +107,7 @@ TEST(DistanceBasins, OpensWhatIsNotPersistent)
 
 TEST(DistanceBasins, AnOpenBowlHasNoInside)
 {
-  const FreudenthalLattice nodes = nodesAround(1.4);
+  const FreudenthalGrid nodes = nodesAround(1.4);
   const OutsideNodes found = outsideOfShell(nodes, 2.2, 1.5);
   EXPECT_TRUE(isOutside(nodes, found, Vector3::Zero()));
   EXPECT_TRUE(isOutside(nodes, found, Vector3(0.0, 0.0, 1.0)));
@@ -115,7 +115,7 @@ TEST(DistanceBasins, AnOpenBowlHasNoInside)
 
 TEST(DistanceBasins, FacesOfTheGridAreOutside)
 {
-  const FreudenthalLattice nodes = nodesAround(0.9); // cuts the sphere
+  const FreudenthalGrid nodes = nodesAround(0.9); // cuts the sphere
   std::vector<float> distances = shell(nodes, 0.0);
   const OutsideNodes found = findOutside(nodes, distances, Offset, 1.5);
   for (int node = 0; node < nodes.numberOfNodes(); ++node)

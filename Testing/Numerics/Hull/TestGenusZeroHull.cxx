@@ -172,7 +172,7 @@ TEST(GenusZeroHull, CutsATorusOpen)
   EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
 }
 
-// Rings in a row, each grown into the next: of any number, and also where the lattice is too coarse
+// Rings in a row, each grown into the next: of any number, and also where the grid is too coarse
 // for an inside of their tubes, their handles are told from those of the offset.
 TEST(GenusZeroHull, KnowsHandlesThatHaveNothingInside)
 {
@@ -491,13 +491,13 @@ TEST(GenusZeroHull, RefusesWhatItCannotWrap)
   EXPECT_THROW(makeGenusZeroHull(samples, options), std::invalid_argument);
 }
 
-TEST(GenusZeroHull, SaysTheMinimumSpacingWhereTheLatticeIsTooLarge)
+TEST(GenusZeroHull, SaysTheMinimumSpacingWhereTheGridIsTooLarge)
 {
   const Points sphere = pointsOf(1000, onSphere);
   const TrainingSamples samples{ PointView(sphere) };
   const int margin = 3; // of an offset of 1
   const auto nodes = [&](double spacing)
-  { return conformal::latticeAround(samples, spacing, margin).numberOfNodes(); };
+  { return conformal::gridAround(samples, spacing, margin).numberOfNodes(); };
   std::string message;
   try
   {
@@ -516,7 +516,7 @@ TEST(GenusZeroHull, SaysTheMinimumSpacingWhereTheLatticeIsTooLarge)
 
   // A rod takes all of the documented range.
   const Points rod = pointsOf(1000, [](double u, double v) { return Vector3(u, 0.001 * v, 0.0); });
-  EXPECT_LE(conformal::latticeAround(
+  EXPECT_LE(conformal::gridAround(
               TrainingSamples{ PointView(rod) }, GenusZeroHullLimits::MinimumSpacing, margin)
               .numberOfNodes(),
     conformal::MaximumNumberOfNodes);

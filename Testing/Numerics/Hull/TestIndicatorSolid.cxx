@@ -61,7 +61,7 @@ Points noisy(Points points, double size)
 double volumeOf(const IndicatorSolid& solid, const TrainingSamples& samples)
 {
   const auto nodes = static_cast<double>(std::count(solid.Inside.begin(), solid.Inside.end(), 1));
-  return nodes * std::pow(solid.Lattice.Spacing * samples.scale(), 3);
+  return nodes * std::pow(solid.Grid.Spacing * samples.scale(), 3);
 }
 }
 
@@ -71,7 +71,7 @@ TEST(IndicatorSolid, OfASphereIsABall)
   const TrainingSamples samples{ PointView(points) };
   const IndicatorSolid solid = solidByWindingNumbers(samples, 0.05);
   EXPECT_NEAR(volumeOf(solid, samples), 4.0 / 3.0 * Pi, 0.1);
-  EXPECT_EQ(eulerNumber(solid.Lattice, solid.Inside), 1);
+  EXPECT_EQ(eulerNumber(solid.Grid, solid.Inside), 1);
   EXPECT_EQ(solid.EulerNumber, 1);
   EXPECT_FALSE(solid.NormalsUsed);
 }
@@ -120,7 +120,7 @@ TEST(IndicatorSolid, IsABallInNoise)
   const Points points = noisy(conformal::makeGeodesicSphere(40).Positions, 0.04);
   const TrainingSamples samples{ PointView(points) };
   const IndicatorSolid solid = solidByWindingNumbers(samples, 0.03);
-  EXPECT_EQ(eulerNumber(solid.Lattice, solid.Inside), 1);
+  EXPECT_EQ(eulerNumber(solid.Grid, solid.Inside), 1);
   EXPECT_NEAR(volumeOf(solid, samples), 4.0 / 3.0 * Pi, 0.25);
 }
 

@@ -9,7 +9,7 @@
 #include <random>
 
 using conformal::checkGenusZero;
-using conformal::FreudenthalLattice;
+using conformal::FreudenthalGrid;
 using conformal::GenusZeroReport;
 using conformal::Index;
 using conformal::Mesh;
@@ -18,9 +18,9 @@ using conformal::Vector3;
 
 namespace
 {
-FreudenthalLattice lattice(int size, double spacing)
+FreudenthalGrid grid(int size, double spacing)
 {
-  FreudenthalLattice result;
+  FreudenthalGrid result;
   result.Size = { size, size, size };
   result.Spacing = spacing;
   result.Origin = Vector3::Constant(-0.5 * spacing * (size - 1));
@@ -29,7 +29,7 @@ FreudenthalLattice lattice(int size, double spacing)
 
 Mesh sphere(int size, double spacing, double radius)
 {
-  const FreudenthalLattice nodes = lattice(size, spacing);
+  const FreudenthalGrid nodes = grid(size, spacing);
   std::vector<float> values(nodes.numberOfNodes());
   std::vector<std::uint8_t> inside(nodes.numberOfNodes());
   for (int node = 0; node < nodes.numberOfNodes(); ++node)
@@ -43,7 +43,7 @@ Mesh sphere(int size, double spacing, double radius)
 
 TEST(LevelSetSurface, WrapsANode)
 {
-  const FreudenthalLattice nodes = lattice(5, 1.0);
+  const FreudenthalGrid nodes = grid(5, 1.0);
   std::vector<std::uint8_t> inside(nodes.numberOfNodes(), 0);
   inside[nodes.node(2, 2, 2)] = 1;
   const std::vector<float> values(inside.size(), 0.0F);
@@ -62,7 +62,7 @@ TEST(LevelSetSurface, WrapsANode)
 TEST(LevelSetSurface, IsClosedAndOfTheSetsTopology)
 {
   std::mt19937 random(2);
-  const FreudenthalLattice nodes = lattice(9, 0.25);
+  const FreudenthalGrid nodes = grid(9, 0.25);
   const std::vector<float> values(nodes.numberOfNodes(), 0.0F);
   for (int i = 0; i < 20; ++i)
   {

@@ -7,7 +7,7 @@
 
 using conformal::eulerNumber;
 using conformal::fillCavities;
-using conformal::FreudenthalLattice;
+using conformal::FreudenthalGrid;
 using conformal::HandleRepair;
 using conformal::Index;
 using conformal::Indicator;
@@ -19,22 +19,22 @@ namespace
 {
 using Marks = std::vector<std::uint8_t>;
 
-FreudenthalLattice cube(int size)
+FreudenthalGrid cube(int size)
 {
-  FreudenthalLattice lattice;
-  lattice.Size = { size, size, size };
-  lattice.Spacing = 0.01;
-  return lattice;
+  FreudenthalGrid grid;
+  grid.Size = { size, size, size };
+  grid.Spacing = 0.01;
+  return grid;
 }
 
-// Nodes for whose places, from the middle of the lattice, the test holds.
-Marks where(const FreudenthalLattice& lattice, const std::function<bool(const Vector3&)>& test)
+// Nodes for whose places, from the middle of the grid, the test holds.
+Marks where(const FreudenthalGrid& grid, const std::function<bool(const Vector3&)>& test)
 {
-  const int middle = lattice.Size[0] / 2;
-  Marks inside(lattice.numberOfNodes(), 0);
+  const int middle = grid.Size[0] / 2;
+  Marks inside(grid.numberOfNodes(), 0);
   for (int node = 0; node < static_cast<int>(inside.size()); ++node)
   {
-    const Eigen::Vector3i x = lattice.coordinates(node).array() - middle;
+    const Eigen::Vector3i x = grid.coordinates(node).array() - middle;
     inside[node] = test(x.cast<double>());
   }
   return inside;
@@ -53,7 +53,7 @@ Index size(const Marks& inside)
   return std::count(inside.begin(), inside.end(), 1);
 }
 
-int numberOfPieces(const FreudenthalLattice& lattice, Marks inside)
+int numberOfPieces(const FreudenthalGrid& grid, Marks inside)
 {
   std::vector<int> piece;
   int count = 0;
@@ -61,7 +61,7 @@ int numberOfPieces(const FreudenthalLattice& lattice, Marks inside)
   {
     if (inside[node] == 1)
     {
-      markPiece(lattice, inside, node, 2, piece);
+      markPiece(grid, inside, node, 2, piece);
       ++count;
     }
   }
@@ -78,18 +78,18 @@ bool inRing(const Vector3& x, double radius, double tube)
 // A body, a limb that a gap of three nodes has parted from it, a crumb, and another thing far away.
 TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
 {
-  const FreudenthalLattice lattice = cube(61);
+  const FreudenthalGrid grid = cube(61);
   const auto body = [](const Vector3& x) { return (x - Vector3(-8, 0, 0)).norm() < 12.0; };
   const auto limb = [](const Vector3& x) { return (x - Vector3(12, 0, 0)).norm() < 5.0; };
   const auto crumb = [](const Vector3& x) { return (x - Vector3(-8, 15, 0)).norm() < 0.5; };
   const auto other = [](const Vector3& x) { return (x - Vector3(20, 20, 20)).norm() < 3.0; };
   Marks inside =
-    where(lattice, [&](const Vector3& x) { return body(x) || limb(x) || crumb(x) || other(x); });
-  ASSERT_EQ(numberOfPieces(lattice, inside), 4);
+    where(grid, [&](const Vector3& x) { return body(x) || limb(x) || crumb(x) || other(x); });
+  ASSERT_EQ(numberOfPieces(grid, inside), 4);
   const Indicator indicator = indicatorOf(inside);
-  const Index added = joinPieces(lattice, indicator, inside);
-  const Marks kept = where(lattice, [&](const Vector3& x) { return body(x) || limb(x); });
-  EXPECT_EQ(numberOfPieces(lattice, inside), 1);
+  const Index added = joinPieces(grid, indicator, inside);
+  const Marks kept = where(grid, [&](const Vector3& x) { return body(x) || limb(x); });
+  EXPECT_EQ(numberOfPieces(grid, inside), 1);
   EXPECT_EQ(size(inside), size(kept) + added);
   EXPECT_GE(added, 9);
   EXPECT_LE(added, 100);
@@ -101,53 +101,53 @@ TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
 
 TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
 {
-  const FreudenthalLattice lattice = cube(41);
-  Marks inside = where(lattice,
+  const FreudenthalGrid grid = cube(41);
+  Marks inside = where(grid,
     [](const Vector3& x) {
       return std::abs(x[2]) <= 1 && std::abs(std::abs(x[0]) - 8.0) <= 5.0 && std::abs(x[1]) <= 12.0;
     });
-  ASSERT_EQ(numberOfPieces(lattice, inside), 2);
+  ASSERT_EQ(numberOfPieces(grid, inside), 2);
   Indicator indicator = indicatorOf(inside);
   for (int x = -2; x <= 2; ++x) // a thread, not the shortest way
   {
-    indicator.Values[lattice.node(20 + x, 30, 20)] = 0.45F;
+    indicator.Values[grid.node(20 + x, 30, 20)] = 0.45F;
   }
-  joinPieces(lattice, indicator, inside);
-  EXPECT_EQ(inside[lattice.node(20, 30, 20)], 1);
-  EXPECT_EQ(inside[lattice.node(20, 20, 20)], 0);
-  EXPECT_EQ(eulerNumber(lattice, inside), 1);
+  joinPieces(grid, indicator, inside);
+  EXPECT_EQ(inside[grid.node(20, 30, 20)], 1);
+  EXPECT_EQ(inside[grid.node(20, 20, 20)], 0);
+  EXPECT_EQ(eulerNumber(grid, inside), 1);
 }
 
 TEST(SolidRepair, FillsCavities)
 {
-  const FreudenthalLattice lattice = cube(31);
+  const FreudenthalGrid grid = cube(31);
   const auto isSolid = [](const Vector3& x)
   {
     return x.norm() < 11.0 && (x - Vector3(4, 0, 0)).norm() > 3.0 &&
       (x + Vector3(4, 0, 0)).norm() > 2.0;
   };
-  Marks inside = where(lattice, isSolid);
-  EXPECT_EQ(fillCavities(lattice, inside), 2);
-  EXPECT_EQ(inside, where(lattice, [](const Vector3& x) { return x.norm() < 11.0; }));
-  EXPECT_EQ(fillCavities(lattice, inside), 0);
+  Marks inside = where(grid, isSolid);
+  EXPECT_EQ(fillCavities(grid, inside), 2);
+  EXPECT_EQ(inside, where(grid, [](const Vector3& x) { return x.norm() < 11.0; }));
+  EXPECT_EQ(fillCavities(grid, inside), 0);
 }
 
 TEST(SolidRepair, CutsThinRingsAndFillsNarrowHoles)
 {
-  const FreudenthalLattice lattice = cube(45);
+  const FreudenthalGrid grid = cube(45);
   // The way through a ring's tube against that across its hole.
-  Marks thin = where(lattice, [](const Vector3& x) { return inRing(x, 14.0, 2.0); });
+  Marks thin = where(grid, [](const Vector3& x) { return inRing(x, 14.0, 2.0); });
   const Marks thinBefore = thin;
-  const HandleRepair cut = openHandles(lattice, indicatorOf(thin), thin);
-  EXPECT_EQ(eulerNumber(lattice, thin), 1);
+  const HandleRepair cut = openHandles(grid, indicatorOf(thin), thin);
+  EXPECT_EQ(eulerNumber(grid, thin), 1);
   EXPECT_EQ(cut.NumberOfFilledNodes, 0);
   EXPECT_EQ(cut.NumberOfCutNodes, size(thinBefore) - size(thin));
   EXPECT_GE(cut.NumberOfCutNodes, 9);
 
-  Marks thick = where(lattice, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
+  Marks thick = where(grid, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
   const Marks thickBefore = thick;
-  const HandleRepair filled = openHandles(lattice, indicatorOf(thick), thick);
-  EXPECT_EQ(eulerNumber(lattice, thick), 1);
+  const HandleRepair filled = openHandles(grid, indicatorOf(thick), thick);
+  EXPECT_EQ(eulerNumber(grid, thick), 1);
   EXPECT_EQ(filled.NumberOfCutNodes, 0);
   EXPECT_EQ(filled.NumberOfFilledNodes, size(thick) - size(thickBefore));
   EXPECT_GE(filled.NumberOfFilledNodes, 9);
@@ -157,18 +157,18 @@ TEST(SolidRepair, CutsThinRingsAndFillsNarrowHoles)
 // The ring of before is cut where the indicator is in doubt, though its hole is narrow.
 TEST(SolidRepair, CutsWhereTheIndicatorDoubts)
 {
-  const FreudenthalLattice lattice = cube(45);
-  Marks inside = where(lattice, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
+  const FreudenthalGrid grid = cube(45);
+  Marks inside = where(grid, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
   Indicator indicator = indicatorOf(inside);
   const Marks doubted =
-    where(lattice, [](const Vector3& x) { return x[0] > 0.0 && std::abs(x[1]) <= 2.0; });
+    where(grid, [](const Vector3& x) { return x[0] > 0.0 && std::abs(x[1]) <= 2.0; });
   for (std::size_t node = 0; node < inside.size(); ++node)
   {
     indicator.Values[node] = inside[node] && doubted[node] ? 0.501F : indicator.Values[node];
   }
   const Marks before = inside;
-  const HandleRepair repair = openHandles(lattice, indicator, inside);
-  EXPECT_EQ(eulerNumber(lattice, inside), 1);
+  const HandleRepair repair = openHandles(grid, indicator, inside);
+  EXPECT_EQ(eulerNumber(grid, inside), 1);
   EXPECT_EQ(repair.NumberOfFilledNodes, 0);
   EXPECT_GT(repair.NumberOfCutNodes, 100);
   EXPECT_EQ(repair.NumberOfDefiniteNodes, 0);
@@ -180,9 +180,9 @@ TEST(SolidRepair, CutsWhereTheIndicatorDoubts)
 
 TEST(SolidRepair, OpensManyHandles)
 {
-  const FreudenthalLattice lattice = cube(45);
-  // A lattice of bars: a cube's twelve edges have five handles.
-  Marks inside = where(lattice,
+  const FreudenthalGrid grid = cube(45);
+  // A grid of bars: a cube's twelve edges have five handles.
+  Marks inside = where(grid,
     [](const Vector3& x)
     {
       int at = 0;
@@ -192,10 +192,10 @@ TEST(SolidRepair, OpensManyHandles)
       }
       return at >= 2 && x.cwiseAbs().maxCoeff() <= 13.0;
     });
-  ASSERT_EQ(eulerNumber(lattice, inside), -4);
-  const HandleRepair repair = openHandles(lattice, indicatorOf(inside), inside);
-  EXPECT_EQ(eulerNumber(lattice, inside), 1);
-  EXPECT_EQ(numberOfPieces(lattice, inside), 1);
+  ASSERT_EQ(eulerNumber(grid, inside), -4);
+  const HandleRepair repair = openHandles(grid, indicatorOf(inside), inside);
+  EXPECT_EQ(eulerNumber(grid, inside), 1);
+  EXPECT_EQ(numberOfPieces(grid, inside), 1);
   EXPECT_GE(repair.NumberOfCutNodes, 45);
   EXPECT_LE(repair.NumberOfCutNodes, 5 * 20);
 }

@@ -29,7 +29,7 @@ Points randomPoints(Index size, unsigned int seed)
 }
 
 // Coordinates of few values: many points coincide, and many are equally far.
-Points latticePoints(Index size, unsigned int seed)
+Points gridPoints(Index size, unsigned int seed)
 {
   return (2.0 * randomPoints(size, seed)).array().round().matrix();
 }
@@ -80,7 +80,7 @@ TEST(PointTree, FindsWhatBruteForceFinds)
 
 TEST(PointTree, GivesTheLowestIdsOfPointsEquallyNear)
 {
-  const Points points = latticePoints(2000, 3), queries = latticePoints(100, 4);
+  const Points points = gridPoints(2000, 3), queries = gridPoints(100, 4);
   const PointTree tree{ PointView(points) };
   std::vector<Neighbor> found;
   for (Index i = 0; i < queries.rows(); ++i)

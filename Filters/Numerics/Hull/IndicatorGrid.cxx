@@ -1,4 +1,4 @@
-#include "Hull/IndicatorLattice.h"
+#include "Hull/IndicatorGrid.h"
 
 #include "Base/Steps.h"
 
@@ -27,11 +27,11 @@ using Triple = std::array<int, 3>;
 // Every fourth node along each axis, up to one at or beyond the last.
 struct CoarseGrid
 {
-  explicit CoarseGrid(const FreudenthalLattice& lattice)
+  explicit CoarseGrid(const FreudenthalGrid& grid)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Size[axis] = (lattice.Size[axis] - 2) / Stride + 2;
+      this->Size[axis] = (grid.Size[axis] - 2) / Stride + 2;
     }
   }
   Index numberOfNodes() const
@@ -61,26 +61,26 @@ double middleOf(const Eigen::VectorXd& values)
 }
 
 // The winding numbers of the coarse grid, evaluated in cubes of nodes that are close together.
-std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+std::vector<float> coarseNumbers(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width, const Run& run)
 {
   constexpr int side = 4;
   std::vector<Index> order;
-  order.reserve(grid.numberOfNodes());
+  order.reserve(coarseGrid.numberOfNodes());
   Triple low;
-  for (low[2] = 0; low[2] < grid.Size[2]; low[2] += side)
+  for (low[2] = 0; low[2] < coarseGrid.Size[2]; low[2] += side)
   {
-    for (low[1] = 0; low[1] < grid.Size[1]; low[1] += side)
+    for (low[1] = 0; low[1] < coarseGrid.Size[1]; low[1] += side)
     {
-      for (low[0] = 0; low[0] < grid.Size[0]; low[0] += side)
+      for (low[0] = 0; low[0] < coarseGrid.Size[0]; low[0] += side)
       {
-        for (int z = low[2]; z < std::min(low[2] + side, grid.Size[2]); ++z)
+        for (int z = low[2]; z < std::min(low[2] + side, coarseGrid.Size[2]); ++z)
         {
-          for (int y = low[1]; y < std::min(low[1] + side, grid.Size[1]); ++y)
+          for (int y = low[1]; y < std::min(low[1] + side, coarseGrid.Size[1]); ++y)
           {
-            for (int x = low[0]; x < std::min(low[0] + side, grid.Size[0]); ++x)
+            for (int x = low[0]; x < std::min(low[0] + side, coarseGrid.Size[0]); ++x)
             {
-              order.push_back(grid.node(x, y, z));
+              order.push_back(coarseGrid.node(x, y, z));
             }
           }
         }
@@ -96,8 +96,8 @@ std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const Coarse
     places.resize(count, 3);
     for (Index i = 0; i < count; ++i)
     {
-      const Triple x = grid.coordinates(order[start + i]);
-      places.row(i) = lattice.Origin + lattice.Spacing * Stride * Vector3(x[0], x[1], x[2]);
+      const Triple x = coarseGrid.coordinates(order[start + i]);
+      places.row(i) = grid.Origin + grid.Spacing * Stride * Vector3(x[0], x[1], x[2]);
     }
     const Eigen::VectorXd found = cloud.at(places, sources, width, run);
     for (Index i = 0; i < count; ++i)
@@ -110,19 +110,19 @@ std::vector<float> coarseNumbers(const FreudenthalLattice& lattice, const Coarse
 }
 
 // Cubes of the coarse grid, by their lowest nodes, that need more than their corners.
-std::vector<Index> cubesToEvaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+std::vector<Index> cubesToEvaluate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const std::vector<float>& coarse, const Points& points, double level)
 {
   std::vector<std::uint8_t> marks(coarse.size(), 0);
   for (Index i = 0; i < points.rows(); ++i)
   {
-    const Vector3 x = lattice.toLattice(points.row(i));
+    const Vector3 x = grid.toGrid(points.row(i));
     Triple low, high;
     for (int axis = 0; axis < 3; ++axis)
     {
       low[axis] = std::max(0, static_cast<int>(std::floor((x[axis] - Nearness) / Stride)));
-      high[axis] =
-        std::min(grid.Size[axis] - 2, static_cast<int>(std::floor((x[axis] + Nearness) / Stride)));
+      high[axis] = std::min(
+        coarseGrid.Size[axis] - 2, static_cast<int>(std::floor((x[axis] + Nearness) / Stride)));
     }
     for (int z = low[2]; z <= high[2]; ++z)
     {
@@ -130,26 +130,26 @@ std::vector<Index> cubesToEvaluate(const FreudenthalLattice& lattice, const Coar
       {
         for (int cx = low[0]; cx <= high[0]; ++cx)
         {
-          marks[grid.node(cx, y, z)] = 1;
+          marks[coarseGrid.node(cx, y, z)] = 1;
         }
       }
     }
   }
   std::vector<Index> cubes;
-  for (int z = 0; z + 1 < grid.Size[2]; ++z)
+  for (int z = 0; z + 1 < coarseGrid.Size[2]; ++z)
   {
-    for (int y = 0; y + 1 < grid.Size[1]; ++y)
+    for (int y = 0; y + 1 < coarseGrid.Size[1]; ++y)
     {
-      for (int x = 0; x + 1 < grid.Size[0]; ++x)
+      for (int x = 0; x + 1 < coarseGrid.Size[0]; ++x)
       {
-        float least = coarse[grid.node(x, y, z)], most = least;
+        float least = coarse[coarseGrid.node(x, y, z)], most = least;
         for (int s = 1; s < 8; ++s)
         {
-          const float value = coarse[grid.node(x + (s & 1), y + (s >> 1 & 1), z + (s >> 2))];
+          const float value = coarse[coarseGrid.node(x + (s & 1), y + (s >> 1 & 1), z + (s >> 2))];
           least = std::min(least, value);
           most = std::max(most, value);
         }
-        const Index cube = grid.node(x, y, z);
+        const Index cube = coarseGrid.node(x, y, z);
         if (marks[cube] || (least < level + MarginOfLevel && most > level - MarginOfLevel))
         {
           cubes.push_back(cube);
@@ -161,30 +161,31 @@ std::vector<Index> cubesToEvaluate(const FreudenthalLattice& lattice, const Coar
 }
 
 // All nodes between those of the coarse grid.
-std::vector<float> interpolate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+std::vector<float> interpolate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const std::vector<float>& coarse, const Run& run)
 {
-  std::vector<float> values(lattice.numberOfNodes());
-  forBlocks(run, lattice.Size[2], 1,
+  std::vector<float> values(grid.numberOfNodes());
+  forBlocks(run, grid.Size[2], 1,
     [&](Index begin, Index)
     {
-      const int z = static_cast<int>(begin), cz = std::min(z / Stride, grid.Size[2] - 2);
+      const int z = static_cast<int>(begin), cz = std::min(z / Stride, coarseGrid.Size[2] - 2);
       const float tz = static_cast<float>(z - Stride * cz) / Stride;
-      for (int y = 0; y < lattice.Size[1]; ++y)
+      for (int y = 0; y < grid.Size[1]; ++y)
       {
-        const int cy = std::min(y / Stride, grid.Size[1] - 2);
+        const int cy = std::min(y / Stride, coarseGrid.Size[1] - 2);
         const float ty = static_cast<float>(y - Stride * cy) / Stride;
         const auto along = [&](int cx)
         {
-          const auto at = [&](int s) { return coarse[grid.node(cx, cy + (s & 1), cz + (s >> 1))]; };
+          const auto at = [&](int s)
+          { return coarse[coarseGrid.node(cx, cy + (s & 1), cz + (s >> 1))]; };
           return (1.0F - tz) * ((1.0F - ty) * at(0) + ty * at(1)) +
             tz * ((1.0F - ty) * at(2) + ty * at(3));
         };
-        const int row = lattice.node(0, y, z);
-        for (int cx = 0; cx + 1 < grid.Size[0]; ++cx)
+        const int row = grid.node(0, y, z);
+        for (int cx = 0; cx + 1 < coarseGrid.Size[0]; ++cx)
         {
           const float from = along(cx), to = along(cx + 1);
-          const int first = Stride * cx, last = std::min(first + Stride, lattice.Size[0]);
+          const int first = Stride * cx, last = std::min(first + Stride, grid.Size[0]);
           for (int x = first; x < last; ++x)
           {
             const float tx = static_cast<float>(x - first) / Stride;
@@ -192,17 +193,17 @@ std::vector<float> interpolate(const FreudenthalLattice& lattice, const CoarseGr
           }
         }
         // The last node may be the coarse grid's own last.
-        const int last = Stride * (grid.Size[0] - 1);
-        if (last < lattice.Size[0])
+        const int last = Stride * (coarseGrid.Size[0] - 1);
+        if (last < grid.Size[0])
         {
-          values[row + last] = along(grid.Size[0] - 1);
+          values[row + last] = along(coarseGrid.Size[0] - 1);
         }
       }
     });
   return values;
 }
 
-void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
+void evaluate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const std::vector<Index>& cubes, const WindingNumbers& cloud,
   const WindingNumbers::Sources& sources, double width, std::vector<float>& values, const Run& run)
 {
@@ -214,7 +215,7 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
     places.resize(count * NodesPerCube, 3);
     const auto nodeOf = [&](Index i, int k)
     {
-      const Triple cube = grid.coordinates(cubes[start + i]);
+      const Triple cube = coarseGrid.coordinates(cubes[start + i]);
       return Triple{ Stride * cube[0] + k % Stride, Stride * cube[1] + k / Stride % Stride,
         Stride * cube[2] + k / (Stride * Stride) };
     };
@@ -227,7 +228,7 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
           {
             const Triple x = nodeOf(i, k);
             places.row(i * NodesPerCube + k) =
-              lattice.Origin + lattice.Spacing * Vector3(x[0], x[1], x[2]);
+              grid.Origin + grid.Spacing * Vector3(x[0], x[1], x[2]);
           }
         }
       });
@@ -237,9 +238,9 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
       for (int k = 0; k < NodesPerCube; ++k)
       {
         const Triple x = nodeOf(i, k);
-        if (x[0] < lattice.Size[0] && x[1] < lattice.Size[1] && x[2] < lattice.Size[2])
+        if (x[0] < grid.Size[0] && x[1] < grid.Size[1] && x[2] < grid.Size[2])
         {
-          values[lattice.node(x[0], x[1], x[2])] = static_cast<float>(found[i * NodesPerCube + k]);
+          values[grid.node(x[0], x[1], x[2])] = static_cast<float>(found[i * NodesPerCube + k]);
         }
       }
     }
@@ -248,12 +249,12 @@ void evaluate(const FreudenthalLattice& lattice, const CoarseGrid& grid,
 }
 
 // Each node with half its weight, its two neighbors along an axis with a quarter each; in place.
-void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& values, const Run& run)
+void blur(const FreudenthalGrid& grid, int axis, std::vector<float>& values, const Run& run)
 {
   const int across = axis == 2 ? 1 : 2; // planes that hold the lines
-  const int rows = axis == 0 ? lattice.Size[1] : lattice.Size[axis];
-  const int length = lattice.Size[0];
-  forBlocks(run, lattice.Size[across], 1,
+  const int rows = axis == 0 ? grid.Size[1] : grid.Size[axis];
+  const int length = grid.Size[0];
+  forBlocks(run, grid.Size[across], 1,
     [&](Index plane, Index)
     {
       Triple at = { 0, 0, 0 };
@@ -262,7 +263,7 @@ void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& value
       {
         Triple place = at;
         place[axis == 0 ? 1 : axis] = i;
-        return values.data() + lattice.node(0, place[1], place[2]);
+        return values.data() + grid.node(0, place[1], place[2]);
       };
       std::vector<float> before(length), now(length);
       for (int i = 0; i < rows; ++i)
@@ -291,15 +292,15 @@ void blur(const FreudenthalLattice& lattice, int axis, std::vector<float>& value
     });
 }
 
-// Of a place within the lattice.
+// Of a place within the grid.
 double interpolated(
-  const FreudenthalLattice& lattice, const std::vector<float>& values, const Vector3& place)
+  const FreudenthalGrid& grid, const std::vector<float>& values, const Vector3& place)
 {
-  const Vector3 x = lattice.toLattice(place);
+  const Vector3 x = grid.toGrid(place);
   Triple low;
   for (int axis = 0; axis < 3; ++axis)
   {
-    low[axis] = std::clamp(static_cast<int>(std::floor(x[axis])), 0, lattice.Size[axis] - 2);
+    low[axis] = std::clamp(static_cast<int>(std::floor(x[axis])), 0, grid.Size[axis] - 2);
   }
   double sum = 0.0;
   for (int s = 0; s < 8; ++s)
@@ -310,8 +311,7 @@ double interpolated(
       const double t = x[axis] - low[axis];
       weight *= (s >> axis & 1) ? t : 1.0 - t;
     }
-    sum +=
-      weight * values[lattice.node(low[0] + (s & 1), low[1] + (s >> 1 & 1), low[2] + (s >> 2))];
+    sum += weight * values[grid.node(low[0] + (s & 1), low[1] + (s >> 1 & 1), low[2] + (s >> 2))];
   }
   return sum;
 }
@@ -324,29 +324,30 @@ double workOfIndicator(double nodes)
 }
 
 //------------------------------------------------------------------------------
-Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
-  const Points& areas, double width, const Run& run)
+Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
+  double width, const Run& run)
 {
-  const CoarseGrid grid(lattice);
-  const auto nodes = static_cast<double>(lattice.numberOfNodes());
+  const CoarseGrid coarseGrid(grid);
+  const auto nodes = static_cast<double>(grid.numberOfNodes());
   Steps steps(run, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
   const WindingNumbers::Sources sources = cloud.sources(areas);
   const std::vector<float> coarse =
-    coarseNumbers(lattice, grid, cloud, sources, width, steps.next());
+    coarseNumbers(grid, coarseGrid, cloud, sources, width, steps.next());
   Indicator indicator;
   indicator.Level = middleOf(cloud.atPoints(areas, width, run));
-  indicator.Values = interpolate(lattice, grid, coarse, run);
-  evaluate(lattice, grid, cubesToEvaluate(lattice, grid, coarse, cloud.points(), indicator.Level),
-    cloud, sources, width, indicator.Values, steps.next());
+  indicator.Values = interpolate(grid, coarseGrid, coarse, run);
+  evaluate(grid, coarseGrid,
+    cubesToEvaluate(grid, coarseGrid, coarse, cloud.points(), indicator.Level), cloud, sources,
+    width, indicator.Values, steps.next());
   steps.next();
   for (int axis = 0; axis < 3; ++axis)
   {
-    blur(lattice, axis, indicator.Values, run);
+    blur(grid, axis, indicator.Values, run);
   }
   Eigen::VectorXd ofPoints(cloud.size());
   for (Index i = 0; i < cloud.size(); ++i)
   {
-    ofPoints[i] = interpolated(lattice, indicator.Values, cloud.points().row(i));
+    ofPoints[i] = interpolated(grid, indicator.Values, cloud.points().row(i));
   }
   indicator.Level = middleOf(ofPoints);
   run.report(1.0);

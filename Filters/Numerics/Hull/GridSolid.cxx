@@ -1,4 +1,4 @@
-#include "Hull/LatticeSolid.h"
+#include "Hull/GridSolid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,13 +24,12 @@ struct Waiting
 // Below the steps between layers.
 constexpr float MaximumValue = 0.99F;
 
-// How many steps each node is away from a set, 0 within it and on the lattice's faces.
-std::vector<int> layersAround(
-  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
+// How many steps each node is away from a set, 0 within it and on the grid's faces.
+std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
 {
-  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::array<int, 14> steps = grid.neighborSteps();
   std::vector<int> layers(inside.size(), 0);
-  forInnerRows(lattice, {},
+  forInnerRows(grid, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -71,9 +70,8 @@ template <typename KeyOf>
 class Growth
 {
 public:
-  Growth(
-    const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& within, const KeyOf& keyOf)
-    : Lattice(lattice)
+  Growth(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& within, const KeyOf& keyOf)
+    : Grid(grid)
     , Within(within)
     , Key(keyOf)
     , Grown(within.size(), 0)
@@ -94,17 +92,17 @@ public:
     this->pushAround(node, this->Key(node, 0.0F));
   }
 
-  // All nodes of the lattice's faces. Returns how many they are.
+  // All nodes of the grid's faces. Returns how many they are.
   Index beginAtFaces()
   {
-    const std::array<int, 3>& size = this->Lattice.Size;
+    const std::array<int, 3>& size = this->Grid.Size;
     Index count = 0;
     const auto layer = [&](int x, int y, int z) {
       return std::min({ x, y, z, size[0] - 1 - x, size[1] - 1 - y, size[2] - 1 - z });
     };
     for (int node = 0; node < static_cast<int>(this->Within.size()); ++node)
     {
-      const Eigen::Vector3i x = this->Lattice.coordinates(node);
+      const Eigen::Vector3i x = this->Grid.coordinates(node);
       const int depth = layer(x[0], x[1], x[2]);
       if (depth == 0)
       {
@@ -168,10 +166,10 @@ private:
     }
   }
 
-  const FreudenthalLattice& Lattice;
+  const FreudenthalGrid& Grid;
   const std::vector<std::uint8_t>& Within;
   const KeyOf Key;
-  const std::array<int, 14> Steps = Lattice.neighborSteps();
+  const std::array<int, 14> Steps = Grid.neighborSteps();
   std::array<float, 14> Lengths;
   std::vector<std::uint8_t> Grown, Waits;
   std::priority_queue<Waiting> Queue;
@@ -181,7 +179,7 @@ private:
 
 //------------------------------------------------------------------------------
 Index keepLargestPiece(
-  const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside, const Run& run)
+  const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run)
 {
   constexpr std::uint8_t unseen = 1, seen = 2, kept = 3;
   std::vector<int> piece, largest;
@@ -189,7 +187,7 @@ Index keepLargestPiece(
   {
     if (inside[node] == unseen)
     {
-      markPiece(lattice, inside, node, seen, piece, run);
+      markPiece(grid, inside, node, seen, piece, run);
       if (piece.size() > largest.size())
       {
         piece.swap(largest);
@@ -208,7 +206,7 @@ Index keepLargestPiece(
 }
 
 //------------------------------------------------------------------------------
-Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, HandleCut place, const Run& run)
 {
   int deepest = -1;
@@ -231,7 +229,7 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
     const float later = place == HandleCut::HalfWay ? std::max(0.0F, way) : distances[node];
     return distances[node] > offset ? -distances[node] : later;
   };
-  Growth growth(lattice, inside, keyOf);
+  Growth growth(grid, inside, keyOf);
   growth.begin(deepest);
   const Index count = growth.grow(total, run);
   inside.swap(growth.grown());
@@ -239,7 +237,7 @@ Index cutHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& i
 }
 
 //------------------------------------------------------------------------------
-Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& inside,
+Index fillHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, const Run& run)
 {
   std::vector<std::uint8_t> outside(inside.size());
@@ -249,10 +247,10 @@ Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& 
     outside[node] = !inside[node];
     total += outside[node];
   }
-  const std::vector<int> layers = layersAround(lattice, inside);
+  const std::vector<int> layers = layersAround(grid, inside);
   const auto keyOf = [&](int node, float)
   { return std::clamp(values[node], 0.0F, MaximumValue) - static_cast<float>(layers[node]); };
-  Growth growth(lattice, outside, keyOf);
+  Growth growth(grid, outside, keyOf);
   const Index count = growth.beginAtFaces() + growth.grow(total, run);
   for (std::size_t node = 0; node < inside.size(); ++node)
   {
@@ -262,7 +260,7 @@ Index fillHandles(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& 
 }
 
 //------------------------------------------------------------------------------
-Index largestCutNearData(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& uncut,
+Index largestCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
   const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness)
 {
   constexpr std::uint8_t unseen = 1, seen = 2;
@@ -277,7 +275,7 @@ Index largestCutNearData(const FreudenthalLattice& lattice, const std::vector<st
   {
     if (nodes[node] == unseen)
     {
-      markPiece(lattice, nodes, node, seen, piece);
+      markPiece(grid, nodes, node, seen, piece);
       most = std::max<Index>(most,
         std::count_if(
           piece.begin(), piece.end(), [&](int of) { return distances[of] <= nearness; }));

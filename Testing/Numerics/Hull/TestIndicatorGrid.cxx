@@ -1,4 +1,4 @@
-#include "Hull/IndicatorLattice.h"
+#include "Hull/IndicatorGrid.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 using conformal::Aborted;
-using conformal::FreudenthalLattice;
+using conformal::FreudenthalGrid;
 using conformal::Index;
 using conformal::Indicator;
 using conformal::indicatorOn;
@@ -19,15 +19,15 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Width = 0.05;
 
-// A lattice of odd size, so that the coarse nodes do not end with it.
-FreudenthalLattice latticeOf(double spacing)
+// A grid of odd size, so that the coarse nodes do not end with it.
+FreudenthalGrid gridOf(double spacing)
 {
-  FreudenthalLattice lattice;
-  lattice.Spacing = spacing;
+  FreudenthalGrid grid;
+  grid.Spacing = spacing;
   const int size = 2 * static_cast<int>(1.3 / spacing) + 1;
-  lattice.Size = { size, size + 1, size + 2 };
-  lattice.Origin = Vector3::Constant(-0.5 * spacing * (size - 1));
-  return lattice;
+  grid.Size = { size, size + 1, size + 2 };
+  grid.Origin = Vector3::Constant(-0.5 * spacing * (size - 1));
+  return grid;
 }
 
 // On a unit sphere, spread evenly.
@@ -49,16 +49,16 @@ Points shares(const Points& points)
 }
 }
 
-TEST(IndicatorLattice, TellsTheInsideOfASphere)
+TEST(IndicatorGrid, TellsTheInsideOfASphere)
 {
   const Points points = sphere();
-  const FreudenthalLattice lattice = latticeOf(0.04);
-  const Indicator indicator = indicatorOn(lattice, WindingNumbers(points), shares(points), Width);
+  const FreudenthalGrid grid = gridOf(0.04);
+  const Indicator indicator = indicatorOn(grid, WindingNumbers(points), shares(points), Width);
   EXPECT_NEAR(indicator.Level, 0.5, 0.03);
-  ASSERT_EQ(static_cast<Index>(indicator.Values.size()), lattice.numberOfNodes());
-  for (int node = 0; node < static_cast<int>(lattice.numberOfNodes()); ++node)
+  ASSERT_EQ(static_cast<Index>(indicator.Values.size()), grid.numberOfNodes());
+  for (int node = 0; node < static_cast<int>(grid.numberOfNodes()); ++node)
   {
-    const double radius = lattice.position(node).norm();
+    const double radius = grid.position(node).norm();
     if (std::abs(radius - 1.0) > 0.15)
     {
       EXPECT_NEAR(indicator.Values[node], radius < 1.0 ? 1.0 : 0.0, 0.02) << radius;
@@ -71,7 +71,7 @@ TEST(IndicatorLattice, TellsTheInsideOfASphere)
 }
 
 // Without its cap: where nodes were interpolated, evaluation says the same.
-TEST(IndicatorLattice, InterpolatesOnlyWhereItMay)
+TEST(IndicatorGrid, InterpolatesOnlyWhereItMay)
 {
   Points points = sphere();
   Index size = 0;
@@ -83,43 +83,43 @@ TEST(IndicatorLattice, InterpolatesOnlyWhereItMay)
     }
   }
   points.conservativeResize(size, 3);
-  const FreudenthalLattice lattice = latticeOf(0.08);
+  const FreudenthalGrid grid = gridOf(0.08);
   const WindingNumbers cloud(points);
-  const Indicator indicator = indicatorOn(lattice, cloud, shares(points), Width);
-  Points places(lattice.numberOfNodes(), 3);
+  const Indicator indicator = indicatorOn(grid, cloud, shares(points), Width);
+  Points places(grid.numberOfNodes(), 3);
   for (int node = 0; node < static_cast<int>(places.rows()); ++node)
   {
-    places.row(node) = lattice.position(node);
+    places.row(node) = grid.position(node);
   }
   const Eigen::VectorXd exact = cloud.at(places, cloud.sources(shares(points)), Width);
-  for (int z = 1; z + 1 < lattice.Size[2]; ++z)
+  for (int z = 1; z + 1 < grid.Size[2]; ++z)
   {
-    for (int y = 1; y + 1 < lattice.Size[1]; ++y)
+    for (int y = 1; y + 1 < grid.Size[1]; ++y)
     {
-      for (int x = 1; x + 1 < lattice.Size[0]; ++x)
+      for (int x = 1; x + 1 < grid.Size[0]; ++x)
       {
         // Blurred as it is defined.
         double expected = 0.0;
         for (int k = 0; k < 27; ++k)
         {
           const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
-          expected += exact[lattice.node(x + dx, y + dy, z + dz)] /
+          expected += exact[grid.node(x + dx, y + dy, z + dz)] /
             std::pow(2.0, 3 + std::abs(dx) + std::abs(dy) + std::abs(dz));
         }
-        EXPECT_NEAR(indicator.Values[lattice.node(x, y, z)], expected, 0.03)
-          << lattice.position(lattice.node(x, y, z)).transpose();
+        EXPECT_NEAR(indicator.Values[grid.node(x, y, z)], expected, 0.03)
+          << grid.position(grid.node(x, y, z)).transpose();
       }
     }
   }
 }
 
-TEST(IndicatorLattice, ReportsAndStops)
+TEST(IndicatorGrid, ReportsAndStops)
 {
   const Points points = sphere();
-  const FreudenthalLattice lattice = latticeOf(0.04);
+  const FreudenthalGrid grid = gridOf(0.04);
   const WindingNumbers cloud(points);
   runs::Watch watch;
-  indicatorOn(lattice, cloud, shares(points), Width, watch.run());
+  indicatorOn(grid, cloud, shares(points), Width, watch.run());
   EXPECT_EQ(watch.last(), 1.0);
-  EXPECT_THROW(indicatorOn(lattice, cloud, shares(points), Width, runs::stoppingAt(0.5)), Aborted);
+  EXPECT_THROW(indicatorOn(grid, cloud, shares(points), Width, runs::stoppingAt(0.5)), Aborted);
 }

@@ -1,4 +1,4 @@
-#include "Hull/FreudenthalLattice.h"
+#include "Hull/FreudenthalGrid.h"
 
 #include <algorithm>
 
@@ -74,8 +74,8 @@ int eulerShare(unsigned int corners, unsigned int from)
 class EulerShares
 {
 public:
-  EulerShares(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside)
-    : Steps(lattice.cornerSteps())
+  EulerShares(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
+    : Steps(grid.cornerSteps())
     , Inside(inside)
   {
     for (unsigned int corners = 0; corners < 256; ++corners)
@@ -106,7 +106,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::array<int, 8> FreudenthalLattice::cornerSteps() const
+std::array<int, 8> FreudenthalGrid::cornerSteps() const
 {
   std::array<int, 8> steps;
   for (int s = 0; s < 8; ++s)
@@ -117,7 +117,7 @@ std::array<int, 8> FreudenthalLattice::cornerSteps() const
 }
 
 //------------------------------------------------------------------------------
-std::array<int, 14> FreudenthalLattice::neighborSteps() const
+std::array<int, 14> FreudenthalGrid::neighborSteps() const
 {
   const std::array<int, 8> corner = this->cornerSteps();
   std::array<int, 14> steps;
@@ -131,28 +131,28 @@ std::array<int, 14> FreudenthalLattice::neighborSteps() const
 
 //------------------------------------------------------------------------------
 void forInnerRows(
-  const FreudenthalLattice& lattice, const Run& run, const std::function<void(int, int)>& body)
+  const FreudenthalGrid& grid, const Run& run, const std::function<void(int, int)>& body)
 {
   constexpr Index blockSize = 16;
-  const int width = lattice.Size[1] - 2;
-  forBlocksReporting(run, static_cast<Index>(width) * (lattice.Size[2] - 2), blockSize,
+  const int width = grid.Size[1] - 2;
+  forBlocksReporting(run, static_cast<Index>(width) * (grid.Size[2] - 2), blockSize,
     [&](Index begin, Index end)
     {
       for (Index row = begin; row < end; ++row)
       {
         const int first =
-          lattice.node(1, 1 + static_cast<int>(row % width), 1 + static_cast<int>(row / width));
-        body(first, first + lattice.Size[0] - 2);
+          grid.node(1, 1 + static_cast<int>(row % width), 1 + static_cast<int>(row / width));
+        body(first, first + grid.Size[0] - 2);
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& marks, int start,
+void markPiece(const FreudenthalGrid& grid, std::vector<std::uint8_t>& marks, int start,
   std::uint8_t mark, std::vector<int>& reached, const Run& run)
 {
   constexpr std::size_t nodesPerReport = 1 << 18;
-  const std::array<int, 14> steps = lattice.neighborSteps();
+  const std::array<int, 14> steps = grid.neighborSteps();
   const std::uint8_t old = marks[start];
   reached.assign(1, start);
   marks[start] = mark;
@@ -176,11 +176,11 @@ void markPiece(const FreudenthalLattice& lattice, std::vector<std::uint8_t>& mar
 
 //------------------------------------------------------------------------------
 Index eulerNumber(
-  const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside, const Run& run)
+  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, const Run& run)
 {
-  const EulerShares shares(lattice, inside);
+  const EulerShares shares(grid, inside);
   Index sum = 0;
-  forInnerRows(lattice, run.inOrder(),
+  forInnerRows(grid, run.inOrder(),
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
@@ -192,21 +192,21 @@ Index eulerNumber(
 }
 
 //------------------------------------------------------------------------------
-Index eulerNumberAround(const FreudenthalLattice& lattice, const std::vector<std::uint8_t>& inside,
+Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes)
 {
   // A node counts with the lowest corners of all cubes it is in.
   std::vector<int> corners;
   for (const int node : nodes)
   {
-    for (const int step : lattice.cornerSteps())
+    for (const int step : grid.cornerSteps())
     {
       corners.push_back(node - step);
     }
   }
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  const EulerShares shares(lattice, inside);
+  const EulerShares shares(grid, inside);
   Index sum = 0;
   for (const int corner : corners)
   {

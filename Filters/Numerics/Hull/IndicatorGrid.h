@@ -1,12 +1,12 @@
 /// Winding numbers at the nodes of a grid around a cloud.
 
-#ifndef ConformalIndicatorLattice_h
-#define ConformalIndicatorLattice_h
+#ifndef ConformalIndicatorGrid_h
+#define ConformalIndicatorGrid_h
 
 #include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/WindingNumbers.h"
-#include "Hull/FreudenthalLattice.h"
+#include "Hull/FreudenthalGrid.h"
 
 #include <vector>
 
@@ -26,12 +26,12 @@ struct Indicator
 /// near points, or in which the surface may be that the level tells. The other nodes are
 /// interpolated.
 ///
-/// @param[in] cloud   its points within the lattice
+/// @param[in] cloud   its points within the grid
 /// @param[in] areas   #P by 3, area vectors of the points
 /// @param[in] width   of the winding numbers
 /// @throws Aborted
-Indicator indicatorOn(const FreudenthalLattice& lattice, const WindingNumbers& cloud,
-  const Points& areas, double width, const Run& run = {});
+Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
+  double width, const Run& run = {});
 
 /// What indicatorOn() takes on so many nodes around a usual object, in nanoseconds as in Steps.
 double workOfIndicator(double nodes);
