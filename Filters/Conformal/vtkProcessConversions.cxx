@@ -333,7 +333,7 @@ conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   {
     own = ToMappedMesh(self, mesh, frame);
   }
-  return { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Triangles),
+  return { { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Triangles) },
     gatherRows(reduce, own.SpherePositions) };
 }
 

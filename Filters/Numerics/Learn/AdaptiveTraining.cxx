@@ -73,8 +73,9 @@ double spacingFor(const TrainingSamples& samples, HullIndicator indicator, Index
 ConformalSOMOptions coarseLattice(const ConformalSOMOptions& options)
 {
   ConformalSOMOptions coarse = options;
-  coarse.Frequency = std::max(MinimumFrequency,
-    static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
+  const Index neurons = options.NumberOfNeurons / Coarser;
+  coarse.Frequency =
+    std::max(MinimumFrequency, static_cast<int>(std::sqrt(0.1 * static_cast<double>(neurons))));
   return coarse;
 }
 

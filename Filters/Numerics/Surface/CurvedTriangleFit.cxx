@@ -241,7 +241,7 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
   const ClosestPoint closest = [&](Index id, const Vector3& x, int last)
   {
     int& hint = hints[id];
-    const FootPoint foot = tree.closestPoint(x, hint < 0 ? last : hint);
+    FootPoint foot = tree.closestPoint(x, hint < 0 ? last : hint);
     hint = foot.Triangle;
     return foot;
   };
