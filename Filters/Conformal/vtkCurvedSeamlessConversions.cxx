@@ -101,10 +101,8 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   }
   if (!isAlone)
   {
-    const conformal::Reduce reduce = processes.reduce();
-    model.Positions = conformal::gatherRows(reduce, model.Positions);
-    model.Triangles = conformal::gatherRows(reduce, model.Triangles);
-    model.SpherePositions = conformal::gatherRows(reduce, model.SpherePositions);
+    static_cast<conformal::MappedMesh&>(model) =
+      vtkConformalConversions::GatherMesh(processes.reduce(), model);
     model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
   }
   return model;

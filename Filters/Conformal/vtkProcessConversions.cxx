@@ -324,6 +324,13 @@ void RequestOwnPieces(
 }
 
 //------------------------------------------------------------------------------
+conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own)
+{
+  return { { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Triangles) },
+    gatherRows(reduce, own.SpherePositions) };
+}
+
+//------------------------------------------------------------------------------
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes)
 {
@@ -333,8 +340,7 @@ conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   {
     own = ToMappedMesh(self, mesh, frame);
   }
-  return { { gatherRows(reduce, own.Positions), gatherRows(reduce, own.Triangles) },
-    gatherRows(reduce, own.SpherePositions) };
+  return GatherMesh(reduce, own);
 }
 
 //------------------------------------------------------------------------------

@@ -78,6 +78,9 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
 
+/// The rows of all processes, on each of them; for a mesh that one of them has.
+conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
+
 /// A mesh with a map to the sphere, on all processes, from the first one that has points of it, in
 /// a frame that all have alike.
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,

@@ -98,4 +98,34 @@ Triangles triangleNeighbors(const Triangles& triangles, const Adjacency& around,
     });
   return across;
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> independentSets(
+  const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors)
+{
+  std::vector<int> setOf(numberOfVertices, -1);
+  std::vector<std::vector<int>> sets;
+  std::vector<int> takenBy; // for each set, the last vertex that found a neighbor in it
+  for (const int v : vertices)
+  {
+    visitNeighbors(v,
+      [&](int neighbor)
+      {
+        if (setOf[neighbor] >= 0)
+        {
+          takenBy[setOf[neighbor]] = v;
+        }
+      });
+    const auto free =
+      std::find_if(takenBy.begin(), takenBy.end(), [&](int taken) { return taken != v; });
+    setOf[v] = static_cast<int>(free - takenBy.begin());
+    if (free == takenBy.end())
+    {
+      takenBy.push_back(-1);
+      sets.emplace_back();
+    }
+    sets[setOf[v]].push_back(v);
+  }
+  return sets;
+}
 }

@@ -6,6 +6,7 @@
 #include "Base/Run.h"
 #include "Base/Types.h"
 
+#include <functional>
 #include <vector>
 
 namespace conformal
@@ -38,6 +39,15 @@ Triangles triangleNeighbors(
 /// @param[in] around  vertexTriangles of the triangles, where they are at hand
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
+
+/// Calls a visitor with each neighbor of a vertex.
+using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
+
+/// Sets of vertices of which no two are neighbors, so that those of a set can be moved at the same
+/// time. Each vertex takes the first set that has no neighbor of it, in the order given.
+/// @param[in] vertices  ids in [0, numberOfVertices), each once
+std::vector<std::vector<int>> independentSets(
+  const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "Mesh/Remeshing.h"
 
 #include "Base/Steps.h"
+#include "Mesh/MeshTopology.h"
 #include "Mesh/VertexRings.h"
 
 #include <algorithm>
@@ -396,37 +397,20 @@ private:
       [] { return true; });
   }
 
-  /// Sets of vertices of which no two are joined, by the first color free in the order of ids.
+  /// Sets of vertices of which no two are joined.
   std::vector<std::vector<int>> colors() const
   {
-    std::vector<int> colorOf(this->Rings.size(), -1);
-    std::vector<std::vector<int>> colors;
-    std::vector<int> takenBy; // for each color, the last vertex that found it taken
+    std::vector<int> used;
     for (int v = 0; v < this->Rings.size(); ++v)
     {
-      const Ring& ring = this->Rings[v];
-      if (ring.empty())
+      if (!this->Rings[v].empty())
       {
-        continue;
+        used.push_back(v);
       }
-      for (const int neighbor : ring)
-      {
-        if (colorOf[neighbor] >= 0)
-        {
-          takenBy[colorOf[neighbor]] = v;
-        }
-      }
-      const auto free =
-        std::find_if(takenBy.begin(), takenBy.end(), [&](int taken) { return taken != v; });
-      colorOf[v] = static_cast<int>(free - takenBy.begin());
-      if (free == takenBy.end())
-      {
-        takenBy.push_back(-1);
-        colors.emplace_back();
-      }
-      colors[colorOf[v]].push_back(v);
     }
-    return colors;
+    return independentSets(used, this->Rings.size(),
+      [&](int v, const std::function<void(int)>& visit)
+      { std::for_each(this->Rings[v].begin(), this->Rings[v].end(), visit); });
   }
 
   void smooth(int v)

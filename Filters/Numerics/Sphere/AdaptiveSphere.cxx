@@ -490,8 +490,7 @@ private:
     return across[0] == neighbor ? 0 : across[1] == neighbor ? 1 : 2;
   }
 
-  /// Sets of points of which no two are joined, by the first color free in the order of ids; and a
-  /// triangle of each point.
+  /// Sets of points of which no two are joined; and a triangle of each point.
   std::vector<std::vector<int>> colors()
   {
     this->TriangleOf.resize(this->Positions.size());
@@ -502,31 +501,11 @@ private:
         this->TriangleOf[v] = t;
       }
     }
-    std::vector<int> colorOf(this->Positions.size(), -1);
-    std::vector<std::vector<int>> colors;
-    std::vector<int> takenBy; // for each color, the last point that found it taken
-    for (int v = 0; v < static_cast<int>(this->Positions.size()); ++v)
-    {
-      this->forEachTriangle(v,
-        [&](int t, int k)
-        {
-          const int color = colorOf[this->Items[t].Ids[next(k)]];
-          if (color >= 0)
-          {
-            takenBy[color] = v;
-          }
-        });
-      const auto free =
-        std::find_if(takenBy.begin(), takenBy.end(), [&](int taken) { return taken != v; });
-      colorOf[v] = static_cast<int>(free - takenBy.begin());
-      if (free == takenBy.end())
-      {
-        takenBy.push_back(-1);
-        colors.emplace_back();
-      }
-      colors[colorOf[v]].push_back(v);
-    }
-    return colors;
+    std::vector<int> all(this->Positions.size());
+    std::iota(all.begin(), all.end(), 0);
+    return independentSets(all, static_cast<int>(all.size()),
+      [&](int v, const std::function<void(int)>& visit)
+      { this->forEachTriangle(v, [&](int t, int k) { visit(this->Items[t].Ids[next(k)]); }); });
   }
 
   /// visit(t, k) for each triangle around a point, which is its corner k.

@@ -51,14 +51,14 @@ SphereDensity pictureDensity(Picture picture, const SphereImage& image)
   {
     throw std::invalid_argument("a picture needs pixels, and finite values for each of them");
   }
-  const double pixels = static_cast<double>(size), pi = Pi;
-  const double step = std::min(0.5, std::sqrt(4.0 * pi / pixels));
+  const auto pixels = static_cast<double>(size);
+  const double step = std::min(0.5, std::sqrt(4.0 * Pi / pixels));
   const int frequency =
     std::clamp(static_cast<int>(std::sqrt(pixels / 10.0)), 10, MaximumProbeFrequency);
   SphereDensity density;
   density.Directions = makeGeodesicSphere(frequency).Positions;
   density.Areas.assign(
-    density.Directions.rows(), 4.0 * pi / static_cast<double>(density.Directions.rows()));
+    density.Directions.rows(), 4.0 * Pi / static_cast<double>(density.Directions.rows()));
   const auto kept = std::make_shared<const Picture>(std::move(picture));
   density.At = [kept, image, step](const Vector3& direction)
   { return change(*kept, image, direction, step); };

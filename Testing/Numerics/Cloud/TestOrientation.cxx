@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ using conformal::areaVectors;
 using conformal::Index;
 using conformal::orient;
 using conformal::OrientationOptions;
+using conformal::Pi;
 using conformal::Points;
 using conformal::turnOutward;
 using conformal::typicalSpacing;
@@ -22,22 +24,11 @@ using conformal::WindingNumbers;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 // Points of a unit sphere for which the test holds.
 Points sphereWhere(const std::function<bool(const Vector3&)>& test)
 {
-  const Points all = conformal::makeGeodesicSphere(20).Positions;
-  Points points(all.rows(), 3);
-  Index size = 0;
-  for (Index i = 0; i < all.rows(); ++i)
-  {
-    if (test(all.row(i)))
-    {
-      points.row(size++) = all.row(i);
-    }
-  }
-  return points.topRows(size);
+  return spheres::geodesicWhere(20, test);
 }
 
 Points sphere()

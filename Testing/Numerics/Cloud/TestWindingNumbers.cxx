@@ -2,6 +2,7 @@
 
 #include "Base/Random.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -10,25 +11,18 @@
 #include <vector>
 
 using conformal::Index;
+using conformal::Pi;
 using conformal::Points;
 using conformal::Vector3;
 using conformal::WindingNumbers;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 // Points of a unit sphere, spread evenly; their area vectors are their shares of its area.
 Points sphere()
 {
-  Points points(9000, 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / 9000.0;
-    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
-    points.row(i) << r * std::cos(turn), r * std::sin(turn), z;
-  }
-  return points;
+  return spheres::spiral(9000);
 }
 
 Points sharesOf(const Points& points)

@@ -1,5 +1,6 @@
 #include "Hull/IndicatorGrid.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -10,13 +11,13 @@ using conformal::FreudenthalGrid;
 using conformal::Index;
 using conformal::Indicator;
 using conformal::indicatorOn;
+using conformal::Pi;
 using conformal::Points;
 using conformal::Vector3;
 using conformal::WindingNumbers;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Width = 0.05;
 
 // A grid of odd size, so that the coarse nodes do not end with it.
@@ -33,14 +34,7 @@ FreudenthalGrid gridOf(double spacing)
 // On a unit sphere, spread evenly.
 Points sphere()
 {
-  Points points(4000, 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / 4000.0;
-    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
-    points.row(i) << r * std::cos(turn), r * std::sin(turn), z;
-  }
-  return points;
+  return spheres::spiral(4000);
 }
 
 Points shares(const Points& points)

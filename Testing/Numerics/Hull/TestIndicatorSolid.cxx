@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 
 using conformal::Index;
 using conformal::IndicatorSolid;
+using conformal::Pi;
 using conformal::Points;
 using conformal::PointView;
 using conformal::solidByWindingNumbers;
@@ -20,21 +22,10 @@ using conformal::Vector3;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 
 Points sphereWhere(const std::function<bool(const Vector3&)>& test)
 {
-  const Points all = conformal::makeGeodesicSphere(24).Positions;
-  Points points(all.rows(), 3);
-  Index size = 0;
-  for (Index i = 0; i < all.rows(); ++i)
-  {
-    if (test(all.row(i)))
-    {
-      points.row(size++) = all.row(i);
-    }
-  }
-  return points.topRows(size);
+  return spheres::geodesicWhere(24, test);
 }
 
 Points sphere()

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 using conformal::Adjacency;
 using conformal::Index;
@@ -61,4 +63,37 @@ TEST(MeshTopology, BoundaryEdgesHaveNoNeighbor)
   Triangles one(1, 3);
   one << 0, 1, 2;
   EXPECT_EQ(conformal::triangleNeighbors(one, 3), Triangles::Constant(1, 3, -1));
+}
+
+TEST(MeshTopology, IndependentSetsHoldEachVertexOnceAndNoNeighbors)
+{
+  const auto sphere = conformal::makeGeodesicSphere(7);
+  const auto size = static_cast<int>(sphere.Positions.rows());
+  const auto neighbors = conformal::vertexNeighbors(sphere.Triangles, size);
+  std::vector<int> vertices; // the first one is left out
+  for (int v = 1; v < size; ++v)
+  {
+    vertices.push_back(v);
+  }
+  const auto sets = conformal::independentSets(vertices, size,
+    [&](int v, const std::function<void(int)>& visit)
+    { std::for_each(neighbors.begin(v), neighbors.end(v), visit); });
+  std::vector<int> setOf(size, -1);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    for (const int v : sets[i])
+    {
+      EXPECT_EQ(setOf[v], -1);
+      setOf[v] = static_cast<int>(i);
+    }
+  }
+  EXPECT_EQ(setOf[0], -1);
+  for (const int v : vertices)
+  {
+    EXPECT_GE(setOf[v], 0);
+    EXPECT_EQ(std::count_if(neighbors.begin(v), neighbors.end(v),
+                [&](int other) { return setOf[other] == setOf[v]; }),
+      0);
+  }
+  EXPECT_LE(sets.size(), 7U); // a vertex has at most six neighbors
 }
