@@ -55,7 +55,6 @@ def learned(cloud, lattice, frequency):
     network.SetInputData(cloud)
     getattr(network, "SetLatticeTo" + lattice)()
     network.SetFrequency(frequency)
-    network.SetNumberOfNeurons(10 * frequency * frequency + 2)
     network.SetSphereMapToConformal()
     begin = time.perf_counter()
     network.Update()

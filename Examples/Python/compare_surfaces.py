@@ -54,6 +54,7 @@ def compared(cloud, frequency=36, surface_frequency=80):
     """For each surface by name: its number of points, p2s, and mean jump of normals or None."""
     network = vtkConformalSOM()
     network.SetInputData(cloud)
+    network.SetLatticeToGeodesic()
     network.SetFrequency(frequency)
     network.Update()
     mesh = network.GetOutput()

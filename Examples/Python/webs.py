@@ -1,7 +1,11 @@
 #!/usr/bin/python3
-"""Draws a figure with limbs as learned from a sphere, with webs, and as learned by default."""
+"""Draws a figure with limbs: the points, learned on a lattice from a sphere, and learned by default."""
 import argparse
 import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 from conformalsom import vtkConformalSOM
 
@@ -11,27 +15,47 @@ from helpers.builtin_figure import dancer, figure_cloud
 VIEW, UP = (0, 0, 1), (0, 1, 0)
 
 
-def learned(scan, starting_shape):
-    """The filter that has learned the scan from that shape."""
+def learned(scan, **properties):
+    """The mesh of the scan."""
     network = vtkConformalSOM()
     network.SetInputData(scan)
     network.SetFrequency(24)
-    network.SetStartingShape(starting_shape)
+    for name, value in properties.items():
+        getattr(network, "Set" + name)(value)
     network.Update()
-    return network
+    return network.GetOutput()
+
+
+def on_a_limb(camera, scan):
+    """The camera, on a fourth of its view near the point farthest from the middle."""
+    points = vtk_to_numpy(scan.GetPoints().GetData())
+    end = points[np.argmax(np.linalg.norm(points - points.mean(axis=0), axis=1))]
+    near = vtkCamera()
+    near.DeepCopy(camera)
+    shift = 0.85 * (end - np.array(camera.GetFocalPoint()))
+    near.SetFocalPoint(camera.GetFocalPoint() + shift)
+    near.SetPosition(camera.GetPosition() + shift)
+    near.SetParallelScale(camera.GetParallelScale() / 4.0)
+    return near
 
 
 def write(path):
     scan = figure_cloud(30000, figure=dancer)
     camera = pictures.camera_on(scan, VIEW, UP, 0.9)
+    meshes = {
+        "Lattice, from a sphere": learned(
+            scan, Lattice=vtkConformalSOM.GEODESIC, StartingShape=vtkConformalSOM.SPHERE),
+        "Lattice, from a hull": learned(scan, Lattice=vtkConformalSOM.GEODESIC),
+        "Adaptive, the default": learned(scan)}
     scenes = [pictures.scene(pictures.cloud_actor(scan, VIEW), "30,000 points", camera)]
-    for shape, label in ((vtkConformalSOM.SPHERE, "Learned from a sphere"),
-                         (vtkConformalSOM.AUTOMATIC, "Learned by default")):
-        mesh = learned(scan, shape).GetOutput()
+    for label, mesh in meshes.items():
         bare = mesh.GetFieldData().GetArray("UnsupportedFraction").GetValue(0)
         scenes.append(pictures.scene(pictures.mesh_actor(mesh),
                                      f"{label}: {100 * bare:.1f} % without points", camera))
-    pictures.write_side_by_side(path, scenes, 1350, 500)
+    near = on_a_limb(camera, scan)
+    scenes.append(pictures.scene(pictures.cloud_actor(scan, VIEW), "The end of a limb", near))
+    scenes += [pictures.scene(pictures.mesh_actor(mesh), label, near) for label, mesh in meshes.items()]
+    pictures.write_side_by_side(path, scenes, 1800, 1000, rows=2)
 
 
 def main():

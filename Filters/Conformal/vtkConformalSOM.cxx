@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Learn/ConformalSOM.h"
+#include "Mesh/GeodesicSphere.h"
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
@@ -19,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -193,6 +195,25 @@ vtkConformalSOM::~vtkConformalSOM()
 }
 
 //------------------------------------------------------------------------------
+void vtkConformalSOM::SetNumberOfNeurons(int number)
+{
+  number = number == 0 ? 0 : std::clamp(number, 12, 10000002);
+  if (this->NumberOfNeurons != number)
+  {
+    this->NumberOfNeurons = number;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkConformalSOM::GetNumberOfNeurons()
+{
+  return this->NumberOfNeurons > 0
+    ? this->NumberOfNeurons
+    : static_cast<int>(conformal::geodesicSphereSize(this->Frequency));
+}
+
+//------------------------------------------------------------------------------
 int vtkConformalSOM::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
@@ -298,9 +319,13 @@ int vtkConformalSOM::RequestData(
 void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Lattice: " << (this->Lattice == GEODESIC ? "Geodesic" : "Adaptive") << "\n";
+  os << indent << "Lattice: "
+     << (this->Lattice == GEODESIC      ? "Geodesic"
+            : this->Lattice == ADAPTIVE ? "Adaptive"
+                                        : "Automatic")
+     << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
-  os << indent << "NumberOfNeurons: " << this->NumberOfNeurons << "\n";
+  os << indent << "NumberOfNeurons: " << this->GetNumberOfNeurons() << "\n";
   os << indent << "SphereMap: "
      << (this->SphereMap == CONFORMAL_MAP ? "Conformal"
             : this->SphereMap == BALANCED ? "Balanced"

@@ -96,7 +96,8 @@ public:
   enum Lattices
   {
     GEODESIC = 0,
-    ADAPTIVE = 1
+    ADAPTIVE = 1,
+    AUTOMATIC_LATTICE = 2
   };
 
   enum SphereMaps
@@ -124,23 +125,26 @@ public:
 
   ///@{
   /**
-   * What the network is. GEODESIC (default): the paper's, a geodesic sphere of which each triangle
+   * What the network is. GEODESIC: the paper's, a geodesic sphere of which each triangle
    * keeps its neighbors wherever it comes to lie. ADAPTIVE: triangles of one size all over the
    * surface, nearly equilateral on long limbs too; Batch only. It starts as
-   * StartingShape says, on a coarse lattice, or from the mesh on input port 1, and ignores
-   * Frequency. Points come to lie on sharp edges and in corners of the object.
+   * StartingShape says, on a coarse lattice, or from the mesh on input port 1. Points come to lie
+   * on sharp edges and in corners of the object. AUTOMATIC_LATTICE (default): ADAPTIVE in Batch
+   * mode, GEODESIC, as fine, in Online mode and for points in a plane. Documentation/Fit.md
+   * compares them.
    */
-  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
+  vtkSetClampMacro(Lattice, int, GEODESIC, AUTOMATIC_LATTICE);
   vtkGetMacro(Lattice, int);
+  void SetLatticeToAutomatic() { this->SetLattice(AUTOMATIC_LATTICE); }
   void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
   void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
   ///@}
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere that is the network; ignored if Lattice is ADAPTIVE. In
-   * [1, 1000]. Default is 36, which gives 12,962 neurons and 25,920 triangles. Training takes about
-   * 1 KiB a neuron.
+   * Frequency f of the geodesic sphere that is the network; an adaptive network has as many neurons
+   * as that, unless NumberOfNeurons is set. In [1, 1000]. Default is 36, which gives 12,962 neurons
+   * and 25,920 triangles. Training takes about 1 KiB a neuron.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -148,11 +152,12 @@ public:
 
   ///@{
   /**
-   * How many points the mesh has if Lattice is ADAPTIVE; ignored if it is GEODESIC, whose Frequency
-   * says how many. In [12, 10000002], as Frequency. Default is 12,962, those of a Frequency of 36.
+   * How many points the mesh has if the network is adaptive; ignored if it is geodesic. In [12,
+   * 10000002]; 0 stands for as many as a geodesic sphere of the Frequency has, 10 f^2 + 2, which is
+   * the default: 12,962.
    */
-  vtkSetClampMacro(NumberOfNeurons, int, 12, 10000002);
-  vtkGetMacro(NumberOfNeurons, int);
+  void SetNumberOfNeurons(int number);
+  int GetNumberOfNeurons();
   ///@}
 
   ///@{
@@ -391,9 +396,9 @@ private:
   vtkConformalSOM(const vtkConformalSOM&) = delete;
   void operator=(const vtkConformalSOM&) = delete;
 
-  int Lattice = GEODESIC;
+  int Lattice = AUTOMATIC_LATTICE;
   int Frequency = 36;
-  int NumberOfNeurons = 12962;
+  int NumberOfNeurons = 0; // as the Frequency says
   int SphereMap = LATTICE;
   double AreaBalance = 0.5;
   int TrainingMode = BATCH;

@@ -84,6 +84,7 @@ void batch(benchmark::State& state, Index size, int frequency, int threads)
   const Points points = fixtures::bumpyCloud(size);
   const conformal::Run run = fixtures::threads(threads);
   ConformalSOMOptions options;
+  options.Lattice = conformal::Lattice::Geodesic;
   options.Frequency = frequency;
   Points weights;
   for (auto _ : state)

@@ -104,6 +104,7 @@ int main(int argc, char* argv[])
     const Usage read = Now();
     vtkNew<vtkConformalSOM> network;
     network->SetInputConnection(reader->GetOutputPort());
+    network->SetLatticeToGeodesic();
     network->SetFrequency(argc > 3 ? std::atoi(argv[3]) : 36);
     network->SetSamplesPerNeuron(argc > 4 ? std::atoi(argv[4]) : 12);
     network->SetStartingShapeToSphere();

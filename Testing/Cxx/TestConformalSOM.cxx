@@ -173,6 +173,8 @@ TEST(ConformalSOM, MapsTheLearnedMeshAnew)
     auto lattice = MakeFilter(MakeCloud(3000)), mapped = MakeFilter(MakeCloud(3000));
     lattice->SetTrainingMode(mode);
     mapped->SetTrainingMode(mode);
+    lattice->SetLatticeToGeodesic();
+    mapped->SetLatticeToGeodesic();
     mapped->SetSphereMapToConformal();
     lattice->Update();
     mapped->Update();
@@ -294,6 +296,30 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
   {
     contract::ExpectPrints(filter, property);
   }
+}
+
+TEST(ConformalSOM, FrequencySaysHowFineEitherLatticeIs)
+{
+  vtkNew<vtkConformalSOM> filter;
+  EXPECT_EQ(filter->GetNumberOfNeurons(), 12962);
+  filter->SetFrequency(4);
+  EXPECT_EQ(filter->GetNumberOfNeurons(), 162);
+  filter->SetNumberOfNeurons(150);
+  filter->SetFrequency(5);
+  EXPECT_EQ(filter->GetNumberOfNeurons(), 150) << "what is set stays";
+  auto cloud = MakeCloud(500);
+  filter->SetInputData(cloud);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 150);
+  filter->SetTrainingModeToOnline();
+  filter->SetNumberOfEpochs(1);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 252)
+    << "Online learns on the geodesic lattice";
+  filter->SetTrainingModeToBatch();
+  filter->SetNumberOfNeurons(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 252);
 }
 
 TEST(ConformalSOM, SameBitsOnAnyBackendAndNumberOfThreads)
@@ -426,7 +452,6 @@ TEST(ConformalSOM, SaysNothingOfCleanScans)
       auto filter = MakeFilter(reader->GetOutput());
       filter->SetStartingShapeToHull();
       filter->SetFrequency(24);
-      filter->SetNumberOfNeurons(5762);
       filter->SetLattice(lattice);
       contract::Observed observed(filter);
       filter->Update();
@@ -586,7 +611,7 @@ TEST(ConformalSOM, BadParametersAreErrors)
   EXPECT_EQ(filter->GetFrequency(), 1);
   filter->SetFrequency(1000000);
   EXPECT_EQ(filter->GetFrequency(), 1000);
-  filter->SetNumberOfNeurons(0);
+  filter->SetNumberOfNeurons(-1);
   EXPECT_EQ(filter->GetNumberOfNeurons(), 12);
   filter->SetNumberOfEpochs(-3);
   EXPECT_EQ(filter->GetNumberOfEpochs(), 0);

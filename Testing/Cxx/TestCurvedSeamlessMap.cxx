@@ -154,6 +154,7 @@ vtkSmartPointer<vtkPolyData> LearnedMesh(const std::string& name)
     return nullptr;
   }
   vtkNew<vtkConformalSOM> network;
+  network->SetLatticeToGeodesic();
   if (name.substr(name.size() - 3) == "obj")
   {
     vtkNew<vtkOBJReader> reader;

@@ -606,6 +606,7 @@ TEST_F(GlobalConformalMap, MakesALearnedMeshConformal)
   }
   vtkNew<vtkConformalSOM> network;
   network->SetInputData(cloud);
+  network->SetLatticeToGeodesic();
   network->SetFrequency(16);
   vtkNew<vtkConformalDistortion> distortion;
   distortion->SetInputConnection(network->GetOutputPort());

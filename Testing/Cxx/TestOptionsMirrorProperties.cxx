@@ -36,7 +36,9 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(filter->GetLattice(), static_cast<int>(options.Lattice));
   EXPECT_EQ(filter->GetFrequency(), options.Frequency);
   EXPECT_EQ(filter->GetNumberOfNeurons(), options.NumberOfNeurons);
-  EXPECT_EQ(filter->GetNumberOfNeuronsMinValue(), conformal::MinimumNeurons);
+  vtkNew<vtkConformalSOM> few;
+  few->SetNumberOfNeurons(1);
+  EXPECT_EQ(few->GetNumberOfNeurons(), conformal::MinimumNeurons);
   EXPECT_EQ(filter->GetSphereMap(), static_cast<int>(options.SphereMap));
   EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
   EXPECT_EQ(filter->GetTrainingMode(), static_cast<int>(options.TrainingMode));
@@ -64,6 +66,7 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   using conformal::TrainingMode;
   EXPECT_EQ(vtkConformalSOM::GEODESIC, static_cast<int>(Lattice::Geodesic));
   EXPECT_EQ(vtkConformalSOM::ADAPTIVE, static_cast<int>(Lattice::Adaptive));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_LATTICE, static_cast<int>(Lattice::Automatic));
   EXPECT_EQ(vtkConformalSOM::LATTICE, static_cast<int>(SphereMap::Lattice));
   EXPECT_EQ(vtkConformalSOM::CONFORMAL_MAP, static_cast<int>(SphereMap::Conformal));
   EXPECT_EQ(vtkConformalSOM::BALANCED, static_cast<int>(SphereMap::Balanced));

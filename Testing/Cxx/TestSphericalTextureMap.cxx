@@ -226,7 +226,7 @@ TEST_F(SphericalTextureMap, SplitsWhateverItsInputIsMadeOf)
   EXPECT_EQ(CountBackwards(this->Filter->GetOutput()), 0);
 }
 
-// On surfaces of 64,002 points, where vtkTextureMapToSphere shows 481 triangles backwards.
+// On surfaces of 64,002 points vtkTextureMapToSphere shows 481 triangles backwards.
 TEST_F(SphericalTextureMap, NoTriangleOfAScanShowsTheImageBackwards)
 {
   const std::string folder = CONFORMALSOM_SCAN_DIR;
@@ -247,7 +247,7 @@ TEST_F(SphericalTextureMap, NoTriangleOfAScanShowsTheImageBackwards)
     vtkNew<vtkCurvedSeamlessSurface> surface;
     surface->SetInputConnection(network->GetOutputPort());
     surface->Update();
-    ASSERT_EQ(surface->GetOutput()->GetNumberOfPoints(), 64002);
+    ASSERT_GE(surface->GetOutput()->GetNumberOfPoints(), 64002);
     this->Filter->SetInputConnection(surface->GetOutputPort());
     for (int projection = 0; projection < 4; ++projection)
     {

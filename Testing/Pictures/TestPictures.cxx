@@ -112,6 +112,7 @@ int main(int argc, char* argv[])
   scan->SetFileName((folder + "/scan.ply").c_str());
   vtkNew<vtkConformalSOM> mesh;
   mesh->SetInputConnection(scan->GetOutputPort());
+  mesh->SetLatticeToGeodesic(); // as in the pictures by Python
   mesh->SetFrequency(16);
   vtkNew<vtkCurvedSeamlessSurface> surface;
   surface->SetInputConnection(mesh->GetOutputPort());

@@ -66,6 +66,7 @@ class TestGlobalConformalMap(unittest.TestCase):
         cls.cloud = figure_cloud(20000)
         cls.network = vtkConformalSOM()
         cls.network.SetInputData(cls.cloud)
+        cls.network.SetLatticeToGeodesic()
         cls.network.SetFrequency(24)
         cls.network.Update()
 

@@ -75,6 +75,7 @@ class TestPictures(unittest.TestCase):
         cls.scan = figure_cloud(20000)
         cls.network = vtkConformalSOM()
         cls.network.SetInputData(cls.scan)
+        cls.network.SetLatticeToGeodesic()  # whose map is none of the conformal ones beside it
         cls.network.SetFrequency(16)
         cls.surface = vtkCurvedSeamlessSurface()
         cls.surface.SetInputConnection(cls.network.GetOutputPort())
@@ -186,6 +187,7 @@ class TestPictures(unittest.TestCase):
         """The surface over a mesh that is coarse enough to see the construction."""
         network = vtkConformalSOM()
         network.SetInputData(self.scan)
+        network.SetLatticeToGeodesic()
         network.SetFrequency(frequency)
         surface = vtkCurvedSeamlessSurface()
         surface.SetInputConnection(network.GetOutputPort())

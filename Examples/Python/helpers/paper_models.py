@@ -117,6 +117,7 @@ def learned(points, mode="Batch", reference="Conformal", frequency=FREQUENCY):
     """A mesh learned from points by CSM, or by the plain SOM where reference is Winner."""
     network = vtkConformalSOM()
     network.SetInputData(points)
+    network.SetLatticeToGeodesic()
     network.SetFrequency(frequency)
     getattr(network, f"SetTrainingModeTo{mode}")()
     getattr(network, f"SetReferencePointTo{reference}")()

@@ -11,6 +11,7 @@
 #include "Sphere/Resampling.h"
 #include "SphereMap/GlobalConformalMap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -45,9 +46,27 @@ void requireNear(const Points& start)
   require(reached <= farthest, text.str());
 }
 
+bool isAdaptive(const ConformalSOMOptions& options)
+{
+  return options.Lattice == Lattice::Adaptive ||
+    (options.Lattice == Lattice::Automatic && options.TrainingMode == TrainingMode::Batch);
+}
+
+/// Flat points have no surface that triangles could follow.
+ConformalSOMOptions forSamples(ConformalSOMOptions options, const TrainingSamples& samples)
+{
+  if (options.Lattice == Lattice::Automatic && isAdaptive(options) && samples.dimension() < 3)
+  {
+    const double square = static_cast<double>(options.NumberOfNeurons - 2) / 10.0;
+    options.Frequency = std::max(1, static_cast<int>(std::lround(std::sqrt(square))));
+    options.Lattice = Lattice::Geodesic;
+  }
+  return options;
+}
+
 void check(const ConformalSOMOptions& options)
 {
-  const bool adaptive = options.Lattice == Lattice::Adaptive;
+  const bool adaptive = isAdaptive(options);
   require(!adaptive || options.TrainingMode == TrainingMode::Batch,
     "the adaptive lattice can be learned in Batch mode only; in Online mode take the geodesic one");
   require(!adaptive || options.NumberOfNeurons >= MinimumNeurons,
@@ -122,7 +141,7 @@ ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
 /// Whether the learned surface is to be mapped to the sphere anew.
 bool mapsAnew(const ConformalSOMOptions& options)
 {
-  return options.Lattice == Lattice::Adaptive || options.SphereMap != SphereMap::Lattice;
+  return isAdaptive(options) || options.SphereMap != SphereMap::Lattice;
 }
 
 GlobalConformalMapOptions mapOptions(const ConformalSOMOptions& options)
@@ -149,8 +168,7 @@ double workOfMap(const ConformalSOMOptions& options)
 
 Index numberOfNeurons(const ConformalSOMOptions& options)
 {
-  return options.Lattice == Lattice::Adaptive ? options.NumberOfNeurons
-                                              : geodesicSphereSize(options.Frequency);
+  return isAdaptive(options) ? options.NumberOfNeurons : geodesicSphereSize(options.Frequency);
 }
 
 double workOfConformalSOM(const ConformalSOMOptions& options)
@@ -159,13 +177,14 @@ double workOfConformalSOM(const ConformalSOMOptions& options)
 }
 
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
-  const ConformalSOMOptions& options, const MappedMesh* start, const Run& run)
+  const ConformalSOMOptions& requested, const MappedMesh* start, const Run& run)
 {
   require(!samples.empty(), "there is no point to learn from");
-  check(options);
+  check(requested);
+  const ConformalSOMOptions options = forSamples(requested, samples);
   run.report(0.0);
   Steps steps(run, { workOfLearning(options), workOfMap(options) });
-  const auto learn = options.Lattice == Lattice::Adaptive ? trainAdaptiveFrom : trainGeodesic;
+  const auto learn = isAdaptive(options) ? trainAdaptiveFrom : trainGeodesic;
   ConformalSOMResult result = learn(samples, options, start, steps.next());
   if (mapsAnew(options))
   {

@@ -36,7 +36,8 @@ enum class StartingShape
 enum class Lattice
 {
   Geodesic, ///< the paper's: a geodesic sphere, whose triangles stay joined as they are
-  Adaptive  ///< triangles of one size on the surface, whatever its limbs; Batch only
+  Adaptive, ///< triangles of one size on the surface, whatever its limbs; Batch only
+  Automatic ///< Adaptive in Batch mode, Geodesic in Online mode and of points that are flat
 };
 
 /// Which map to the sphere a result gets.
@@ -51,7 +52,7 @@ constexpr Index MinimumNeurons = 12; ///< of an adaptive network; those of an ic
 
 struct ConformalSOMOptions
 {
-  conformal::Lattice Lattice = conformal::Lattice::Geodesic;
+  conformal::Lattice Lattice = conformal::Lattice::Automatic;
   Index NumberOfNeurons = 12962; ///< Adaptive, at least MinimumNeurons
   conformal::SphereMap SphereMap = conformal::SphereMap::Lattice;
   double AreaBalance = 0.5; ///< Balanced: from conformal, 0, to nearly equal in area, 1

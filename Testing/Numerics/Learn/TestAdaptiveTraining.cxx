@@ -121,6 +121,7 @@ ConformalSOMOptions adaptive(Index neurons)
 ConformalSOMOptions geodesic(int frequency)
 {
   ConformalSOMOptions options;
+  options.Lattice = conformal::Lattice::Geodesic;
   options.Frequency = frequency;
   return options;
 }
@@ -286,6 +287,25 @@ TEST(AdaptiveTraining, MapsTheGeodesicLatticeToo)
   };
   EXPECT_LT(error(mapped), 1.4);
   EXPECT_LT(error(mapped), error(lattice) - 0.3);
+}
+
+TEST(AdaptiveTraining, IsWhatBatchTakesWhereThePointsAreNotFlat)
+{
+  const Points points = ellipsoid(3000, 3);
+  ConformalSOMOptions automatic;
+  automatic.NumberOfNeurons = 500;
+  EXPECT_EQ(conformal::numberOfNeurons(automatic), 500);
+  EXPECT_EQ(trainConformalSOM(TrainingSamples(points), automatic).Positions,
+    trainConformalSOM(TrainingSamples(points), adaptive(500)).Positions);
+  Points flat = points;
+  flat.col(2).setZero();
+  EXPECT_EQ(trainConformalSOM(TrainingSamples(flat), automatic).Positions,
+    trainConformalSOM(TrainingSamples(flat), geodesic(7)).Positions)
+    << "of as many neurons, nearly";
+  automatic.TrainingMode = conformal::TrainingMode::Online;
+  automatic.NumberOfEpochs = 0;
+  automatic.Frequency = 3;
+  EXPECT_EQ(trainConformalSOM(TrainingSamples(points), automatic).Positions.rows(), 92);
 }
 
 TEST(AdaptiveTraining, SameBitsInAnyOrderOfBlocks)

@@ -118,6 +118,7 @@ ConformalSOMOptions online(int frequency)
 ConformalSOMOptions batch(int frequency)
 {
   ConformalSOMOptions options;
+  options.Lattice = conformal::Lattice::Geodesic;
   options.Frequency = frequency;
   return options;
 }
