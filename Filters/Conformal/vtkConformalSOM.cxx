@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Learn/ConformalSOM.h"
+#include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
@@ -121,8 +122,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
 }
 
 // What learning saw that its user should know.
-void WarnAbout(
-  vtkConformalSOM* self, const conformal::ConformalSOMResult& result, vtkIdType samples)
+void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& result,
+  const conformal::TrainingSamples& samples)
 {
   if (result.HullLeaks)
   {
@@ -134,15 +135,27 @@ void WarnAbout(
   {
     vtkConformalConversions::WarnOfCutHandles(self, result.CutFraction);
   }
-  if (result.NumberOfSamplesOutside > samples / 1000)
+  if (result.NumberOfSamplesOutside > samples.totalSize() / 1000)
   {
-    vtkConformalConversions::WarnOfPointsApart(self, result.NumberOfSamplesOutside, samples);
+    vtkConformalConversions::WarnOfPointsApart(
+      self, result.NumberOfSamplesOutside, samples.totalSize());
   }
   if (result.UnsupportedFraction > 0.002)
   {
     vtkWarningWithObjectMacro(self, << 100.0 * result.UnsupportedFraction
                                     << " % of the mesh area has no points nearby: it spans holes "
                                        "in the data or gaps between limbs");
+  }
+  if (!result.ConformalMapFits && samples.dimension() == 3)
+  {
+    const double error =
+      conformal::measureDistortion(result.Positions, result.Triangles, result.SpherePositions)
+        .MeanQuasiConformalError;
+    vtkWarningWithObjectMacro(
+      self, << "limbs are too long for a conformal map in double precision; "
+               "SpherePosition is one to one, but its mean quasi-conformal "
+               "error is "
+            << error << ", where 1 is conformal");
   }
 }
 
@@ -293,7 +306,7 @@ int vtkConformalSOM::RequestData(
         conformal::trainConformalSOM(samples, options, start ? &mesh : nullptr, steps.next());
       if (processes.isFirst())
       {
-        WarnAbout(this, result, samples.totalSize());
+        WarnAbout(this, result, samples);
       }
       const vtkNew<vtkPolyData> surface;
       vtkConformalConversions::SetSurface(surface, result.Positions, result.Triangles, frame);

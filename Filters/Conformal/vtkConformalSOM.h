@@ -165,8 +165,10 @@ public:
    * Where the array "SpherePosition" has the points of the mesh. LATTICE (default): where the
    * geodesic sphere has its neurons; an adaptive network has no such places, and gets the conformal
    * map. CONFORMAL_MAP: in a conformal map of the learned mesh, as vtkGlobalConformalMap makes it:
-   * angles are kept, and limbs get little of the sphere. BALANCED: in one that trades angles for
-   * areas, see AreaBalance.
+   * angles are kept, and limbs get little of the sphere. Limbs longer than about five times their
+   * girth have no room in double precision; they get more than that, and a warning gives the mean
+   * quasi-conformal error (1 if conformal). BALANCED: in one that trades angles for areas, see
+   * AreaBalance.
    */
   vtkSetClampMacro(SphereMap, int, LATTICE, BALANCED);
   vtkGetMacro(SphereMap, int);

@@ -4,6 +4,7 @@
 #include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkConformalDistortion.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGeodesicSphereSource.h"
@@ -26,6 +27,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace
@@ -401,6 +403,36 @@ TEST(ConformalSOM, FlatCloudsGiveAWarningAndAFiniteMesh)
       std::string::npos);
     EXPECT_LE(rank, 2);
   }
+}
+
+// Forty times as long as thick: a conformal map of it has no room in double precision.
+TEST(ConformalSOM, MapsWhatIsTooLongForAConformalMapWithAWarning)
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double angle = 2.399963 * i, z = -1.0 + 2.0 * i / 3999.0;
+    const double radius = 0.025 * std::sqrt(1.0 - std::pow(z, 20));
+    points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), z);
+  }
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  auto filter = MakeFilter(cloud);
+  filter->SetLatticeToAdaptive();
+  filter->SetNumberOfNeurons(1500);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error());
+  contract::ExpectSpherePosition(filter->GetOutput());
+  vtkNew<vtkConformalDistortion> distortion;
+  distortion->SetInputData(filter->GetOutput());
+  distortion->Update();
+  vtkFieldData* figures = distortion->GetOutput()->GetFieldData();
+  EXPECT_EQ(figures->GetArray("NumberOfFlippedTriangles")->GetTuple1(0), 0.0);
+  std::ostringstream error;
+  error << "error is " << figures->GetArray("MeanQuasiConformalError")->GetTuple1(0);
+  EXPECT_NE(observed.WarningMessage().find(error.str()), std::string::npos)
+    << observed.WarningMessage();
 }
 
 TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)

@@ -188,8 +188,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   ConformalSOMResult result = learn(samples, options, start, steps.next());
   if (mapsAnew(options))
   {
-    result.SpherePositions =
-      globalConformalMap(result, mapOptions(options), steps.next()).Positions;
+    const GlobalConformalMapOptions wanted = mapOptions(options);
+    GlobalConformalMapResult map = globalConformalMap(result, wanted, steps.next());
+    result.SpherePositions = std::move(map.Positions);
+    result.ConformalMapFits =
+      wanted.AreaBalance > 0.0 || map.Tier != GlobalConformalTier::Progressive;
   }
   for (Index i = 0; i < result.Positions.rows(); ++i)
   {

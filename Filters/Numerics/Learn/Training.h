@@ -104,6 +104,8 @@ struct ConformalSOMResult : MappedMesh
   double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
   double NoiseToDetail = 0.0;       ///< variance of the noise over that of what the lattice is too
                                     ///< coarse for
+  bool ConformalMapFits = true; ///< false where a conformal map was wanted and would not fit into
+                                ///< numbers: SpherePositions keep angles less than that
 };
 }
 

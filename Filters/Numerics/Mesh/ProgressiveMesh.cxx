@@ -1,9 +1,29 @@
 #include "Mesh/ProgressiveMesh.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace conformal
 {
+namespace
+{
+// The neighbor into which a vertex can go that has the fewest neighbors itself, or -1.
+int targetOf(const VertexRings& rings, int v)
+{
+  int target = -1;
+  for (const int u : rings[v])
+  {
+    if ((target < 0 || rings[u].size() < rings[target].size()) && rings.canCollapse(v, u))
+    {
+      target = u;
+    }
+  }
+  return target;
+}
+}
+
+//------------------------------------------------------------------------------
 ProgressiveMesh makeProgressiveMesh(
   const Mesh& mesh, QuadricCollapse::Needles needles, const Run& run)
 {
@@ -21,6 +41,58 @@ ProgressiveMesh makeProgressiveMesh(
     {
       run.report(static_cast<double>(i) / static_cast<double>(count));
     }
+  }
+  std::reverse(result.Splits.begin(), result.Splits.end());
+  run.report(1.0);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+ProgressiveMesh makeProgressiveMesh(
+  const Triangles& triangles, Index numberOfVertices, const Run& run)
+{
+  // At least half of the vertices of any such mesh have no more neighbors.
+  constexpr std::size_t mostNeighbors = 8;
+  ProgressiveMesh result = { VertexRings(triangles, numberOfVertices), {} };
+  VertexRings& rings = result.Rings;
+  std::vector<int> left;
+  for (int v = 0; v < rings.size(); ++v)
+  {
+    if (!rings[v].empty())
+    {
+      left.push_back(v);
+    }
+  }
+  const std::size_t count = left.size() - 4;
+  result.Splits.reserve(count);
+  std::vector<char> held(rings.size());
+  while (result.Splits.size() < count)
+  {
+    std::fill(held.begin(), held.end(), 0);
+    for (std::size_t neighbors = 3; neighbors <= mostNeighbors; ++neighbors)
+    {
+      for (const int v : left)
+      {
+        if (held[v] || rings[v].size() != neighbors || result.Splits.size() == count)
+        {
+          continue;
+        }
+        const int target = targetOf(rings, v);
+        if (target >= 0)
+        {
+          Ring ring = rings.collapse(v, target);
+          held[v] = 1;
+          for (const int id : ring)
+          {
+            held[id] = 1;
+          }
+          result.Splits.push_back({ v, std::move(ring) });
+        }
+      }
+    }
+    left.erase(std::remove_if(left.begin(), left.end(), [&](int v) { return rings[v].empty(); }),
+      left.end());
+    run.report(static_cast<double>(result.Splits.size()) / static_cast<double>(count));
   }
   std::reverse(result.Splits.begin(), result.Splits.end());
   run.report(1.0);

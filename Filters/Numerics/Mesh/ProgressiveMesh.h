@@ -23,6 +23,12 @@ struct ProgressiveMesh
 /// @param[in] mesh  about of size one, with triangles that requireGenusZero() lets pass
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
+
+/// The same from the connectivity alone, for surfaces whose shape does not tell what to keep: in
+/// each of a logarithmic number of rounds a share of the vertices goes, those with the fewest
+/// neighbors first and no two that are joined \cite Kirkpatrick1983.
+ProgressiveMesh makeProgressiveMesh(
+  const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 }
 
 #endif

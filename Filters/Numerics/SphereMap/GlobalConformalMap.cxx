@@ -11,7 +11,7 @@
 #include "SphereMap/HarmonicSphereMap.h"
 #include "SphereMap/ProgressiveSphereMap.h"
 
-#include <limits>
+#include <algorithm>
 #include <stdexcept>
 
 namespace conformal
@@ -43,15 +43,6 @@ double workOfMap(const GlobalConformalMapOptions& options, Index numberOfVertice
                                                         : workOfHarmonicMap(numberOfVertices);
 }
 
-Points balanced(const Mesh& mesh, double balance, Index maximumRelaxations, const Run& run)
-{
-  ProgressiveSphereMapOptions options;
-  options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
-  options.AreaBalance = balance;
-  options.MaximumNumberOfRelaxations = maximumRelaxations;
-  return mapToSphere(mesh, options, run).Positions;
-}
-
 // With as little more balance of areas as leaves room for every triangle. Insertions that first
 // have to make room can take a second each, so few are allowed while there is another attempt.
 Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
@@ -68,7 +59,11 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
     const double end = begin + share * (1.0 - begin);
     try
     {
-      return balanced(mesh, balance, fewRelaxations, run.part(begin, end));
+      ProgressiveSphereMapOptions options;
+      options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
+      options.AreaBalance = balance;
+      options.MaximumNumberOfRelaxations = fewRelaxations;
+      return mapToSphere(mesh, options, run.part(begin, end)).Positions;
     }
     catch (const NumericalFailure&)
     {
@@ -76,9 +71,10 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
       last = balance;
     }
   }
-  // The surface is shapeless, or too strange: as if all triangles were equal.
-  return balanced({ Points::Zero(mesh.Positions.rows(), 3), mesh.Triangles }, 0.5,
-    std::numeric_limits<Index>::max(), run.part(begin, 1.0));
+  ProgressiveSphereMapOptions options;
+  options.AreaBalance = std::max(0.5, minimumBalance);
+  options.ConnectivityFirst = true;
+  return mapToSphere(mesh, options, run.part(begin, 1.0)).Positions;
 }
 
 // Turned to where it agrees best with the directions from the surface's middle.

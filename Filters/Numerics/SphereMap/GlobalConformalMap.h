@@ -51,8 +51,9 @@ struct GlobalConformalMapResult
 ///
 /// Robust: punctureToSphere; repairFlips where it folds; another puncture where the first lies on a
 /// limb; the angles of misshapen triangles relaxed; and if all this leaves a triangle flipped, or
-/// too small to be told from one, mapToSphere with as little AreaBalance as will do. An AreaBalance
-/// above 0 takes mapToSphere at once.
+/// too small to be told from one, mapToSphere with as little AreaBalance as will do, in the end
+/// with its ConnectivityFirst, which has found room on every surface tried. An AreaBalance above 0
+/// takes mapToSphere at once.
 ///
 /// Conformal maps are given up to a Moebius transform: the area-weighted mean of the surface is
 /// moved to the sphere's center, and the sphere turned to where it agrees best with directions from
@@ -61,6 +62,7 @@ struct GlobalConformalMapResult
 /// @param[in] mesh  finite, all positions used; triangles may have no area
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
+/// @throws NumericalFailure if all that finds no room for a vertex
 /// @post the result does not depend on the number of threads
 /// \cite Liou2008 section 4.1
 GlobalConformalMapResult globalConformalMap(

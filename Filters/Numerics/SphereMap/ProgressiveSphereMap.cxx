@@ -27,7 +27,8 @@ int sweepsOfLevel(std::size_t numberOfVertices)
 }
 
 constexpr int SweepsForRoom = 20;
-const char* const NoRoom = "no room is left on the sphere for the triangles of a vertex";
+const char* const NoRoom =
+  "the surface cannot be mapped to the sphere: no room is left there for the triangles of a vertex";
 
 SphereEnergy energyFor(double balance)
 {
@@ -51,10 +52,14 @@ class Mapper
 public:
   Mapper(const Points& places, const Triangles& triangles,
     const ProgressiveSphereMapOptions& options, const Run& run)
-    : Shapes(places, triangles)
+    : NoPlaces(Points::Zero(options.ConnectivityFirst ? places.rows() : 0, 3))
+    , Shapes(options.ConnectivityFirst ? NoPlaces : places, triangles)
+    , FinalShapes(places, triangles)
     , Options(options)
     , Energy(energyFor(options.AreaBalance))
-    , Mesh(makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles, run.part(0.0, 0.2)))
+    , Mesh(options.ConnectivityFirst
+          ? makeProgressiveMesh(triangles, places.rows(), run.part(0.0, 0.2))
+          : makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles, run.part(0.0, 0.2)))
     , Positions(places.rows())
     , Descent(run.part(0.2, 1.0))
   {
@@ -71,11 +76,11 @@ public:
       if (this->Active.size() >= LevelGrowth * level)
       {
         level = this->Active.size();
-        this->sweep(sweepsOfLevel(level), this->Energy);
+        this->sweep(sweepsOfLevel(level), this->Shapes, this->Energy);
       }
     }
-    this->sweep(this->Options.NumberOfSweeps, this->Energy);
-    this->sweep(this->Options.NumberOfSmoothingSweeps, smoothing(this->Energy));
+    this->sweep(this->Options.NumberOfSweeps, this->FinalShapes, this->Energy);
+    this->sweep(this->Options.NumberOfSmoothingSweeps, this->FinalShapes, smoothing(this->Energy));
     ProgressiveSphereMapResult result;
     result.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
     for (std::size_t v = 0; v < this->Positions.size(); ++v)
@@ -204,9 +209,9 @@ private:
     this->relax(v, this->Energy);
   }
 
-  void sweep(int times, const SphereEnergy& energy)
+  void sweep(int times, const SurfaceShapes& shapes, const SphereEnergy& energy)
   {
-    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->Shapes, energy, times,
+    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, shapes, energy, times,
       [this]() { this->countVertex(); });
   }
 
@@ -218,7 +223,9 @@ private:
     }
   }
 
-  SurfaceShapes Shapes;
+  const Points NoPlaces;     // all at one point: triangles without a shape count as equilateral
+  SurfaceShapes Shapes;      // while vertices are put back
+  SurfaceShapes FinalShapes; // of the surface
   const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;

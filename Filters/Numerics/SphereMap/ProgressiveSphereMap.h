@@ -22,6 +22,9 @@ struct ProgressiveSphereMapOptions
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
   /// Insertions that may have to make room, each of which can take a second.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
+  /// For surfaces on which nothing else finds room: collapse and insert as if all triangles were
+  /// equal and equilateral; shapes count in the sweeps at the end only.
+  bool ConnectivityFirst = false;
 };
 
 struct ProgressiveSphereMapResult

@@ -283,6 +283,16 @@ TEST(GlobalConformalMap, NeverFoldsWhatHasNoArea)
   }
 }
 
+// As many vertices as a network has by default: the order in which they are inserted must not crowd
+// them.
+TEST(GlobalConformalMap, FindsRoomForManyTrianglesWithoutShape)
+{
+  const auto point = shaped(36, [](const Vector3&) { return Vector3(1.0, 2.0, 3.0); });
+  const auto map = mapOf(point);
+  expectOneToOne(point, map.Positions);
+  EXPECT_EQ(map.Tier, GlobalConformalTier::Progressive);
+}
+
 TEST(GlobalConformalMap, RepairsAFewFolds)
 {
   Mesh mesh = conformal::makeGeodesicSphere(20);
