@@ -110,6 +110,83 @@ private:
   }
 };
 
+// A ball with four horns that bend back to it: arcs in planes through its center, whose tips end a
+// little above it.
+class HornedBall
+{
+public:
+  static constexpr double Ball = 0.7, Arc = 0.2, Horn = 0.06;
+  static constexpr double First = -0.3, Last = 2.73; // angles along the arc
+
+  static double distance(const Vector3& x)
+  {
+    double least = x.norm() - Ball;
+    for (int horn = 0; horn < Horns; ++horn)
+    {
+      const Frame frame(horn);
+      const Vector3 way = x - Ball * frame.Outward;
+      const double opposite = 0.5 * (First + Last) + Pi; // from where both ends are as far away
+      double angle = std::atan2(way.dot(frame.Outward), way.dot(frame.Along));
+      angle += angle < opposite - 2.0 * Pi ? 2.0 * Pi : 0.0;
+      least = std::min(least, (x - frame.place(std::clamp(angle, First, Last))).norm() - Horn);
+    }
+    return least;
+  }
+
+  static Points cloud(Index size, unsigned int seed)
+  {
+    conformal::Random random(seed);
+    const double ball = 4.0 * Pi * Ball * Ball, horn = 2.0 * Pi * Horn * Arc * (Last - First);
+    Points points(size, 3);
+    for (Index i = 0; i < size;)
+    {
+      const double part = random.uniform() * (ball + Horns * horn);
+      Vector3 x = Ball * direction(random);
+      if (part >= ball)
+      {
+        const Frame frame(static_cast<int>((part - ball) / horn));
+        const double along = First + random.uniform() * (Last - First);
+        const Vector3 middle = frame.place(along), u = (middle - Ball * frame.Outward) / Arc;
+        const double angle = 2.0 * Pi * random.uniform();
+        x = middle +
+          Horn * (std::cos(angle) * u + std::sin(angle) * frame.Along.cross(frame.Outward));
+        const Vector3 beyond = direction(random); // the round tip
+        if (random.uniform() * (Arc * (Last - First) + Horn) < Horn)
+        {
+          x = frame.place(Last) + Horn * beyond;
+        }
+      }
+      if (distance(x) > -1e-9)
+      {
+        points.row(i++) = x;
+      }
+    }
+    return points;
+  }
+
+private:
+  static constexpr int Horns = 4;
+
+  struct Frame
+  {
+    Vector3 Outward, Along;
+
+    explicit Frame(int horn)
+      : Outward(Vector3(
+          horn < 2 ? 1.0 : -1.0, horn % 2 == 0 ? 1.0 : -1.0, horn == 0 || horn == 3 ? 1.0 : -1.0)
+                  .normalized())
+      , Along(Outward.unitOrthogonal())
+    {
+    }
+
+    Vector3 place(double angle) const
+    {
+      return Ball * this->Outward +
+        Arc * (std::cos(angle) * this->Along + std::sin(angle) * this->Outward);
+    }
+  };
+};
+
 ConformalSOMOptions adaptive(Index neurons)
 {
   ConformalSOMOptions options;
@@ -362,6 +439,34 @@ TEST(AdaptiveTraining, StartsFromTheSphereOrAHull)
   EXPECT_TRUE(hulled(egg, StartingShape::Hull));
   EXPECT_TRUE(hulled(jack, StartingShape::Automatic));
   EXPECT_FALSE(hulled(jack, StartingShape::Sphere));
+}
+
+// Webs within the horns are too small for the coarse lattice that is learned from the sphere; they
+// show in the polished surface, which is then learned anew from a hull.
+TEST(AdaptiveTraining, StartsAnewFromAHullWhereWebsShowLate)
+{
+  using conformal::StartingShape;
+  const Points points = HornedBall::cloud(40000, 3);
+  ConformalSOMOptions options = adaptive(4000);
+  const auto farthest = [](const ConformalSOMResult& result)
+  {
+    double far = 0.0;
+    for (Index r = 0; r < result.Triangles.rows(); ++r)
+    {
+      far = std::max(far, std::abs(HornedBall::distance(center(result, r))));
+    }
+    return far;
+  };
+  const ConformalSOMResult anew = trainConformalSOM(TrainingSamples(points), options);
+  options.StartingShape = StartingShape::Sphere;
+  const ConformalSOMResult fromSphere = trainConformalSOM(TrainingSamples(points), options);
+  expectWhole(anew, 4000);
+  EXPECT_TRUE(anew.Hulled);
+  EXPECT_EQ(anew.UnsupportedFraction, 0.0);
+  EXPECT_LT(farthest(anew), 0.02);
+  // It has something to mend, and the coarse lattice would not have told.
+  EXPECT_GT(fromSphere.UnsupportedFraction, 0.001);
+  EXPECT_GT(farthest(fromSphere), 0.04);
 }
 
 // A start takes the place of the hull, whichever way its triangles run and however few they are.
