@@ -1,38 +1,114 @@
 #include "Cloud/FootPoints.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace conformal
 {
+namespace
+{
+constexpr Index BlockSize = 256;
+
+// An item and the cell of a grid in which it lies, numbered so that neighbors are close.
+struct Cell
+{
+  std::uint32_t Key, Item;
+};
+
+constexpr int BitsOfAxis = 10, BitsOfKey = 3 * BitsOfAxis;
+
+// The bits of a number below 1024, two zeros before each.
+std::uint32_t spreadBits(std::uint32_t x)
+{
+  x = (x | x << 16) & 0x030000ffu;
+  x = (x | x << 8) & 0x0300f00fu;
+  x = (x | x << 4) & 0x030c30c3u;
+  return (x | x << 2) & 0x09249249u;
+}
+
+// Morton's order on a grid over the patterns, whose largest radius is 1.
+std::uint32_t keyOf(const Vector3& x)
+{
+  constexpr double cells = 1 << BitsOfAxis;
+  std::uint32_t key = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double place = std::clamp(0.5 * (x[k] + 1.0) * cells, 0.0, cells - 1.0);
+    key |= spreadBits(static_cast<std::uint32_t>(place)) << k;
+  }
+  return key;
+}
+
+// By keys, items of equal keys in their old order.
+void sortByKey(std::vector<Cell>& cells)
+{
+  constexpr int bitsOfDigit = 10;
+  constexpr std::uint32_t digits = 1u << bitsOfDigit;
+  std::vector<Cell> sorted(cells.size());
+  for (int shift = 0; shift < BitsOfKey; shift += bitsOfDigit)
+  {
+    std::array<std::uint32_t, digits + 1> begin{};
+    for (const Cell& cell : cells)
+    {
+      ++begin[(cell.Key >> shift) % digits + 1];
+    }
+    for (std::uint32_t digit = 0; digit < digits; ++digit)
+    {
+      begin[digit + 1] += begin[digit];
+    }
+    for (const Cell& cell : cells)
+    {
+      sorted[begin[(cell.Key >> shift) % digits]++] = cell;
+    }
+    cells.swap(sorted);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
 void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
-  constexpr Index BlockSize = 256;
   constexpr Index ChunkSize = 64 * BlockSize; // a hundredth of a second or two between reports
   const auto id = [&](Index i) { return idOf ? idOf(i) : i; };
-  std::vector<FootPoint> feet(std::min(count, ChunkSize));
-  for (Index first = 0; first < count; first += ChunkSize)
+  std::vector<FootPoint> found(std::min(count, ChunkSize)), feet(found.size());
+  Index delivered = 0, first = 0; // patterns [delivered, first) are in found
+  const auto deliver = [&]()
+  {
+    for (Index i = delivered; i < first; ++i)
+    {
+      body(id(i), samples[id(i)], found[i - delivered]);
+    }
+  };
+  while (delivered < count)
   {
     const Index size = std::min(ChunkSize, count - first);
-    forBlocks(run, size, BlockSize,
-      [&](Index begin, Index end)
+    const Index blocks = (size + BlockSize - 1) / BlockSize;
+    run.forEach(blocks + 1,
+      [&](Index job)
       {
-        // Neighbors in the scan are often neighbors in space: the last triangle is a hint.
+        if (job == 0)
+        {
+          deliver();
+          return;
+        }
+        // The one before is often a neighbor in space: the last triangle is a hint.
         int hint = -1;
-        for (Index i = begin; i < end; ++i)
+        for (Index i = (job - 1) * BlockSize; i < std::min(size, job * BlockSize); ++i)
         {
           const Index own = id(first + i);
           feet[i] = closest(own, samples[own], hint);
           hint = feet[i].Triangle;
         }
       });
-    for (Index i = 0; i < size; ++i)
-    {
-      body(id(first + i), samples[id(first + i)], feet[i]);
-    }
-    run.report(static_cast<double>(first + size) / static_cast<double>(count));
+    found.swap(feet);
+    delivered = first;
+    first += size;
+    run.report(static_cast<double>(delivered) / static_cast<double>(count));
   }
 }
 
@@ -41,8 +117,30 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
+  constexpr Index MaximumSorted = 1 << 20; // at a time, which bounds the memory
   const ClosestPoint closest = [&](Index, const Vector3& x, int hint)
   { return surface.closestPoint(x, hint); };
-  forEachFoot(samples, closest, count, idOf, body, run);
+  std::vector<Cell> cells;
+  for (Index first = 0; first < count; first += MaximumSorted)
+  {
+    const Index size = std::min(MaximumSorted, count - first);
+    const auto id = [&](Index i) { return idOf ? idOf(first + i) : first + i; };
+    cells.resize(size);
+    forBlocks(run, size, BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          cells[i] = { keyOf(samples[id(i)]), static_cast<std::uint32_t>(i) };
+        }
+      });
+    sortByKey(cells);
+    const auto whole = static_cast<double>(count);
+    forEachFoot(
+      samples, closest, size, [&](Index i) { return id(cells[i].Item); },
+      [&, next = Index(0)](Index, const Vector3& x, const FootPoint& foot) mutable
+      { body(first + cells[next++].Item, x, foot); },
+      run.part(static_cast<double>(first) / whole, static_cast<double>(first + size) / whole));
+  }
 }
 }

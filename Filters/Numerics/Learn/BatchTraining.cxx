@@ -214,13 +214,14 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
       TypicalSquare typical;
       forEachFoot(
         samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
-        [&](Index id, const Vector3& x, const FootPoint& foot)
+        [&](Index i, const Vector3& x, const FootPoint& foot)
         {
           errors.add(0, foot.SquareDistance);
           typical.add(foot.SquareDistance);
+          const double weight = samples.weight(rotation.id(i));
           for (int k = 0; k < 3; ++k)
           {
-            const double share = samples.weight(id) * foot.Barycentric[k];
+            const double share = weight * foot.Barycentric[k];
             const Index neuron = 4 * Index(triangles(foot.Triangle, k));
             sums.add(neuron, share);
             for (int c = 0; c < 3; ++c)

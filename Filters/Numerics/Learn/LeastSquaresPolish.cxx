@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -138,17 +139,15 @@ private:
   void forEachFoot(const std::function<void(Index, const Vector3&, const FootPoint&, double)>& body,
     const Run& run) const
   {
-    Index place = this->Rotation.begin();
     conformal::forEachFoot(
       this->Samples, this->Surface, this->Rotation.count(),
       [&](Index i) { return this->Rotation.id(i); },
-      [&](Index id, const Vector3& x, const FootPoint& foot)
+      [&](Index i, const Vector3& x, const FootPoint& foot)
       {
         if (!this->Options.Belongs || this->Options.Belongs(x))
         {
-          body(place, x, foot, this->Samples.weight(id));
+          body(this->Rotation.begin() + i, x, foot, this->Samples.weight(this->Rotation.id(i)));
         }
-        ++place;
       },
       run);
   }
@@ -159,7 +158,7 @@ private:
     this->Rotation.turn(this->Options.SamplesPerRound);
     const Index stride =
       std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Positions.rows()));
-    std::vector<double> targets;
+    std::vector<std::pair<Index, Vector3>> targets; // and their places
     this->Equations.clear();
     FixedPointSums masses(this->Triangles.rows()), squares(1);
     this->forEachFoot(
@@ -178,7 +177,7 @@ private:
         squares.add(0, weight * foot.SquareDistance);
         if (keepTargets && place % stride == 0)
         {
-          targets.insert(targets.end(), x.data(), x.data() + 3);
+          targets.emplace_back(place, x);
         }
       },
       run);
@@ -195,9 +194,16 @@ private:
     this->MeanSquare = this->Mass > 0.0 ? squares[0] / this->Mass : 0.0;
     if (keepTargets)
     {
-      targets = gather(reduce, targets);
+      std::sort(targets.begin(), targets.end(),
+        [](const auto& a, const auto& b) { return a.first < b.first; });
+      std::vector<double> coordinates;
+      for (const auto& target : targets)
+      {
+        coordinates.insert(coordinates.end(), target.second.data(), target.second.data() + 3);
+      }
+      coordinates = gather(reduce, coordinates);
       this->Targets =
-        Eigen::Map<const Points>(targets.data(), static_cast<Index>(targets.size() / 3), 3);
+        Eigen::Map<const Points>(coordinates.data(), static_cast<Index>(coordinates.size() / 3), 3);
       this->TargetTree = PointTree(this->Targets);
     }
   }

@@ -244,14 +244,18 @@ private:
   {
     std::vector<char> active(this->Rings.size(), 1), taken;
     std::vector<int> touched;
-    for (int round = 0; round < MaximumRounds; ++round)
+    for (int round = 0; round < MaximumRounds && wanted(); ++round)
     {
       const std::vector<Operation> operations = this->proposals(active, proposed);
       taken.assign(active.size(), 0);
       bool any = false;
       for (const Operation& operation : operations)
       {
-        if (taken[operation.A] || taken[operation.B] || !wanted() || !operate(operation, touched))
+        if (!wanted())
+        {
+          break;
+        }
+        if (taken[operation.A] || taken[operation.B] || !operate(operation, touched))
         {
           continue;
         }
@@ -264,7 +268,7 @@ private:
       }
       active.swap(taken);
       this->Step.report(1.0 - 1.0 / (round + 2.0));
-      if (!any || !wanted())
+      if (!any)
       {
         break;
       }
@@ -292,14 +296,38 @@ private:
             }
           }
         }
+        std::sort(ours.begin(), ours.end());
       });
     std::vector<Operation> operations;
+    std::vector<Index> offsets = { 0 };
     for (const std::vector<Operation>& some : found)
     {
       operations.insert(operations.end(), some.begin(), some.end());
+      offsets.push_back(static_cast<Index>(operations.size()));
     }
-    std::sort(operations.begin(), operations.end());
+    found = {};
+    this->merge(operations, offsets);
     return operations;
+  }
+
+  /// Merge parts that are sorted.
+  /// @param[in] offsets  of the parts, and where the last one ends
+  void merge(std::vector<Operation>& operations, const std::vector<Index>& offsets) const
+  {
+    const auto parts = static_cast<Index>(offsets.size()) - 1;
+    std::vector<Operation> merged(parts > 1 ? operations.size() : 0);
+    for (Index width = 1; width < parts; width *= 2)
+    {
+      this->Threads.forEach((parts + 2 * width - 1) / (2 * width),
+        [&](Index pair)
+        {
+          const auto part = [&](Index i)
+          { return operations.begin() + offsets[std::min(2 * width * pair + i * width, parts)]; };
+          std::merge(
+            part(0), part(1), part(1), part(2), merged.begin() + (part(0) - operations.begin()));
+        });
+      operations.swap(merged);
+    }
   }
 
   /// Room for so many places, and for as many again.
