@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <complex>
 
 using conformal::ConformalSOMOptions;
 using conformal::ConformalSOMResult;
@@ -48,6 +50,60 @@ ConformalSOMResult trained(const TrainingSamples& samples, const ConformalSOMOpt
 {
   const Mesh network = makeGeodesicSphere(options.Frequency);
   return trainOnline(samples, network, network.Positions, options, {});
+}
+
+// Where the conformal map from the upper half-plane to a triangle, 0, 1 and infinity to its
+// corners, takes a point: a Schwarz-Christoffel integral, here the incomplete beta function by its
+// series. It shares no code with the library's, which maps the disk.
+Vector3 ofHalfPlane(std::complex<double> zeta, const std::array<Vector3, 3>& corners)
+{
+  const double pi = std::acos(-1.0);
+  std::array<double, 3> angles; // in units of pi
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 u = corners[(k + 1) % 3] - corners[k], v = corners[(k + 2) % 3] - corners[k];
+    angles[k] = std::atan2(u.cross(v).norm(), u.dot(v)) / pi;
+  }
+  const auto [a, b, c] = angles;
+  std::complex<double> sum = 0.0, term = 1.0;
+  for (int n = 0; n < 400; ++n)
+  {
+    sum += term / (a + n);
+    term *= zeta * (n + 1.0 - b) / (n + 1.0);
+  }
+  const double side = std::exp(std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b));
+  const std::complex<double> z = std::pow(zeta, a) * sum / side; // corners 0 and 1 at 0 and 1
+  const double height = std::sin(b * pi) / std::sin(c * pi) * std::sin(a * pi);
+  const double third = z.imag() / height;
+  const double second = z.real() - third * height / std::tan(a * pi);
+  return { 1.0 - second - third, second, third };
+}
+
+// Of the way to x that each neuron has gone.
+std::vector<double> sharesOfTheWay(const Points& before, const Points& after, const Vector3& x)
+{
+  std::vector<double> shares(before.rows());
+  for (Index i = 0; i < before.rows(); ++i)
+  {
+    const Vector3 way = x - Vector3(before.row(i));
+    shares[i] = (after.row(i) - before.row(i)).dot(way) / way.squaredNorm();
+  }
+  return shares;
+}
+
+// The largest difference between shares and what Eq. 3 makes of the reference point r.
+double differenceFromEquation3(const std::vector<double>& shares, const Mesh& network,
+  const Vector3& r, double alpha, double sigma)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    const double square = (r - Vector3(network.Positions.row(i))).squaredNorm();
+    const double share =
+      std::sqrt(square) <= 4.0 * sigma ? alpha * std::exp(-square / (2.0 * sigma * sigma)) : 0.0;
+    largest = std::max(largest, std::abs(shares[i] - share));
+  }
+  return largest;
 }
 }
 
@@ -94,6 +150,90 @@ TEST(OnlineTraining, OneStepIsEquation3)
     const Vector3 expected = n + share * (x - n);
     ASSERT_LT((Vector3(after.row(i)) - expected).norm(), 1e-4 * (x - n).norm()) << i;
   }
+}
+
+// Eqs. 4 and 5: a step from a network whose simplices have other shapes than its triangles spreads
+// from the conformal image of the pattern, not from an affine one and not from the winner; the next
+// epoch's step is narrower and shorter, as the schedules say.
+TEST(OnlineTraining, StepsGoToTheConformalImage)
+{
+  ConformalSOMOptions options = few(2, 1);
+  options.Frequency = 4;
+  options.InitialLearningRate = 0.3;
+  options.InitialNeighborhoodRadius = 0.2;
+  options.LearningRateTimeConstant = 3.0;
+  options.NeighborhoodTimeConstant = 2.0;
+  const Mesh network = makeGeodesicSphere(options.Frequency);
+  int tried = 0;
+  double closestAffine = 1.0, closestWinner = 1.0;
+  for (const Index triangle : { 0, 17, 101, 233 })
+  {
+    for (const std::complex<double> zeta : { std::complex<double>(0.4, 0.3), { -0.2, 0.5 } })
+    {
+      // Stretched, and scaled so that the pattern, which lies on the simplex, has norm 1.
+      Points start = network.Positions;
+      start.col(1) *= 1.7;
+      const auto ids = network.Triangles.row(triangle);
+      const auto cornersOf = [&](const Points& points)
+      {
+        return std::array<Vector3, 3>{ Vector3(points.row(ids[0])), Vector3(points.row(ids[1])),
+          Vector3(points.row(ids[2])) };
+      };
+      const auto at = [&](const Points& points, const Vector3& weights)
+      {
+        const auto corners = cornersOf(points);
+        return Vector3(weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2]);
+      };
+      const Vector3 inSimplex = ofHalfPlane(zeta, cornersOf(start));
+      const Vector3 inTriangle = ofHalfPlane(zeta, cornersOf(network.Positions));
+      start /= at(start, inSimplex).norm();
+      const Vector3 x = at(start, inSimplex);
+
+      // The cloud's centroid is 0, and the network symmetric: -x is as good a pattern as x.
+      Points cloud(2, 3);
+      cloud.row(0) = x;
+      cloud.row(1) = -x;
+      const TrainingSamples samples{ PointView(cloud) };
+      options.NumberOfEpochs = 1;
+      const Points after = trainOnline(samples, network, start, options, {}).Positions;
+      Index winner = 0;
+      (start.rowwise() - x.transpose()).rowwise().squaredNorm().minCoeff(&winner);
+      const std::vector<double> shares = sharesOfTheWay(start, after, x);
+      if (shares[winner] < 0.05)
+      {
+        continue; // -x was drawn
+      }
+      ++tried;
+      const auto differenceAt = [&](const Vector3& r)
+      { return differenceFromEquation3(shares, network, r.normalized(), 0.3, 0.2); };
+      EXPECT_LT(differenceAt(at(network.Positions, inTriangle)), 1e-5) << triangle << ", " << zeta;
+      closestAffine = std::min(closestAffine, differenceAt(at(network.Positions, inSimplex)));
+      closestWinner = std::min(closestWinner, differenceAt(network.Positions.row(winner)));
+
+      options.ReferencePoint = conformal::ReferencePoint::Winner;
+      const Points plain = trainOnline(samples, network, start, options, {}).Positions;
+      EXPECT_LT(differenceFromEquation3(sharesOfTheWay(start, plain, x), network,
+                  network.Positions.row(winner), 0.3, 0.2),
+        1e-5);
+      // The second epoch: alpha and sigma of t = 1.
+      options.NumberOfEpochs = 2;
+      const Points last = trainOnline(samples, network, start, options, {}).Positions;
+      double second = 1.0;
+      for (const Vector3& drawn : { x, Vector3(-x) })
+      {
+        Index next = 0;
+        (plain.rowwise() - drawn.transpose()).rowwise().squaredNorm().minCoeff(&next);
+        second = std::min(second,
+          differenceFromEquation3(sharesOfTheWay(plain, last, drawn), network,
+            network.Positions.row(next), 0.3 * std::exp(-1.0 / 3.0), 0.2 * std::exp(-1.0 / 2.0)));
+      }
+      EXPECT_LT(second, 1e-5);
+      options.ReferencePoint = conformal::ReferencePoint::Conformal;
+    }
+  }
+  EXPECT_GE(tried, 2);
+  EXPECT_GT(closestAffine, 1e-3);
+  EXPECT_GT(closestWinner, 1e-3);
 }
 
 TEST(OnlineTraining, SchedulesFall)

@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -30,6 +31,34 @@ TEST(Resampling, InterpolatesAlongTheRay)
     EXPECT_LE(flat.row(i).norm(), 1.0 + 1e-14);
     EXPECT_GT(flat.row(i).norm(), 0.9);
   }
+}
+
+// Eq. 9 is the intersection of a ray and a plane, t = -N / D with the center c in the last column
+// of N. As printed, with p there and without the sign, it is 1 - t: p' would lie near the center.
+TEST(Resampling, Equation9AsPrintedMissesTheTriangle)
+{
+  const auto sphere = conformal::makeGeodesicSphere(3);
+  const auto ids = sphere.Triangles.row(5);
+  const conformal::Vector3 p = (0.5 * sphere.Positions.row(ids[0]) +
+    0.3 * sphere.Positions.row(ids[1]) + 0.2 * sphere.Positions.row(ids[2]))
+                                 .normalized();
+  const auto determinant = [&](double one, const conformal::Vector3& last)
+  {
+    Eigen::Matrix4d matrix;
+    matrix.row(0) << 1.0, 1.0, 1.0, one;
+    for (int k = 0; k < 3; ++k)
+    {
+      matrix.col(k).tail<3>() = sphere.Positions.row(ids[k]).transpose();
+    }
+    matrix.col(3).tail<3>() = last;
+    return matrix.determinant();
+  };
+  const double below = determinant(0.0, p); // c is the origin
+  const double t = -determinant(1.0, conformal::Vector3::Zero()) / below;
+  const Points flat = resample(sphere.Positions, sphere.Positions, sphere.Triangles, p.transpose());
+  EXPECT_LT((t * p - conformal::Vector3(flat.row(0))).norm(), 1e-13);
+  EXPECT_NEAR(determinant(1.0, p) / below, 1.0 - t, 1e-12);
+  EXPECT_LT(determinant(1.0, p) / below, 0.1);
 }
 
 TEST(Resampling, TurnsAMirroredMapRound)
