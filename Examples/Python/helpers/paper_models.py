@@ -113,11 +113,11 @@ def models(folder):
     return found
 
 
-def learned(points, mode="Batch", reference="Conformal", frequency=FREQUENCY):
+def learned(points, mode="Batch", reference="Conformal", lattice="Geodesic", frequency=FREQUENCY):
     """A mesh learned from points by CSM, or by the plain SOM where reference is Winner."""
     network = vtkConformalSOM()
     network.SetInputData(points)
-    network.SetLatticeToGeodesic()
+    getattr(network, f"SetLatticeTo{lattice}")()
     network.SetFrequency(frequency)
     getattr(network, f"SetTrainingModeTo{mode}")()
     getattr(network, f"SetReferencePointTo{reference}")()
@@ -134,10 +134,13 @@ def mapped(mesh, method="Robust"):
     return run(gcm)
 
 
-def smooth(mesh, frequency=SURFACE_FREQUENCY):
-    """The curved seamless surface of a mapped mesh."""
+def smooth(mesh, as_published=False, sampling="Directions", frequency=SURFACE_FREQUENCY):
+    """The curved seamless surface of a mapped mesh, by default in even directions as the paper's."""
     surface = vtkCurvedSeamlessSurface()
     surface.SetInputData(mesh)
-    surface.SetSamplingToDirections()  # as the paper does, whatever the map
+    getattr(surface, f"SetSamplingTo{sampling}")()
     surface.SetFrequency(frequency)
+    if as_published:
+        surface.SetSeamModeToPerTriangle()
+        surface.SetDomeHeightToPublished()
     return run(surface)
