@@ -44,9 +44,16 @@ constexpr Index MinimumCoarse = 50; // vertices that can tell
 constexpr double LittleNoise = 0.5;
 
 // By how much vertices of objects lie off the middle of their neighbors, in squares of the edge
-// length where the largest radius is 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01
-// this gives the best smoothness within a factor of two.
-constexpr double TypicalBending = 4.0;
+// length where the largest radius is 1. Measured: on Igea and the armadillo with noise of 0.005 to
+// 0.02 this gives the best smoothness within a factor of two.
+constexpr double TypicalBending = 5.6;
+
+// What is left of the patterns of clean scans after a turn is less than this in edges, whatever
+// the scan and the number of neurons; what noise leaves is more, once it is a sixth of an edge.
+constexpr double LargeResidue = 0.12;
+constexpr double SmoothnessOfResidue = 5.0; // of its square
+constexpr double SameResidue = 1.1;         // ratio
+constexpr int StiffTurns = 6;
 
 RemeshingOptions remeshingTo(Index neurons, int iterations)
 {
@@ -214,6 +221,39 @@ double smoothnessFor(const Noise& noise, const ConformalSOMResult& result, Index
     ? noise.Variance / (bending * bending * static_cast<double>(patterns) / neurons)
     : 0.0;
 }
+
+/// The deviation of noise that would leave of the patterns what the surface does, in edges.
+double residue(const TrainingSamples& samples, const PolishOptions& polishing,
+  const ConformalSOMResult& result, const Run& run)
+{
+  const double error = typicalSquareError(samples, result.Positions, result.Triangles,
+    polishing.SamplesPerRound / Coarser, run.unwatched());
+  const double area = surfaceArea(result.Positions, result.Triangles);
+  return std::sqrt(noiseVariance(error, error)) / edgeFor(area, result.Positions.rows());
+}
+
+/// The first turn of polish. A surface that follows noise crumples, and hides how large the noise
+/// is. So where much is left of the patterns, the turn is repeated with a surface as stiff as that
+/// asks for, until no more is left than was expected; those that follow are as stiff.
+void firstPolish(const TrainingSamples& samples, PolishOptions& polishing,
+  ConformalSOMResult& result, const Run& run)
+{
+  const Points before = result.Positions;
+  constexpr double share = 0.95; // of the progress; noise is rare
+  polish(samples, polishing, result, run.part(0.0, share));
+  double expected = 0.0, left = residue(samples, polishing, result, run);
+  for (int i = 0; i < StiffTurns && left > std::max(LargeResidue, SameResidue * expected); ++i)
+  {
+    polishing.AutomaticPriority = false;
+    polishing.FirstSmoothness = polishing.LastSmoothness = SmoothnessOfResidue * left * left;
+    result.Positions = before;
+    const auto reached = [&](int turns) { return share + (1.0 - share) * turns / StiffTurns; };
+    polish(samples, polishing, result, run.part(reached(i), reached(i + 1)));
+    expected = left;
+    left = residue(samples, polishing, result, run);
+  }
+}
+
 ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const Mesh* start, const Run& run)
 {
@@ -264,7 +304,14 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   remesh(result, remeshingTo(neurons, FirstIterations), steps.next());
   for (int turn = 0; turn < turns; ++turn)
   {
-    polish(samples, polishing, result, steps.next());
+    if (turn == 0)
+    {
+      firstPolish(samples, polishing, result, steps.next());
+    }
+    else
+    {
+      polish(samples, polishing, result, steps.next());
+    }
     remeshing.MeetNumber = turn + 1 == turns;
     remesh(result, remeshing, steps.next());
   }

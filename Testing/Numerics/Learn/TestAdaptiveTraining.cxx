@@ -522,6 +522,35 @@ TEST(AdaptiveTraining, LeavesOutliersAndNoiseBehind)
   EXPECT_LT(meanSquareDistance(others, smoothed), 0.16 * Noise * Noise);
 }
 
+// Noise as large as an edge: a surface that follows it has half as much area again, and webs.
+TEST(AdaptiveTraining, DoesNotCrumpleInNoise)
+{
+  constexpr double noise = 0.025;
+  Points points = Jack::cloud(20000, 3);
+  conformal::Random random(5);
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    points.data()[i] += std::sqrt(12.0) * noise * (random.uniform() - 0.5);
+  }
+  const auto area = [](const ConformalSOMResult& result)
+  { return conformal::surfaceArea(result.Positions, result.Triangles); };
+  const ConformalSOMResult clean =
+    trainConformalSOM(TrainingSamples(Jack::cloud(20000, 3)), adaptive(5000));
+  const ConformalSOMResult noisy = trainConformalSOM(TrainingSamples(points), adaptive(5000));
+  expectWhole(noisy, 5000);
+  double squares = 0.0;
+  for (Index r = 0; r < noisy.Triangles.rows(); ++r)
+  {
+    const double distance = Jack::distance(center(noisy, r));
+    squares += distance * distance;
+  }
+  const double error = std::sqrt(squares / static_cast<double>(noisy.Triangles.rows()));
+  RecordProperty("Error", std::to_string(error / noise));
+  RecordProperty("Area", std::to_string(area(noisy) / area(clean)));
+  EXPECT_LT(error, 0.35 * noise);
+  EXPECT_NEAR(area(noisy), area(clean), 0.08 * area(clean));
+}
+
 TEST(AdaptiveTraining, DegenerateCloudsGiveFiniteMeshes)
 {
   std::vector<Points> clouds = { ellipsoid(4, 3), ellipsoid(5, 3), ellipsoid(40, 3) };
