@@ -2,6 +2,7 @@
 
 #include "Mesh/VertexNormals.h"
 #include "vtkConformalConversions.h"
+#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
 #include "vtkPointData.h"
@@ -10,15 +11,32 @@
 
 namespace vtkConformalConversions
 {
+namespace
+{
+bool HasCellIds(vtkPolyData* surface)
+{
+  try
+  {
+    vtkInputChecks::RequireCellIds(surface);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
-  const conformal::Reduce& reduce, CloudNormals& normals)
+  const conformal::Reduce& reduce, bool needed, CloudNormals& normals)
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
   vtkDataArray* array = input->GetPointData()->GetNormals();
   const bool empty = input->GetNumberOfPoints() == 0;
-  const bool hasTriangles =
-    surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  const bool hasTriangles = surface &&
+    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0 &&
+    (needed || HasCellIds(surface));
   const bool hasArray = array && array->GetNumberOfComponents() == 3;
   std::int64_t counts[] = { !empty, !empty && !hasTriangles, !empty && !hasArray };
   reduce.sum(counts, 3);

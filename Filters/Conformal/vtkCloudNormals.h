@@ -21,9 +21,10 @@ struct CloudNormals
 /// Those of the input's polygons where it has some, else the active normals of its points; not
 /// known where it has neither. Of processes that share a cloud all with points must have the same.
 /// @param[in] normals  filled in place, since its view may be one of its copy
-/// @throws std::invalid_argument if a cell names a point that is not there
+/// @param[in] needed   if not, polygons of which no normals can be made count as none
+/// @throws std::invalid_argument if they are needed, and a cell names a point that is not there
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
-  const conformal::Reduce& reduce, CloudNormals& normals);
+  const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 }
 
 #endif

@@ -121,24 +121,66 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
 }
 
+// What is wrong with the mesh, and what to do about it.
+void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceVerdict& verdict, double apart)
+{
+  using Tolerated = conformal::ToleratedVerdict;
+  const double unmet = verdict.UnmetFraction - apart;
+  if (unmet > Tolerated::UnmetFraction)
+  {
+    vtkWarningWithObjectMacro(self, << 100.0 * unmet
+                                    << " % of the points lie apart from the mesh: it does not "
+                                       "reach parts of the object. Learn with more neurons, or "
+                                       "from another StartingShape or HullIndicator");
+  }
+  if (verdict.InvertedFraction > Tolerated::InvertedFraction)
+  {
+    vtkWarningWithObjectMacro(self, << "at " << 100.0 * verdict.InvertedFraction
+                                    << " % of the points the mesh faces the wrong way, or two of "
+                                       "its sides lie on them: too little of the object is there. "
+                                       "Give normals, or add points where there are none");
+  }
+  // A geodesic lattice of few neurons has some folds where limbs meet.
+  if (verdict.FoldedFraction > 2.0 * Tolerated::FoldedFraction)
+  {
+    vtkWarningWithObjectMacro(self, << 100.0 * verdict.FoldedFraction
+                                    << " % of the mesh's edges are folded: the points are too few "
+                                       "or too noisy for it. Learn with fewer neurons or with more "
+                                       "Smoothness");
+  }
+}
+
 // What learning saw that its user should know.
 void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples)
 {
+  // Where noise is as large, the hull has handles by chance.
+  constexpr double muchNoise = 0.01;
+  const vtkIdType size = samples.totalSize();
   if (result.HullLeaks)
   {
     vtkWarningWithObjectMacro(
       self, << "the points have holes too large to distinguish inside from outside; the mesh may "
                "also follow the inner side of the points");
   }
-  if (result.CutFraction > 0.0)
+  if (result.Hulled && result.Indicator == conformal::HullIndicator::WindingNumbers &&
+    samples.oriented() && !result.NormalsUsed)
+  {
+    vtkConformalConversions::WarnOfUnusedNormals(self);
+  }
+  if (result.Noise > muchNoise)
+  {
+    vtkWarningWithObjectMacro(self, << "the points have noise of about " << 100.0 * result.Noise
+                                    << " % of the largest radius, which the mesh does not follow; "
+                                       "nor does it follow details that are as small");
+  }
+  else if (result.CutFraction > 0.0)
   {
     vtkConformalConversions::WarnOfCutHandles(self, result.CutFraction);
   }
-  if (result.NumberOfSamplesOutside > samples.totalSize() / 1000)
+  if (result.NumberOfSamplesOutside > size / 1000)
   {
-    vtkConformalConversions::WarnOfPointsApart(
-      self, result.NumberOfSamplesOutside, samples.totalSize());
+    vtkConformalConversions::WarnOfPointsApart(self, result.NumberOfSamplesOutside, size);
   }
   if (result.UnsupportedFraction > 0.002)
   {
@@ -157,15 +199,27 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                "error is "
             << error << ", where 1 is conformal");
   }
+  WarnAbout(self, result.Verdict,
+    static_cast<double>(result.NumberOfSamplesOutside) / static_cast<double>(size));
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
-  const conformal::ConformalSOMResult& result, bool polished)
+  const conformal::ConformalSOMResult& result, bool polished,
+  const conformal::CoordinateFrame& frame)
 {
   using vtkConformalConversions::AddNumber;
   AddNumber(data, "CloudDimension", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
+  AddNumber(data, "UnmetFraction", result.Verdict.UnmetFraction);
+  AddNumber(data, "InvertedFraction", result.Verdict.InvertedFraction);
+  AddNumber(data, "FoldedFraction", result.Verdict.FoldedFraction);
+  AddNumber(data, "AreaRatio", result.AreaRatio);
+  vtkConformalConversions::AddLengths(
+    data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
+  AddNumber(data, "HullIndicator", static_cast<long long>(result.Indicator));
+  AddNumber(data, "NormalsUsed", static_cast<long long>(result.NormalsUsed));
+  AddNumber(data, "NumberOfStarts", static_cast<long long>(result.NumberOfStarts));
   AddNumber(data, "Polished", static_cast<long long>(polished));
 }
 
@@ -281,9 +335,10 @@ int vtkConformalSOM::RequestData(
         vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
       vtkConformalConversions::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
-        options.HullIndicator == conformal::HullIndicator::WindingNumbers)
+        options.HullIndicator != conformal::HullIndicator::Distance)
       {
-        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), normals);
+        const bool needed = options.HullIndicator == conformal::HullIndicator::WindingNumbers;
+        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), needed, normals);
       }
       if (normals.Known)
       {
@@ -321,7 +376,7 @@ int vtkConformalSOM::RequestData(
       steps.next();
       const bool polished =
         options.TrainingMode != conformal::TrainingMode::Online && options.NumberOfPolishRounds > 0;
-      AddFigures(surface->GetFieldData(), samples, result, polished);
+      AddFigures(surface->GetFieldData(), samples, result, polished, frame);
       vtkConformalConversions::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);
       FillHistory(history, processes.isFirst() ? result.History : Records());
@@ -369,7 +424,10 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
                                           : "Automatic")
      << "\n";
   os << indent << "HullIndicator: "
-     << (this->HullIndicator == WINDING_NUMBERS ? "WindingNumbers" : "Distance") << "\n";
+     << (this->HullIndicator == AUTOMATIC_INDICATOR  ? "Automatic"
+            : this->HullIndicator == WINDING_NUMBERS ? "WindingNumbers"
+                                                     : "Distance")
+     << "\n";
   os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

@@ -21,7 +21,22 @@
  * line, 0 for equal points; below 3 the mesh is right but flat, and a warning says so.
  * - field data "UnsupportedFraction" (1 value): share of the mesh's area that has no points where
  *   some are due; a lid over a hole in the scan, or a web between limbs. 0 in Online mode.
+ * - field data "UnmetFraction" (1 value): share of the points that lie apart from the mesh, but not
+ *   from each other: the mesh does not reach them.
+ * - field data "InvertedFraction" (1 value): share of the points at which the mesh faces the wrong
+ *   way, by their normals or by winding numbers; or where two of its sides lie on the same points.
+ * - field data "FoldedFraction" (1 value): share of the mesh's edges that are bent by more than 150
+ *   degrees.
+ * - field data "AreaRatio" (1 value): area of the mesh, over that of the surface that was polished
+ *   at first, from the sphere, the hull or the mesh to start from. Well above 1 it has crumpled.
+ * - field data "NoiseLevel" (1 value): standard deviation of the noise that was found, in the
+ * points' unit; 0 where detail explains what the mesh leaves of the points. All of these are 0
+ * (AreaRatio: 1) in Online mode, and a warning tells of what is wrong.
  * - field data "StartedFromHull" (1 value): whether Batch took the hull.
+ * - field data "HullIndicator" (1 value): what told the inside of that hull, 0 the distance, 1
+ * winding numbers.
+ * - field data "NormalsUsed" (1 value): whether winding numbers used normals of the input.
+ * - field data "NumberOfStarts" (1 value): how often Batch began to learn; the best mesh is kept.
  * - field data "Polished" (1 value): whether the triangles were fitted to the points by least
  *   squares: Batch, unless NumberOfPolishRounds is 0.
  * - with DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType),
@@ -90,7 +105,8 @@ public:
   enum HullIndicators
   {
     DISTANCE = 0,
-    WINDING_NUMBERS = 1
+    WINDING_NUMBERS = 1,
+    AUTOMATIC_INDICATOR = 2
   };
 
   enum Lattices
@@ -344,14 +360,17 @@ public:
   ///@{
   /**
    * Batch: how the hull, if learning starts from one, tells inside from outside, as the property
-   * Indicator of vtkGenusZeroHull. DISTANCE (default) or WINDING_NUMBERS: for scans with large
-   * holes, hidden sides or noise; uses the normals of the input's polygons, else its active
-   * normals, else finds them.
+   * Indicator of vtkGenusZeroHull. AUTOMATIC_INDICATOR (default): as AUTOMATIC there; and where the
+   * mesh of an adaptive lattice turns out bad, it is learned anew from the other hull, and the
+   * better one is kept. DISTANCE or WINDING_NUMBERS: always by that. Winding numbers are for scans
+   * with large holes, hidden sides or noise; they use the normals of the input's polygons, else its
+   * active normals, else find them.
    */
-  vtkSetClampMacro(HullIndicator, int, DISTANCE, WINDING_NUMBERS);
+  vtkSetClampMacro(HullIndicator, int, DISTANCE, AUTOMATIC_INDICATOR);
   vtkGetMacro(HullIndicator, int);
   void SetHullIndicatorToDistance() { this->SetHullIndicator(DISTANCE); }
   void SetHullIndicatorToWindingNumbers() { this->SetHullIndicator(WINDING_NUMBERS); }
+  void SetHullIndicatorToAutomatic() { this->SetHullIndicator(AUTOMATIC_INDICATOR); }
   ///@}
 
   ///@{
@@ -419,7 +438,7 @@ private:
   double Smoothness = 0.01;
   bool AutomaticPriority = true;
   int StartingShape = AUTOMATIC;
-  int HullIndicator = DISTANCE;
+  int HullIndicator = AUTOMATIC_INDICATOR;
   bool GenerateErrorScalars = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

@@ -158,6 +158,7 @@ int vtkGenusZeroHull::RequestData(
       const double ofHull = conformal::workOfGenusZeroHull(size, options.Spacing);
       const double ofOutput = 0.013 * ofHull;
       const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
+      const bool mayWind = options.Indicator != conformal::HullIndicator::Distance;
       conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
       const conformal::CoordinateFrame frame =
         vtkConformalConversions::FrameOf({ input }, processes.reduce());
@@ -166,9 +167,9 @@ int vtkGenusZeroHull::RequestData(
         vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
         vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
       vtkConformalConversions::CloudNormals normals;
-      if (winding)
+      if (mayWind)
       {
-        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), normals);
+        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), winding, normals);
       }
       if (normals.Known)
       {
@@ -202,8 +203,10 @@ int vtkGenusZeroHull::RequestData(
 void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "Indicator: " << (this->Indicator == WINDING_NUMBERS ? "WindingNumbers" : "Distance")
+  os << indent << "Indicator: "
+     << (this->Indicator == AUTOMATIC            ? "Automatic"
+            : this->Indicator == WINDING_NUMBERS ? "WindingNumbers"
+                                                 : "Distance")
      << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Offset: " << this->Offset << "\n";

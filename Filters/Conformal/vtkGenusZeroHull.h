@@ -75,7 +75,8 @@ public:
   enum Indicators
   {
     DISTANCE = 0,
-    WINDING_NUMBERS = 1
+    WINDING_NUMBERS = 1,
+    AUTOMATIC = 2
   };
 
   ///@{
@@ -85,12 +86,16 @@ public:
    * points, for scans with large holes, hidden sides or noise. They need normals: those of the
    * input's polygons, else its active normals; inward ones are turned. Where there are none, or
    * where they do not agree on what is inside (with a warning), normals are found from the points.
+   * AUTOMATIC: by the distance; where that seems wrong, as for a hole as wide as what is behind it,
+   * handles, or many points left out, by winding numbers if these do not, and if there is little
+   * noise.
    * Takes about a second of one thread more.
    */
-  vtkSetClampMacro(Indicator, int, DISTANCE, WINDING_NUMBERS);
+  vtkSetClampMacro(Indicator, int, DISTANCE, AUTOMATIC);
   vtkGetMacro(Indicator, int);
   void SetIndicatorToDistance() { this->SetIndicator(DISTANCE); }
   void SetIndicatorToWindingNumbers() { this->SetIndicator(WINDING_NUMBERS); }
+  void SetIndicatorToAutomatic() { this->SetIndicator(AUTOMATIC); }
   ///@}
 
   ///@{

@@ -121,7 +121,16 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
     EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("CloudDimension")->GetTuple1(0), 3.0);
     contract::ExpectArray(
       filter->GetOutput()->GetFieldData(), "UnsupportedFraction", VTK_DOUBLE, 1, 1);
-    contract::ExpectArray(filter->GetOutput()->GetFieldData(), "StartedFromHull", -1, 1, 1);
+    for (const char* fraction :
+      { "UnmetFraction", "InvertedFraction", "FoldedFraction", "AreaRatio", "NoiseLevel" })
+    {
+      contract::ExpectArray(filter->GetOutput()->GetFieldData(), fraction, VTK_DOUBLE, 1, 1);
+    }
+    for (const char* count :
+      { "StartedFromHull", "HullIndicator", "NormalsUsed", "NumberOfStarts" })
+    {
+      contract::ExpectArray(filter->GetOutput()->GetFieldData(), count, -1, 1, 1);
+    }
 
     vtkTable* history = vtkTable::SafeDownCast(filter->GetOutputDataObject(1));
     ASSERT_NE(history, nullptr);

@@ -79,6 +79,7 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
   EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullIndicator::Distance));
   EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullIndicator::WindingNumbers));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_INDICATOR, static_cast<int>(HullIndicator::Automatic));
 }
 
 TEST(OptionsMirrorProperties, AdaptiveSphere)
@@ -142,6 +143,7 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
   EXPECT_EQ(vtkGenusZeroHull::DISTANCE, static_cast<int>(conformal::HullIndicator::Distance));
   EXPECT_EQ(
     vtkGenusZeroHull::WINDING_NUMBERS, static_cast<int>(conformal::HullIndicator::WindingNumbers));
+  EXPECT_EQ(vtkGenusZeroHull::AUTOMATIC, static_cast<int>(conformal::HullIndicator::Automatic));
   EXPECT_EQ(filter->GetSpacing(), options.Spacing);
   EXPECT_EQ(filter->GetOffset(), options.Offset);
   EXPECT_EQ(filter->GetPersistence(), options.Persistence);

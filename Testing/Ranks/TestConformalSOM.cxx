@@ -45,8 +45,9 @@ void ExpectSameAsAlone(vtkPolyData* cloud, const Change& change)
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(threads, "STDThread", false), [&]() { filter->Update(); });
     clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
-    for (const char* name :
-      { "CloudDimension", "UnsupportedFraction", "StartedFromHull", "Polished" })
+    for (const char* name : { "CloudDimension", "UnsupportedFraction", "UnmetFraction",
+           "InvertedFraction", "FoldedFraction", "AreaRatio", "NoiseLevel", "StartedFromHull",
+           "HullIndicator", "NormalsUsed", "NumberOfStarts", "Polished" })
     {
       clouds::ExpectSameBits(filter->GetOutput()->GetFieldData()->GetArray(name),
         alone->GetOutput()->GetFieldData()->GetArray(name));

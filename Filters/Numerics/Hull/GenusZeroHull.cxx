@@ -26,6 +26,13 @@ void requireRange(double value, double lowest, double highest, const char* name)
   }
 }
 
+// Closed scans lose up to one sample of a thousand.
+Index usualStrays(const TrainingSamples& samples)
+{
+  constexpr Index share = 200;
+  return samples.totalSize() / share;
+}
+
 // Samples that are data, on all processes.
 Index countSamples(const TrainingSamples& samples, const HullData& data, const Run& run)
 {
@@ -241,6 +248,7 @@ GenusZeroHullResult makeHullByWindingNumbers(
   result.Indicator = HullIndicator::WindingNumbers;
   result.NormalsUsed = solid.NormalsUsed;
   result.Width = solid.Width;
+  result.Noise = solid.Noise;
   result.Spacing = options.Spacing;
   result.NumberOfInsideNodes = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
   result.EulerNumber = solid.EulerNumber;
@@ -310,8 +318,44 @@ bool HullData::contains(const Vector3& sample) const
 bool hasHandles(const GenusZeroHullResult& hull)
 {
   constexpr Index most = 4, mostOfData = 3; // that sparse data have by chance
-  return hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most) ||
-    (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > mostOfData);
+  return !hull.HandlesByChance &&
+    (hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most) ||
+      (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > mostOfData));
+}
+
+//------------------------------------------------------------------------------
+bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples)
+{
+  return hull.Leaks || hull.NumberOfInsideNodes == 0 || hasHandles(hull) ||
+    hull.NumberOfSamplesOutside > usualStrays(samples);
+}
+
+//------------------------------------------------------------------------------
+GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
+  GenusZeroHullOptions winding, const Run& run)
+{
+  // Most clouds need no second hull, and little of the progress is kept for it.
+  constexpr double share = 0.95;
+  constexpr Index shareOfLimbs = 4000;   // that may lack an end
+  constexpr double maximumNoise = 0.004; // of thinned points: of all of them about twice as much
+  options.Indicator = HullIndicator::Distance;
+  winding.Indicator = HullIndicator::WindingNumbers;
+  GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
+  if (samples.dimension() < 3 || !seemsWrong(hull, samples))
+  {
+    return hull;
+  }
+  GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, 1.0));
+  if (byAll.Indicator != HullIndicator::WindingNumbers || hasHandles(byAll))
+  {
+    return hull;
+  }
+  // Where the distance leaks it tells nothing of what is left out.
+  const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
+  const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
+    byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
+  hull.HandlesByChance = true;
+  return better ? byAll : hull;
 }
 
 //------------------------------------------------------------------------------
@@ -354,6 +398,10 @@ GenusZeroHullResult makeGenusZeroHull(
   requireRange(
     options.SmoothingPasses, 0, Limits::MaximumSmoothingPasses, "number of smoothing passes");
 
+  if (options.Indicator == HullIndicator::Automatic)
+  {
+    return chooseHull(samples, options, options, run);
+  }
   // An attempt that has to be repeated has come far; the next ones, quick on a grid of an eighth
   // of the nodes, share what is left.
   double reached = 0.0;

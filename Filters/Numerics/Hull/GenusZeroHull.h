@@ -17,8 +17,9 @@ namespace conformal
 /// How the inside of a hull is told from the outside.
 enum class HullIndicator
 {
-  Distance,      ///< by the distance to the data: what is enclosed but for small holes
-  WindingNumbers ///< by all points at once: holes are closed as the rest of the points implies
+  Distance,       ///< by the distance to the data: what is enclosed but for small holes
+  WindingNumbers, ///< by all points at once: holes are closed as the rest of the points implies
+  Automatic ///< Distance; where that seems wrong, WindingNumbers if these do not, see chooseHull()
 };
 
 struct GenusZeroHullOptions
@@ -64,6 +65,7 @@ struct GenusZeroHullResult : Mesh
   HullData Data;
 
   HullIndicator Indicator = HullIndicator::Distance; ///< what was used
+  double Noise = 0.0;               ///< WindingNumbers: that was found, its standard deviation
   bool NormalsUsed = false;         ///< WindingNumbers: whether those of the samples were of use
   double Width = 0.0;               ///< WindingNumbers: of their kernel; more than usual with noise
   double Spacing = 0.0;             ///< of the grid: that of the options, or a multiple
@@ -72,6 +74,7 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfCutNodes = 0;       ///< where handles were cut
   Index NumberOfCutInsideNodes = 0; ///< of these, those that count as NumberOfInsideNodes
   Index NumberOfCutDataNodes = 0;   ///< where data must be cut to open a handle: nodes near them
+  bool HandlesByChance = false;     ///< of the distance: winding numbers see none
   DataHole LargestHole;             ///< closed in the data, in the normalized frame
   bool Leaks = false;               ///< see OutsideNodes
   Index NumberOfSamplesOutside = 0; ///< samples apart from the surface that are not inside
@@ -84,8 +87,12 @@ double workOfGenusZeroHull(double numberOfSamples, double spacing);
 /// Whether the object itself seems to have handles, or parts that touch: then a cut goes through
 /// its inside, or through its data however well it avoids them. Handles of the offset, between
 /// limbs closer than it, need neither; one node inside for each handle may be a gap in sparse data.
-/// A shell around points that enclose nothing has none.
+/// A shell around points that enclose nothing has none, nor have those by chance.
 bool hasHandles(const GenusZeroHullResult& hull);
+
+/// Whether a hull is to be mistrusted: holes in the data are too large to tell the inside by the
+/// distance, nothing is inside, there are handles, or samples are left out.
+bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples);
 
 /// Share of the surface's area that was made by cutting such handles: both sides of each cut. 0 if
 /// hasHandles() is false.
@@ -117,6 +124,14 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// @post the result depends only on the arguments, not on threads
 GenusZeroHullResult makeGenusZeroHull(
   const TrainingSamples& samples, const GenusZeroHullOptions& options = {}, const Run& run = {});
+
+/// The hull by the distance; where it seems wrong, and one by winding numbers does not, the latter.
+/// Handles that both have are the object's own. Much noise leaves winding numbers
+/// little to go by, and the hull by the distance is kept.
+/// @param[in] options  of the former; its Indicator is not used
+/// @param[in] winding  of the latter; likewise
+GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
+  GenusZeroHullOptions winding, const Run& run = {});
 
 /// What makeGenusZeroHull() takes with WindingNumbers, in nanoseconds as in Steps.
 double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing);

@@ -145,6 +145,7 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   };
   orientAnew();
   const double noise = noiseOf(cloud.Positions, areas, run.unwatched()).Deviation;
+  solid.Noise = noise;
   const bool noisy = noise > NoiseOfSpacing * spacingOfPoints;
   if (noisy && width < WidthOfNoise * noise)
   {

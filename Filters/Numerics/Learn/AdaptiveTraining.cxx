@@ -6,6 +6,7 @@
 #include "Learn/LeastSquaresPolish.h"
 #include "Learn/NoiseEstimate.h"
 #include "Learn/SurfaceSupport.h"
+#include "Learn/SurfaceVerdict.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/Remeshing.h"
 #include "Mesh/SharpEdges.h"
@@ -68,13 +69,6 @@ double edgeFor(double area, Index neurons)
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(neurons));
 }
 
-double spacingFor(const TrainingSamples& samples, HullIndicator indicator, Index neurons)
-{
-  return std::min(
-    std::max(hullSpacing(samples, indicator), SpacingForEdge * edgeFor(TypicalArea, neurons)),
-    GenusZeroHullLimits::MaximumSpacing);
-}
-
 /// Learning from the sphere on a lattice of a quarter of the vertices: what it leaves to the
 /// polish is less than their distance.
 ConformalSOMOptions coarseLattice(const ConformalSOMOptions& options)
@@ -93,12 +87,12 @@ public:
   FirstSurface(const TrainingSamples& samples, const ConformalSOMOptions& options)
     : Samples(samples)
     , Options(coarseLattice(options))
-    , Spacing(spacingFor(samples, options.HullIndicator, options.NumberOfNeurons))
+    , MinimumSpacing(SpacingForEdge * edgeFor(TypicalArea, options.NumberOfNeurons))
   {
   }
 
   double work() const { return this->workFromSphere() + this->workFromHull(); }
-  double vertices() const { return verticesOfHull(this->Spacing); }
+  double vertices() const { return verticesOfHull(this->spacing()); }
 
   ConformalSOMResult fromMesh(const Mesh& start, const Run& run) const
   {
@@ -141,18 +135,26 @@ private:
     return this->mayStartFromSphere() ? workWithoutPolish(this->Samples, this->Options) : 0.0;
   }
 
+  double spacing() const
+  {
+    return std::clamp(this->MinimumSpacing, hullSpacing(this->Samples, this->Options.HullIndicator),
+      GenusZeroHullLimits::MaximumSpacing);
+  }
+
   double workFromHull() const
   {
-    return workOfHull(this->Samples, this->Spacing, this->Options.HullIndicator);
+    return workOfHull(this->Samples, this->spacing(), this->Options.HullIndicator);
   }
 
   ConformalSOMResult fromHull(PolishOptions& polishing, const Run& run) const
   {
     ConformalSOMResult result;
     GenusZeroHullResult hull =
-      makeHull(this->Samples, this->Spacing, this->Options.HullIndicator, run);
+      makeHull(this->Samples, this->MinimumSpacing, this->Options.HullIndicator, run);
     static_cast<Mesh&>(result) = hull;
     result.Hulled = true;
+    result.Indicator = hull.Indicator;
+    result.NormalsUsed = hull.NormalsUsed;
     result.HullLeaks = hull.Leaks;
     result.CutFraction = cutFraction(hull);
     result.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
@@ -175,7 +177,7 @@ private:
 
   const TrainingSamples& Samples;
   const ConformalSOMOptions Options; ///< of the lattice that is learned from the sphere
-  const double Spacing;              ///< of the hull
+  const double MinimumSpacing;       ///< of the hull
 };
 
 struct Noise
@@ -283,7 +285,8 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
       work.insert(work.end(), { ofPolish, ofRemeshing });
     }
     work.insert(work.end(),
-      { (ofPolish + ofRemeshing) / Coarser, ofLast, workOfSharpEdges(neurons), 0.01 * ofLast });
+      { (ofPolish + ofRemeshing) / Coarser, ofLast, workOfSharpEdges(neurons), 0.01 * ofLast,
+        workOfVerdict(neurons) });
     return work;
   };
   const FirstSurface first(samples, options);
@@ -298,6 +301,7 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   last.OutlierRatio = polishing.OutlierRatio;
   last.Belongs = polishing.Belongs;
   last.Guide = polishing.Guide;
+  const double areaAtFirst = surfaceArea(result.Positions, result.Triangles);
   const int turns = start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
   steps.replan(workFrom(static_cast<double>(result.Positions.rows()), turns));
 
@@ -317,6 +321,7 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   }
   const Noise noise = noiseBeside(result, samples, polishing, steps.next());
   result.NoiseToDetail = noise.ToDetail;
+  result.Noise = std::sqrt(noise.Variance);
   last.LastSmoothness +=
     smoothnessFor(noise, result, std::min(last.SamplesPerRound, samples.totalSize()));
   last.FirstSmoothness = last.LastSmoothness;
@@ -326,24 +331,68 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);
+  result.AreaRatio = surfaceArea(result.Positions, result.Triangles) / areaAtFirst;
+  result.Verdict =
+    judgeSurface(samples, result.Positions, result.Triangles, result.Noise, steps.next());
   return result;
+}
+}
+
+namespace
+{
+/// As far as another start may mend it: a hull leaves out samples on purpose.
+double mendable(const ConformalSOMResult& result, const TrainingSamples& samples)
+{
+  SurfaceVerdict verdict = result.Verdict;
+  verdict.UnmetFraction -=
+    static_cast<double>(result.NumberOfSamplesOutside) / static_cast<double>(samples.totalSize());
+  return badness(verdict);
 }
 }
 
 ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const Mesh* start, const Run& run)
 {
-  // Webs in deep folds show only when the surface is polished; then it is learned anew, as batch
-  // training does. That is rare, and little of the progress is kept for it.
+  // Webs in deep folds show only when the surface is polished, and so does most of what is wrong
+  // with a start; then it is learned anew. That is rare, and little of the progress is kept for it.
   constexpr double webs = 0.001, share = 0.95;
-  ConformalSOMResult result = trainFrom(samples, options, start, run.part(0.0, share));
-  if (!start && !result.Hulled && result.UnsupportedFraction > webs &&
-    options.StartingShape == StartingShape::Automatic)
+  ConformalSOMResult best = trainFrom(samples, options, start, run.part(0.0, share));
+  if (start || samples.dimension() < 3)
   {
+    return best;
+  }
+  HullIndicator tried = best.Indicator; // of the last hull
+  double begin = share;
+  const auto startAnew = [&](HullIndicator indicator, bool anyway)
+  {
+    const double end = 0.5 * (begin + 1.0);
     ConformalSOMOptions hulled = options;
     hulled.StartingShape = StartingShape::Hull;
-    result = trainFrom(samples, hulled, nullptr, run.part(share, 1.0));
+    hulled.HullIndicator = indicator;
+    ConformalSOMResult next = trainFrom(samples, hulled, nullptr, run.part(begin, end));
+    begin = end;
+    tried = next.Indicator;
+    const int starts = best.NumberOfStarts + 1;
+    if (anyway || badness(next.Verdict) < badness(best.Verdict))
+    {
+      best = std::move(next);
+    }
+    best.NumberOfStarts = starts;
+  };
+  const bool webbed = best.UnsupportedFraction > webs;
+  bool hulled = best.Hulled;
+  if (!hulled && options.StartingShape == StartingShape::Automatic &&
+    (webbed || mendable(best, samples) > 1.0))
+  {
+    startAnew(options.HullIndicator, webbed);
+    hulled = true;
   }
-  return result;
+  if (hulled && options.HullIndicator == HullIndicator::Automatic && mendable(best, samples) > 1.0)
+  {
+    startAnew(
+      tried == HullIndicator::Distance ? HullIndicator::WindingNumbers : HullIndicator::Distance,
+      false);
+  }
+  return best;
 }
 }

@@ -8,6 +8,7 @@
 #include "Learn/LeastSquaresPolish.h"
 #include "Learn/NoiseEstimate.h"
 #include "Learn/SurfaceSupport.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
@@ -266,6 +267,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     if (f != levels.front() && options.PassesPerLevel > 0)
     {
       result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
+      result.Noise = std::sqrt(noiseVariance(typicalErrors[0], typicalErrors[1]));
     }
     typicalErrors[0] = typicalErrors[1];
     const std::optional<double> left = forecast(result, masses);
@@ -283,8 +285,10 @@ void polishAndCheck(const TrainingSamples& samples, const PolishOptions& options
   ConformalSOMResult& result, const Run& run)
 {
   Steps steps(run, { 0.97, 0.03 });
+  const double before = surfaceArea(result.Positions, result.Triangles);
   const std::vector<double> masses = polish(samples, options, result, steps.next());
   steps.next();
+  result.AreaRatio = surfaceArea(result.Positions, result.Triangles) / before;
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);
 }
@@ -436,6 +440,10 @@ ConformalSOMResult trainBatch(
   fromHull.History.insert(
     fromHull.History.begin(), fromSphere.History.begin(), fromSphere.History.end());
   fromHull.Hulled = true;
+  fromHull.Noise = fromSphere.Noise;
+  fromHull.Indicator = start->Indicator;
+  fromHull.NormalsUsed = start->NormalsUsed;
+  fromHull.NumberOfStarts = mustHull ? 1 : 2;
   fromHull.HullLeaks = start->Leaks;
   fromHull.CutFraction = start->CutFraction;
   fromHull.NumberOfSamplesOutside = start->NumberOfSamplesOutside;

@@ -53,12 +53,20 @@ double verticesOfHull(double spacing)
 }
 
 GenusZeroHullResult makeHull(
-  const TrainingSamples& samples, double spacing, HullIndicator indicator, const Run& run)
+  const TrainingSamples& samples, double minimumSpacing, HullIndicator indicator, const Run& run)
 {
-  GenusZeroHullOptions options;
-  options.Indicator = indicator;
-  options.Spacing = spacing;
-  return makeGenusZeroHull(samples, options, run);
+  const auto optionsFor = [&](HullIndicator by)
+  {
+    GenusZeroHullOptions options;
+    options.Indicator = by;
+    options.Spacing = std::clamp(
+      minimumSpacing, hullSpacing(samples, by), GenusZeroHullLimits::MaximumSpacing);
+    return options;
+  };
+  return indicator == HullIndicator::Automatic
+    ? chooseHull(samples, optionsFor(HullIndicator::Distance),
+        optionsFor(HullIndicator::WindingNumbers), run)
+    : makeGenusZeroHull(samples, optionsFor(indicator), run);
 }
 
 double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
@@ -74,7 +82,7 @@ std::optional<HullStart> startFromHull(
   const double spacing = hullSpacing(samples, indicator);
   const double ofHull = workOfHull(samples, spacing, indicator);
   Steps steps(run, { ofHull, workOfHullStart(samples, indicator) - ofHull });
-  const GenusZeroHullResult hull = makeHull(samples, spacing, indicator, steps.next());
+  const GenusZeroHullResult hull = makeHull(samples, 0.0, indicator, steps.next());
   const auto size = static_cast<double>(hull.Positions.rows());
   steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
   const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
@@ -99,6 +107,8 @@ std::optional<HullStart> startFromHull(
   {
     start.Guide = std::make_shared<TriangleTree>(hull.Positions, hull.Triangles, run.unwatched());
   }
+  start.Indicator = hull.Indicator;
+  start.NormalsUsed = hull.NormalsUsed;
   start.Leaks = hull.Leaks;
   start.CutFraction = cutFraction(hull);
   start.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;

@@ -18,11 +18,12 @@ namespace conformal
 /// no gaps between samples on a grid that is finer than these are dense.
 double hullSpacing(const TrainingSamples& samples, HullIndicator indicator);
 
-/// A genus-zero hull of the samples.
-/// @param[in] indicator  how its inside is told from the outside
+/// A genus-zero hull of the samples, on a grid of hullSpacing().
+/// @param[in] minimumSpacing  where the grid need not be as fine
+/// @param[in] indicator       how its inside is told from the outside
 /// @throws Aborted
 GenusZeroHullResult makeHull(
-  const TrainingSamples& samples, double spacing, HullIndicator indicator, const Run& run);
+  const TrainingSamples& samples, double minimumSpacing, HullIndicator indicator, const Run& run);
 
 /// What makeHull() takes, in nanoseconds as in Steps, and how many vertices it makes of a usual
 /// object.
@@ -34,6 +35,8 @@ struct HullStart
   Points Positions; ///< #N by 3, in the samples' unit: the hull at the directions given
   HullData Data;    ///< tells samples of the object from those apart from it
   std::shared_ptr<const TriangleTree> Guide; ///< the hull, where winding numbers told its inside
+  HullIndicator Indicator = HullIndicator::Distance; ///< what was used
+  bool NormalsUsed = false;                          ///< see GenusZeroHullResult
   bool Leaks = false;
   double CutFraction = 0.0; ///< see cutFraction()
   Index NumberOfSamplesOutside = 0;

@@ -4,6 +4,7 @@
 #define ConformalTraining_h
 
 #include "Hull/GenusZeroHull.h"
+#include "Learn/SurfaceVerdict.h"
 #include "Mesh/Mesh.h"
 
 #include <vector>
@@ -76,7 +77,7 @@ struct ConformalSOMOptions
   double Smoothness = 0.01;      ///< weight of the polish's Laplacian, per pattern of a neuron
   bool AutomaticPriority = true; ///< far patterns weigh more in the polish, so that tips are met
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
-  conformal::HullIndicator HullIndicator = conformal::HullIndicator::Distance; ///< of a hull
+  conformal::HullIndicator HullIndicator = conformal::HullIndicator::Automatic; ///< of a hull
 };
 
 /// What training saw in one epoch (Online) or pass (Batch).
@@ -97,6 +98,9 @@ struct ConformalSOMResult : MappedMesh
 
   // Batch training: what it saw on its way.
   bool Hulled = false;      ///< whether it started from a hull
+  HullIndicator Indicator = HullIndicator::Distance; ///< of the hull, what was used
+  bool NormalsUsed = false; ///< of the samples, for the hull
+  int NumberOfStarts = 1;   ///< that were tried; this is the best of the results
   bool HullLeaks = false;   ///< the points do not enclose anything at the hull's scale
   double CutFraction = 0.0; ///< of the hull's area, where handles of the object were cut open:
                             ///< it is not of genus zero, or limbs touch
@@ -106,6 +110,9 @@ struct ConformalSOMResult : MappedMesh
                                     ///< coarse for
   bool ConformalMapFits = true; ///< false where a conformal map was wanted and would not fit into
                                 ///< numbers: SpherePositions keep angles less than that
+  double Noise = 0.0;               ///< that was found, its standard deviation; max radius 1
+  double AreaRatio = 1.0;           ///< of the surface and of what was polished at first
+  SurfaceVerdict Verdict;
 };
 }
 

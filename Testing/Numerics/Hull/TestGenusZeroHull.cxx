@@ -589,3 +589,41 @@ TEST(GenusZeroHull, LeavesOutWhatIsApartByEitherIndicator)
     EXPECT_NEAR(volume, 4.0 / 3.0 * Pi, 1.0); // the distance's is larger by the offset
   }
 }
+
+// By the distance where that is right, to the bit, and for a ring, whose handle is its own; by
+// winding numbers where a hole is as wide as the object.
+TEST(GenusZeroHull, ChoosesByWhatEitherHullShows)
+{
+  using conformal::HullIndicator;
+  const auto hullBy = [](const Points& points, HullIndicator indicator)
+  {
+    GenusZeroHullOptions options = spaced(0.03);
+    options.Indicator = indicator;
+    return hullOf(points, options);
+  };
+  const Points sphere = pointsOf(8000, onSphere);
+  Points bowl(sphere.rows(), 3), ring(sphere.rows(), 3);
+  Index size = 0;
+  for (Index i = 0; i < sphere.rows(); ++i)
+  {
+    const Vector3 n = sphere.row(i);
+    if (n[2] < 0.1)
+    {
+      bowl.row(size++) = n.transpose();
+    }
+    const double around = std::atan2(n[1], n[0]), along = Pi * n[2];
+    const double r = 1.0 + 0.4 * std::cos(along);
+    ring.row(i) << r * std::cos(around), r * std::sin(around), 0.4 * std::sin(along);
+  }
+  bowl.conservativeResize(size, 3);
+  for (const Points& points : { sphere, ring })
+  {
+    const GenusZeroHullResult hull = hullBy(points, HullIndicator::Automatic);
+    EXPECT_EQ(hull.Indicator, HullIndicator::Distance);
+    EXPECT_EQ(hull.Positions, hullBy(points, HullIndicator::Distance).Positions);
+  }
+  EXPECT_TRUE(hasHandles(hullBy(ring, HullIndicator::Automatic)));
+  const GenusZeroHullResult closed = hullBy(bowl, HullIndicator::Automatic);
+  EXPECT_EQ(closed.Indicator, HullIndicator::WindingNumbers);
+  EXPECT_EQ(closed.Positions, hullBy(bowl, HullIndicator::WindingNumbers).Positions);
+}

@@ -606,6 +606,62 @@ TEST(AdaptiveTraining, RefusesWhatItCannotUse)
   refused([](auto& o) { o.AreaBalance = std::numeric_limits<double>::quiet_NaN(); });
 }
 
+// A clean cloud keeps its hull, to the bit; one that leaks gets the other.
+TEST(AdaptiveTraining, TakesTheHullThatTheCloudSupports)
+{
+  using conformal::HullIndicator;
+  const Points whole = ellipsoid(9000, 3), jack = Jack::cloud(12000, 3);
+  Points cut(whole.rows(), 3);
+  Index size = 0;
+  for (Index i = 0; i < whole.rows(); ++i)
+  {
+    if (whole(i, 0) < 0.1)
+    {
+      cut.row(size++) = whole.row(i);
+    }
+  }
+  cut.conservativeResize(size, 3);
+  ConformalSOMOptions options = adaptive(1500);
+  options.StartingShape = conformal::StartingShape::Hull;
+  const auto learnedBy = [&](const Points& points, HullIndicator indicator)
+  {
+    options.HullIndicator = indicator;
+    return trainConformalSOM(TrainingSamples{ conformal::PointView(points) }, options);
+  };
+  const ConformalSOMResult automatic = learnedBy(jack, HullIndicator::Automatic);
+  EXPECT_EQ(automatic.Indicator, HullIndicator::Distance);
+  EXPECT_EQ(automatic.NumberOfStarts, 1);
+  EXPECT_LT(badness(automatic.Verdict), 0.5);
+  EXPECT_LT(automatic.Noise, 0.002);
+  EXPECT_NEAR(automatic.AreaRatio, 0.85, 0.1);
+  EXPECT_EQ(automatic.Positions, learnedBy(jack, HullIndicator::Distance).Positions);
+
+  const ConformalSOMResult leaking = learnedBy(cut, HullIndicator::Automatic);
+  EXPECT_EQ(leaking.Indicator, HullIndicator::WindingNumbers);
+  EXPECT_EQ(leaking.Positions, learnedBy(cut, HullIndicator::WindingNumbers).Positions);
+}
+
+// So few points that the hull by the distance has holes and folds: the result is judged, learned
+// anew, and better.
+TEST(AdaptiveTraining, StartsAnewWhereTheResultIsBad)
+{
+  using conformal::HullIndicator;
+  const Points points = Jack::cloud(500, 3);
+  ConformalSOMOptions options = adaptive(3000);
+  const auto learnedBy = [&](HullIndicator indicator)
+  {
+    options.HullIndicator = indicator;
+    return trainConformalSOM(TrainingSamples{ conformal::PointView(points) }, options);
+  };
+  const ConformalSOMResult bad = learnedBy(HullIndicator::Distance),
+                           best = learnedBy(HullIndicator::Automatic);
+  RecordProperty("Distance", std::to_string(badness(bad.Verdict)));
+  RecordProperty("Automatic", std::to_string(badness(best.Verdict)));
+  EXPECT_GT(badness(bad.Verdict), 1.0);
+  EXPECT_EQ(best.NumberOfStarts, 2);
+  EXPECT_LT(badness(best.Verdict), badness(bad.Verdict));
+}
+
 // An ellipsoid of which an end is missing: with winding numbers the hull, and what is learned from
 // it, go on round over the hole; by the distance they are flat there.
 TEST(AdaptiveTraining, GoesOnOverAHoleByWindingNumbers)

@@ -1,0 +1,194 @@
+#include "Learn/SurfaceVerdict.h"
+
+#include "Base/Steps.h"
+#include "Cloud/CloudThinning.h"
+#include "Cloud/Orientation.h"
+#include "Cloud/WindingNumbers.h"
+#include "Mesh/MeshTopology.h"
+#include "Search/PointTree.h"
+#include "Search/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr double AskedSamples = 10000.0;
+constexpr Index MinimumSamples = 20; // of which anything can be told
+constexpr int NumberOfNeighbors = 8;
+constexpr Index BlockSize = 256;
+
+// In nanoseconds as in Steps: for each vertex, for each sample asked.
+constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 8000.0;
+
+// Wide enough for the sides of a surface that lie on the same samples to cancel.
+constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
+
+Vector3 areaVector(const Points& positions, const Triangles& triangles, Index r)
+{
+  const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
+                c = positions.row(triangles(r, 2));
+  return 0.5 * (b - a).cross(c - a);
+}
+
+double foldedFraction(const Points& positions, const Triangles& triangles)
+{
+  constexpr double cosine = -0.866; // of 150 degrees
+  Points normals(triangles.rows(), 3);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    normals.row(r) = areaVector(positions, triangles, r).stableNormalized();
+  }
+  const Triangles across = triangleNeighbors(triangles, positions.rows());
+  Index folded = 0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int other = across(r, k);
+      folded += other > r && normals.row(r).dot(normals.row(other)) < cosine;
+    }
+  }
+  return static_cast<double>(folded) / (1.5 * static_cast<double>(triangles.rows()));
+}
+
+// Where samples meet the surface.
+struct Feet
+{
+  Points Normals; // #P by 3, of its triangles
+  std::vector<double> Distances;
+};
+
+Feet feetOf(
+  const Points& points, const Points& positions, const Triangles& triangles, const Run& run)
+{
+  Steps steps(run,
+    { WorkOfTree * static_cast<double>(positions.rows()),
+      WorkOfFoot * static_cast<double>(points.rows()) });
+  const TriangleTree tree(positions, triangles, steps.next());
+  Feet feet;
+  feet.Normals.resize(points.rows(), 3);
+  feet.Distances.resize(points.rows());
+  forBlocksReporting(steps.next(), points.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(points.row(i), hint);
+        hint = foot.Triangle;
+        feet.Normals.row(i) = areaVector(positions, triangles, hint).stableNormalized();
+        feet.Distances[i] = std::sqrt(foot.SquareDistance);
+      }
+    });
+  return feet;
+}
+
+// Whether samples are far from all others.
+class Company
+{
+public:
+  Company(const Points& points, double spacing)
+    : Cloud(points)
+    , Tree(points)
+    , Spacing(spacing)
+  {
+  }
+
+  bool lacks(Index i)
+  {
+    constexpr double far = 4.0; // spacings; eight neighbors are 1.6 spacings away
+    this->Tree.nearest(this->Cloud.row(i), NumberOfNeighbors + 1, this->Around);
+    return this->Around.back().SquareDistance > far * far * this->Spacing * this->Spacing;
+  }
+
+private:
+  const Points& Cloud;
+  PointTree Tree;
+  double Spacing;
+  std::vector<Neighbor> Around;
+};
+
+// Directions in which the surface should face at the points.
+Points outwardDirections(
+  const OrientedPoints& asked, const Points& normals, double width, const Run& run)
+{
+  const WindingNumbers numbers(asked.Positions, run);
+  if (asked.Normals.rows() > 0)
+  {
+    Points areas = areaVectors(asked.Positions, asked.Normals, run);
+    if (turnOutward(numbers, areas, width, run))
+    {
+      return areas;
+    }
+  }
+  return numbers.descentAtPoints(areaVectors(asked.Positions, normals, run), width, run);
+}
+}
+
+//------------------------------------------------------------------------------
+double workOfVerdict(Index numberOfVertices)
+{
+  return WorkOfTree * static_cast<double>(numberOfVertices) +
+    (WorkOfFoot + WorkOfNumbers) * AskedSamples;
+}
+
+//------------------------------------------------------------------------------
+SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, double noise, const Run& run)
+{
+  constexpr double distanceOfSpacing = 1.5, distanceOfNoise = 5.0;
+  SurfaceVerdict verdict;
+  verdict.FoldedFraction = foldedFraction(positions, triangles);
+  const OrientedPoints asked = selectSamples(samples, AskedSamples);
+  const Index size = asked.Positions.rows();
+  if (size < MinimumSamples || samples.dimension() < 3)
+  {
+    return verdict;
+  }
+  Steps steps(run,
+    { WorkOfTree * static_cast<double>(positions.rows()) + WorkOfFoot * static_cast<double>(size),
+      WorkOfNumbers * static_cast<double>(size) });
+  const Feet feet = feetOf(asked.Positions, positions, triangles, steps.next());
+  steps.next();
+  const double spacing = typicalSpacing(asked.Positions, run.unwatched());
+  const double spacingOfAll =
+    spacing * std::sqrt(static_cast<double>(size) / static_cast<double>(samples.totalSize()));
+  const Points outward = outwardDirections(
+    asked, feet.Normals, std::max(WidthOfSpacing * spacing, WidthOfNoise * noise), run.unwatched());
+  const double near = std::max(distanceOfSpacing * spacingOfAll, distanceOfNoise * noise);
+  Company company(asked.Positions, spacing);
+  Index unmet = 0, inverted = 0, strays = 0;
+  for (Index i = 0; i < size; ++i)
+  {
+    if (feet.Distances[i] <= near)
+    {
+      inverted += feet.Normals.row(i).dot(outward.row(i)) < 0.0;
+    }
+    else if (company.lacks(i))
+    {
+      ++strays;
+    }
+    else
+    {
+      ++unmet;
+    }
+  }
+  const auto counted = static_cast<double>(std::max<Index>(1, size - strays));
+  verdict.UnmetFraction = static_cast<double>(unmet) / counted;
+  verdict.InvertedFraction = static_cast<double>(inverted) / counted;
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+double badness(const SurfaceVerdict& verdict)
+{
+  using Tolerated = ToleratedVerdict;
+  return std::max({ verdict.UnmetFraction / Tolerated::UnmetFraction,
+    verdict.InvertedFraction / Tolerated::InvertedFraction,
+    verdict.FoldedFraction / Tolerated::FoldedFraction });
+}
+}

@@ -1,0 +1,207 @@
+#include "Learn/SurfaceVerdict.h"
+
+#include "Mesh/GeodesicSphere.h"
+#include "Ranks.h"
+#include "Runs.h"
+#include "Spheres.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using conformal::Index;
+using conformal::judgeSurface;
+using conformal::makeGeodesicSphere;
+using conformal::Mesh;
+using conformal::Pi;
+using conformal::Points;
+using conformal::PointView;
+using conformal::SurfaceVerdict;
+using conformal::TrainingSamples;
+using conformal::Vector3;
+
+namespace
+{
+// In the samples' own unit.
+SurfaceVerdict verdictOn(
+  Mesh mesh, const TrainingSamples& samples, double noise = 0.0, const conformal::Run& run = {})
+{
+  for (Index i = 0; i < mesh.Positions.rows(); ++i)
+  {
+    mesh.Positions.row(i) = samples.normalize(mesh.Positions.row(i));
+  }
+  return judgeSurface(samples, mesh.Positions, mesh.Triangles, noise, run);
+}
+
+SurfaceVerdict verdictOn(const Mesh& mesh, const Points& points)
+{
+  return verdictOn(mesh, TrainingSamples{ PointView(points) });
+}
+
+Mesh sphere()
+{
+  return makeGeodesicSphere(24);
+}
+
+void expectGood(const SurfaceVerdict& verdict)
+{
+  EXPECT_EQ(verdict.UnmetFraction, 0.0);
+  EXPECT_LT(verdict.InvertedFraction, 1e-3);
+  EXPECT_EQ(verdict.FoldedFraction, 0.0);
+  EXPECT_LT(badness(verdict), 0.5);
+}
+
+constexpr double Opening = 0.9; // of Pi, of what is there of the sphere in a bag
+
+// A sphere with a hole, and a surface that goes along both of its sides.
+Mesh bag()
+{
+  Mesh mesh = makeGeodesicSphere(48);
+  for (Index i = 0; i < mesh.Positions.rows(); ++i)
+  {
+    const Vector3 n = mesh.Positions.row(i);
+    const double angle = std::acos(n[2]);
+    const bool outer = angle < 0.5 * Pi;
+    const double folded = 2.0 * Opening * (outer ? angle : Pi - angle), r = outer ? 1.0003 : 0.9997;
+    const double around = std::atan2(n[1], n[0]);
+    mesh.Positions.row(i) = r *
+      Vector3(
+        std::sin(folded) * std::cos(around), std::sin(folded) * std::sin(around), std::cos(folded));
+  }
+  return mesh;
+}
+
+Points pointsOfBag()
+{
+  Points all = spheres::spiral(20000);
+  for (Index i = 0; i < all.rows(); ++i)
+  {
+    all.row(i) *= 1.0 + 0.001 * std::sin(78.233 * static_cast<double>(i)); // nearer to either side
+  }
+  return all.topRows(static_cast<Index>(0.5 * (1.0 - std::cos(Opening * Pi)) * 20000));
+}
+}
+
+TEST(SurfaceVerdict, IsGoodForASphereAndThinPlates)
+{
+  const Points points = spheres::spiral(20000);
+  expectGood(verdictOn(sphere(), points));
+  Points plate = points;
+  Mesh surface = makeGeodesicSphere(40);
+  for (Points* positions : { &plate, &surface.Positions })
+  {
+    positions->col(2) *= 0.05;
+  }
+  expectGood(verdictOn(surface, plate));
+}
+
+TEST(SurfaceVerdict, SeesTwoSidesOnTheSamePoints)
+{
+  const SurfaceVerdict verdict = verdictOn(bag(), pointsOfBag());
+  EXPECT_GT(verdict.InvertedFraction, 0.05);
+  EXPECT_EQ(verdict.UnmetFraction, 0.0);
+  EXPECT_GT(badness(verdict), 1.0);
+  expectGood(verdictOn(sphere(), pointsOfBag())); // a hole is no fault of the surface
+}
+
+// Inward or outward, if only they agree; where they do not, they are no measure.
+TEST(SurfaceVerdict, HoldsTheSurfaceAgainstNormals)
+{
+  const Points points = spheres::spiral(20000);
+  TrainingSamples samples{ PointView(points) };
+  Mesh insideOut = sphere();
+  insideOut.Triangles.col(0).swap(insideOut.Triangles.col(1));
+  Points normals = points;
+  for (const double sign : { 1.0, -1.0 })
+  {
+    normals = sign * points;
+    samples.setNormals(normals);
+    expectGood(verdictOn(sphere(), samples));
+    EXPECT_EQ(verdictOn(insideOut, samples).InvertedFraction, 1.0);
+  }
+  for (Index i = 0; i < normals.rows(); i += 2)
+  {
+    normals.row(i) *= -1.0;
+  }
+  samples.setNormals(normals);
+  expectGood(verdictOn(sphere(), samples));
+}
+
+// A twentieth of the points lie on a small sphere beside the surface.
+TEST(SurfaceVerdict, CountsPointsThatTheSurfaceDoesNotReach)
+{
+  Points points = spheres::spiral(20000);
+  points.bottomRows(1000) = 0.2 * spheres::spiral(1000);
+  points.bottomRows(1000).col(0).array() += 1.4;
+  EXPECT_NEAR(verdictOn(sphere(), points).UnmetFraction, 0.05, 0.005);
+}
+
+// Farther from each other than points of the surface: outliers.
+TEST(SurfaceVerdict, DoesNotCountOutliers)
+{
+  Points points = spheres::spiral(20000);
+  points.bottomRows(200) = 1.5 * spheres::spiral(200);
+  EXPECT_EQ(verdictOn(sphere(), points).UnmetFraction, 0.0);
+}
+
+TEST(SurfaceVerdict, AllowsForNoise)
+{
+  Points points = spheres::spiral(20000);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) *= 1.0 + 0.15 * std::sin(12.9898 * static_cast<double>(i));
+  }
+  const TrainingSamples samples{ PointView(points) };
+  EXPECT_GT(verdictOn(sphere(), samples).UnmetFraction, 0.1);
+  EXPECT_EQ(verdictOn(sphere(), samples, 0.1).UnmetFraction, 0.0);
+}
+
+TEST(SurfaceVerdict, CountsFolds)
+{
+  Mesh mesh = sphere();
+  // A vertex across its neighbors: its triangles lie on those around them, folded at their edges.
+  const Index moved = 100;
+  Vector3 across = Vector3::Zero();
+  for (Index r = 0; r < mesh.Triangles.rows() && across.isZero(); ++r)
+  {
+    if (mesh.Triangles(r, 0) == moved)
+    {
+      across = mesh.Positions.row(mesh.Triangles(r, 1)) - mesh.Positions.row(moved);
+    }
+  }
+  ASSERT_FALSE(across.isZero());
+  mesh.Positions.row(moved) += 1.7 * across.transpose();
+  const double folded = verdictOn(mesh, spheres::spiral(20000)).FoldedFraction;
+  EXPECT_GT(folded, 0.0);
+  EXPECT_LT(folded, 7.0 / static_cast<double>(3 * mesh.Positions.rows() - 6));
+}
+
+TEST(SurfaceVerdict, TellsNothingOfTooFewPoints)
+{
+  for (const Index size : { 1, 3, 19 })
+  {
+    const Points points = spheres::spiral(size);
+    EXPECT_EQ(verdictOn(sphere(), points).UnmetFraction, 0.0) << size;
+  }
+}
+
+TEST(SurfaceVerdict, SameOnAnyThreadsAndRanks)
+{
+  const Points points = pointsOfBag();
+  const SurfaceVerdict whole = verdictOn(bag(), points);
+  const auto expectSame = [&](const SurfaceVerdict& verdict)
+  {
+    EXPECT_EQ(verdict.UnmetFraction, whole.UnmetFraction);
+    EXPECT_EQ(verdict.InvertedFraction, whole.InvertedFraction);
+    EXPECT_EQ(verdict.FoldedFraction, whole.FoldedFraction);
+  };
+  expectSame(verdictOn(bag(), TrainingSamples{ PointView(points) }, 0.0, runs::backwards()));
+  ranks::run(3,
+    [&](const conformal::Reduce& reduce)
+    {
+      const Index first = points.rows() * reduce.Rank / 3,
+                  last = points.rows() * (reduce.Rank + 1) / 3;
+      const Points own = points.middleRows(first, last - first);
+      expectSame(verdictOn(bag(), TrainingSamples(own, {}, {}, reduce)));
+    });
+}
