@@ -348,7 +348,10 @@ public:
    * limbs or lids over holes, or triangles stretched over limbs (a fifth of them obtuse), anew from
    * a closed hull of the points that is mapped to the sphere. SPHERE or HULL: always from that. A
    * hull that winds too much to be mapped, as that of a long thin curve does, is an error with
-   * HULL; with AUTOMATIC the mesh learned from the sphere is kept.
+   * HULL; with AUTOMATIC the mesh learned from the sphere is kept. An adaptive network's hull is
+   * remeshed instead of mapped, so any will do; and since the coarse lattice from which it starts
+   * otherwise misses small webs, it is learned anew from a hull where more than 0.1 % of the
+   * polished mesh's area has no points nearby, which takes as long again.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, HULL);
   vtkGetMacro(StartingShape, int);
