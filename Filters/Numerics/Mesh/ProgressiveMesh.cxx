@@ -51,36 +51,43 @@ ProgressiveMesh makeProgressiveMesh(
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run)
 {
-  // At least half of the vertices of any such mesh have no more neighbors.
-  constexpr std::size_t mostNeighbors = 8;
-  ProgressiveMesh result = { VertexRings(triangles, numberOfVertices), {} };
-  VertexRings& rings = result.Rings;
-  std::vector<int> left;
+  VertexRings rings(triangles, numberOfVertices);
+  std::vector<int> used;
   for (int v = 0; v < rings.size(); ++v)
   {
     if (!rings[v].empty())
     {
-      left.push_back(v);
+      used.push_back(v);
     }
   }
-  const std::size_t count = left.size() - 4;
-  result.Splits.reserve(count);
-  std::vector<char> held(rings.size());
-  while (result.Splits.size() < count)
+  const auto most = static_cast<Index>(used.size()) - 4;
+  return takeOut(std::move(rings), std::move(used), most, run);
+}
+
+//------------------------------------------------------------------------------
+ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index most, const Run& run)
+{
+  // At least half of the vertices of any closed mesh of genus zero have no more neighbors.
+  constexpr std::size_t mostNeighbors = 8;
+  ProgressiveMesh result = { std::move(rings), {} };
+  const auto count = static_cast<std::size_t>(most);
+  result.Splits.reserve(std::min(count, vertices.size()));
+  std::vector<char> held(result.Rings.size());
+  for (;;)
   {
     std::fill(held.begin(), held.end(), 0);
     for (std::size_t neighbors = 3; neighbors <= mostNeighbors; ++neighbors)
     {
-      for (const int v : left)
+      for (const int v : vertices)
       {
-        if (held[v] || rings[v].size() != neighbors || result.Splits.size() == count)
+        if (held[v] || result.Rings[v].size() != neighbors || result.Splits.size() == count)
         {
           continue;
         }
-        const int target = targetOf(rings, v);
+        const int target = targetOf(result.Rings, v);
         if (target >= 0)
         {
-          Ring ring = rings.collapse(v, target);
+          Ring ring = result.Rings.collapse(v, target);
           held[v] = 1;
           for (const int id : ring)
           {
@@ -90,8 +97,14 @@ ProgressiveMesh makeProgressiveMesh(
         }
       }
     }
-    left.erase(std::remove_if(left.begin(), left.end(), [&](int v) { return rings[v].empty(); }),
-      left.end());
+    const std::size_t before = vertices.size();
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                     [&](int v) { return result.Rings[v].empty(); }),
+      vertices.end());
+    if (result.Splits.size() == count || before == vertices.size())
+    {
+      break;
+    }
     run.report(static_cast<double>(result.Splits.size()) / static_cast<double>(count));
   }
   std::reverse(result.Splits.begin(), result.Splits.end());

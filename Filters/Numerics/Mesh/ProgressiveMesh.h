@@ -29,6 +29,13 @@ ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
 /// neighbors first and no two that are joined \cite Kirkpatrick1983.
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
+
+/// Take some vertices out of a mesh in that way.
+/// @param[in] vertices  in use; those that cannot go without the others stay
+/// @param[in] most      how many are to go at most; four have to stay in the mesh
+/// @return the rings without them, and the splits that put them back
+ProgressiveMesh takeOut(
+  VertexRings rings, std::vector<int> vertices, Index most, const Run& run = {});
 }
 
 #endif

@@ -1,6 +1,7 @@
 #include "SphereMap/FlipRepair.h"
 
 #include "Linear/HarmonicExtension.h"
+#include "Mesh/ProgressiveMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,10 @@ constexpr int SweepsAfter = 15;
 // Then, at the ends of limbs, of so many rings, as much as it takes.
 constexpr int LimbRings[] = { 10, 20 };
 constexpr double Weakenings[] = { 0.25, 0.5, 1.0, 1.5 };
+// Then, where limbs have so few vertices around that this shrinks beyond numbers, of fewer rings.
+constexpr int InsertionRings[] = { 2, 4, 6, 8, 10 };
+constexpr std::size_t MaximumInserted = 300; // the work grows with the square
+constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
 class Repair
@@ -123,7 +128,71 @@ public:
     return false;
   }
 
+  // The patch taken out and put back vertex by vertex, each into the middle of its ring, in an
+  // order that leaves room for all: for limbs of few vertices around, which strings cannot hold
+  // open.
+  bool insertAnew(const std::vector<int>& patch)
+  {
+    const std::vector<Vector3> before = this->placesOf(patch);
+    ProgressiveMesh mesh =
+      takeOut(this->Rings, patch, std::min<Index>(patch.size(), this->Positions.size() - 4));
+    // As if all triangles were equal and equilateral.
+    const double cotangent = 0.25 / std::sqrt(3.0);
+    const SourceTriangle equal = { this->areaAround(patch) / (2.0 * patch.size()),
+      { cotangent, cotangent, cotangent } };
+    constexpr SphereEnergy even = { 1.0, 1.0, 1 };
+    std::vector<Corner> corners;
+    std::vector<int> inserted;
+    for (const QuadricCollapse::Collapse& split : mesh.Splits)
+    {
+      const std::optional<Vector3> place = kernelCentroid(this->Positions, split.Neighbors);
+      if (!place)
+      {
+        this->restore(patch, before);
+        return false;
+      }
+      mesh.Rings.split(split.Vertex, split.Neighbors);
+      this->Positions[split.Vertex] = *place;
+      inserted.push_back(split.Vertex);
+      for (int sweep = 0; sweep < EvenSweeps; ++sweep)
+      {
+        for (const int v : inserted)
+        {
+          corners.clear();
+          for (const int neighbor : mesh.Rings[v])
+          {
+            corners.push_back({ neighbor, equal });
+          }
+          relaxVertex(this->Positions, v, corners.data(), static_cast<int>(corners.size()), even);
+        }
+      }
+    }
+    if (this->good(patch))
+    {
+      return true;
+    }
+    this->restore(patch, before);
+    return false;
+  }
+
 private:
+  // Of the sphere, under the triangles around the vertices, each counted as often as it has one.
+  double areaAround(const std::vector<int>& patch) const
+  {
+    double area = 0.0;
+    for (const int v : patch)
+    {
+      const Ring& ring = this->Rings[v];
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        area += 0.5 / 3.0 *
+          determinant(this->Positions[v], this->Positions[ring[i]],
+            this->Positions[ring[(i + 1) % ring.size()]]);
+      }
+    }
+    return std::abs(area);
+  }
+
   void take(int id, int mark, std::vector<int>& ids)
   {
     if (this->Marks[id] != mark)
@@ -326,6 +395,19 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
         }
         run.report(1.0);
       }
+    }
+  }
+  for (const int around : InsertionRings)
+  {
+    for (const std::vector<int>& patch : repair.patches(badTriangles(positions, triangles), around))
+    {
+      const bool inserted = patch.size() <= MaximumInserted && repair.insertAnew(patch);
+      for (int i = 0; inserted && i < RelaxationsOfInserted; ++i)
+      {
+        relaxVertices(positions, patch, rings, shapes, AnglesOnly, SweepsAfter);
+        run.report(1.0);
+      }
+      run.report(1.0);
     }
   }
   return badTriangles(positions, triangles).empty();

@@ -28,7 +28,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// of strings made positive \cite Tutte1963 in the plane in which straight lines are great circles,
 /// where triangles have the orientation they have on the sphere. At the ends of limbs, where
 /// nothing of the kind is large enough, the strings are weaker the shorter they are, so that
-/// triangles shrink less.
+/// triangles shrink less; and where only a few vertices lie around a limb, these are taken out and
+/// put back one by one.
 /// @param[in] strings        cotangentWeights of the surface
 /// @param[in,out] positions  unit vectors; no good triangle becomes bad
 /// @return whether none is bad any more

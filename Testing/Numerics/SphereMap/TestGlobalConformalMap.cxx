@@ -293,6 +293,42 @@ TEST(GlobalConformalMap, FindsRoomForManyTrianglesWithoutShape)
   EXPECT_EQ(map.Tier, GlobalConformalTier::Progressive);
 }
 
+// A tail of three vertices around shrinks by an order of magnitude from ring to ring. It is
+// inserted anew, and the rest of the map stays conformal.
+TEST(GlobalConformalMap, KeepsTheAnglesOfABodyWithAThinTail)
+{
+  Mesh mesh = conformal::makeGeodesicSphere(12);
+  constexpr int rings = 30;
+  const Index size = mesh.Positions.rows(), last = mesh.Triangles.rows();
+  const Eigen::RowVector3i base = mesh.Triangles.row(0);
+  const Eigen::RowVector3d outward =
+    (mesh.Positions.row(base[0]) + mesh.Positions.row(base[1]) + mesh.Positions.row(base[2]))
+      .normalized();
+  mesh.Positions.conservativeResize(size + 3 * rings, 3);
+  mesh.Triangles.conservativeResize(last + 6 * rings, 3);
+  const auto id = [&](int ring, int k)
+  { return ring == 0 ? base[k % 3] : static_cast<int>(size) + 3 * (ring - 1) + k % 3; };
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.Positions.row(id(ring + 1, k)) =
+        mesh.Positions.row(base[k]) + 0.1 * (ring + 1) * outward;
+      const Index r = last + 6 * ring + 2 * k;
+      mesh.Triangles.row(r) << id(ring, k), id(ring, k + 1), id(ring + 1, k + 1);
+      mesh.Triangles.row(r + 1) << id(ring, k), id(ring + 1, k + 1), id(ring + 1, k);
+    }
+  }
+  mesh.Triangles.row(0) << id(rings, 0), id(rings, 1), id(rings, 2);
+  const auto map = mapOf(mesh);
+  expectOneToOne(mesh, map.Positions);
+  EXPECT_EQ(map.Tier, GlobalConformalTier::Repaired);
+  // Of the body alone.
+  const conformal::Triangles body = mesh.Triangles.middleRows(1, last - 1);
+  EXPECT_LT(
+    conformal::measureDistortion(mesh.Positions, body, map.Positions).MeanQuasiConformalError, 1.1);
+}
+
 TEST(GlobalConformalMap, RepairsAFewFolds)
 {
   Mesh mesh = conformal::makeGeodesicSphere(20);
