@@ -22,6 +22,7 @@ conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& in
   conformal::AlignedScansOptions options;
   options.InvertRotation = this->InvertRotation;
   options.AllowExternalFiles = this->AllowExternalFiles;
+  options.RequireAllScans = this->RequireAllScans;
   const auto folder = std::filesystem::u8path(this->FileName).parent_path();
   return conformal::parseAlignedScans(input,
     conformal::openScansIn(folder.u8string(), this->AllowExternalFiles), options, {}, progress);
@@ -33,4 +34,5 @@ void vtkStanfordScansReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "InvertRotation: " << (this->InvertRotation ? "On" : "Off") << "\n";
   os << indent << "AllowExternalFiles: " << (this->AllowExternalFiles ? "On" : "Off") << "\n";
+  os << indent << "RequireAllScans: " << (this->RequireAllScans ? "On" : "Off") << "\n";
 }

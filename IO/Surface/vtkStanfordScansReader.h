@@ -4,8 +4,11 @@
  *
  * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
  * Stanford scanning repository names, each moved as the file says, with one vertex for each.
- * - point array "ScanId" (int, 1 component): the line of the scan, counted from 0.
+ * - point array "ScanId" (int, 1 component): which of the scans that the file names, counted from
+ * 0.
  * - point arrays of the names and types that all scans have, such as "confidence", "intensity".
+ * - field array "NumberOfMissingScans" (vtkIdType, 1 component): named by the file and not there,
+ * only if not 0, and then reported in a warning. If none is there it is an error.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -47,6 +50,16 @@ public:
   vtkBooleanMacro(AllowExternalFiles, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether it is an error if a scan that the file names is not there. Default is off: the others
+   * are read, with a warning.
+   */
+  vtkSetMacro(RequireAllScans, bool);
+  vtkGetMacro(RequireAllScans, bool);
+  vtkBooleanMacro(RequireAllScans, bool);
+  ///@}
+
   /**
    * Whether a file is of this format, judged by its first bytes and not by its name.
    */
@@ -68,6 +81,7 @@ private:
 
   bool InvertRotation = false;
   bool AllowExternalFiles = false;
+  bool RequireAllScans = false;
 };
 
 #endif

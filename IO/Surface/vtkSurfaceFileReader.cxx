@@ -267,6 +267,8 @@ int vtkSurfaceFileReader::RequestData(
     output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are not points");
   this->Warn(output, "NumberOfUnreadBytes", result.Data.UnreadBytes,
     "bytes not read behind all that the header promises; the header or the file is wrong");
+  this->Warn(output, "NumberOfMissingScans", result.Data.MissingScans,
+    "scans that the file names are not there and are left out");
   return 1;
 }
 

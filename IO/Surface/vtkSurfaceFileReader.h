@@ -7,10 +7,10 @@
  * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): active
  *   where the file has them. What other arrays there are, and their types, the readers say.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
- *   "NumberOfSkippedLines", "NumberOfUnreadBytes" (vtkIdType, 1 component): each there only if not
- *   0, and then reported in a warning. A point of a cloud is dropped if a coordinate is not finite,
- * a polygon if it has fewer than 3 ids or one of them twice; other values that are not finite are
- * replaced by 0.
+ *   "NumberOfSkippedLines", "NumberOfUnreadBytes", "NumberOfMissingScans" (vtkIdType, 1 component):
+ *   each there only if not 0, and then reported in a warning. A point of a cloud is dropped if a
+ * coordinate is not finite, a polygon if it has fewer than 3 ids or one of them twice; other values
+ * that are not finite are replaced by 0.
  *
  * A file that breaks the rules, ends early, or has a mesh with a point that is not finite or an id
  * that no point has, gives an error with its line or byte, an empty output, and an error code of

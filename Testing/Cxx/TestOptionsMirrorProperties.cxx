@@ -105,6 +105,7 @@ TEST(OptionsMirrorProperties, StanfordScansReader)
   vtkNew<vtkStanfordScansReader> reader;
   EXPECT_EQ(reader->GetInvertRotation(), options.InvertRotation);
   EXPECT_EQ(reader->GetAllowExternalFiles(), options.AllowExternalFiles);
+  EXPECT_EQ(reader->GetRequireAllScans(), options.RequireAllScans);
 }
 
 TEST(OptionsMirrorProperties, TextCloudReader)

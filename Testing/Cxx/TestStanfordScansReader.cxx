@@ -124,7 +124,31 @@ TEST(StanfordScansReader, SaysWhichScanIsBroken)
   contract::ExpectRefused(Read<vtkStanfordScansReader>(folder.write("a.conf",
                             samples::replaced(samples::SphereConf(), "side.ply", "broken.ply"))),
     vtkErrorCode::FileFormatError, "line 3: in \"broken.ply\": line 4");
-  contract::ExpectRefused(Read<vtkStanfordScansReader>(folder.write("a.conf",
-                            samples::replaced(samples::SphereConf(), "side.ply", "missing.ply"))),
+  const auto reader = vtkSmartPointer<vtkStanfordScansReader>::New();
+  reader->RequireAllScansOn();
+  contract::ExpectPrints(reader, "RequireAllScans");
+  contract::ExpectRefused(
+    Reading(reader,
+      folder.write("a.conf", samples::replaced(samples::SphereConf(), "side.ply", "missing.ply"))),
     vtkErrorCode::FileNotFoundError, "line 3: in \"missing.ply\"");
+}
+
+TEST(StanfordScansReader, GoesWithoutScansThatAreNotThere)
+{
+  const TemporaryFolder folder;
+  folder.write(samples::SphereScans());
+  const std::string path =
+    folder.write("a.conf", samples::replaced(samples::SphereConf(), "front.ply", "missing.ply"));
+  const auto reader = vtkSmartPointer<vtkStanfordScansReader>::New();
+  const Reading reading(reader, path);
+  contract::ExpectWarned(reading, "NumberOfMissingScans", 1);
+  EXPECT_EQ(reading.Output->GetNumberOfPoints(), 50);
+  vtkDataArray* ids = reading.Output->GetPointData()->GetArray("ScanId");
+  EXPECT_EQ(ids->GetTuple1(0), 1.0); // the file's second
+  EXPECT_EQ(ids->GetTuple1(49), 2.0);
+  contract::ExpectArray(reading.Output->GetPointData(), "confidence", VTK_FLOAT, 1, 50);
+
+  contract::ExpectRefused(
+    Read<vtkStanfordScansReader>(folder.write("b.conf", "mesh missing.ply 0 0 0 0 0 0 1\n")),
+    vtkErrorCode::FileNotFoundError, "none of the scans is there");
 }

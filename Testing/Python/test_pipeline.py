@@ -171,7 +171,8 @@ class ReadFiles:
                 self.read("vtkPCDReader", PCD.format(color=color))
             self.read("vtkGuMeshReader", GU_MESH)
             self.put("scan.ply", SCAN)
-            self.read("vtkStanfordScansReader", "bmesh scan.ply 0 0 0 0 0 0 1\n")
+            self.read("vtkStanfordScansReader", "bmesh scan.ply 0 0 0 0 0 0 1\n"
+                                                "bmesh missing.ply 0 0 0 0 0 0 1\n")
             writer = vtkFreeSurferWriter()
             writer.SetInputData(mapped)
             writer.SetArrayName("Distance")

@@ -27,6 +27,7 @@ struct SurfaceData
   std::uint64_t ReplacedValues = 0;  ///< of point and polygon arrays, not finite, now 0
   std::uint64_t SkippedLines = 0;    ///< of a text, which were no points
   std::uint64_t UnreadBytes = 0;     ///< behind all that the file's header promises
+  std::uint64_t MissingScans = 0;    ///< that the file names and that are not there
 };
 
 struct SurfaceResult

@@ -106,13 +106,17 @@ public:
       }
       else if (!isIgnored(keyword) && keyword != "camera")
       {
-        this->Input.fail(this->Files.empty() ? ParseCode::UnrecognizedType : ParseCode::Malformed,
+        this->Input.fail(this->Count == 0 ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
       }
     }
-    if (this->Files.empty())
+    if (this->Count == 0)
     {
       this->Input.fail(ParseCode::PrematureEnd, "the file names no scans");
+    }
+    if (this->Files.empty())
+    {
+      this->Input.fail(this->FirstMissing.Code, this->FirstMissing.Message);
     }
     for (NamedArray& array : this->Data.PointArrays)
     {
@@ -134,11 +138,20 @@ private:
     {
       this->Lines.failExpecting("scans in the file's folder");
     }
-    if (this->Files.size() == MaximumScans)
+    if (this->Count++ == MaximumScans)
     {
       this->Lines.failExpecting("no more than " + std::to_string(MaximumScans) + " scans");
     }
     OpenedScan scan = this->Open(name);
+    if (scan.Status.Code == ParseCode::FileNotFound && !this->Options.RequireAllScans)
+    {
+      if (this->Data.MissingScans++ == 0)
+      {
+        this->FirstMissing = { ParseCode::FileNotFound, 0, 0,
+          "none of the scans is there; in " + conformal::quoted(name) + ": " + scan.Status.text() };
+      }
+      return;
+    }
     SurfaceResult result;
     result.Status = scan.Status;
     if (result.Status.ok())
@@ -162,7 +175,7 @@ private:
   void append(SurfaceData& scan, const std::array<double, 9>& rotation, const Motion& motion)
   {
     const std::size_t count = scan.Points.numberOfTuples();
-    const auto scanId = static_cast<std::int32_t>(this->Files.size() - 1);
+    const auto scanId = static_cast<std::int32_t>(this->Count - 1);
     withType(scan.Points.Type,
       [&](auto zero)
       {
@@ -187,7 +200,7 @@ private:
           conformal::append(this->ScanIds, &scanId);
         }
       });
-    this->appendArrays(scan.PointArrays, scanId == 0);
+    this->appendArrays(scan.PointArrays, this->Files.size() == 1);
     this->Data.DroppedPoints += scan.DroppedPoints;
     this->Data.UnreadBytes += scan.UnreadBytes;
     this->Data.ReplacedValues += scan.ReplacedValues;
@@ -242,6 +255,8 @@ private:
   SurfaceData& Data;
   LineReader Lines;
   std::set<std::string> Files; ///< identities of the scans read
+  std::size_t Count = 0;       ///< of the scans named
+  ParseStatus FirstMissing;
   NamedArray ScanIds = makeArray("ScanId", ScalarType::Int32, 1);
 };
 }

@@ -17,6 +17,7 @@ struct AlignedScansOptions
 {
   bool InvertRotation = false;     ///< whether quaternions turn the other way
   bool AllowExternalFiles = false; ///< whether scans may lie outside of the file's folder
+  bool RequireAllScans = false;    ///< whether a scan that is not there is an error
 };
 
 struct OpenedScan
@@ -32,9 +33,10 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// Read lines "bmesh NAME TX TY TZ QI QJ QK QL" or "mesh ..." and the PLY files that they name;
 /// lines "camera" are skipped. All points become one cloud, Float64, each turned by the inverse of
 /// the rotation that the quaternion (QI, QJ, QK, QL), QL its scalar, commonly stands for, and then
-/// shifted by (TX, TY, TZ). "ScanId" (Int32) tells which line a point is from, counted from 0, and
-/// point arrays that all scans have by name, type and number of components are kept. A scan may
-/// be named once, and by one name only.
+/// shifted by (TX, TY, TZ). "ScanId" (Int32) tells which scan of the file a point is from, counted
+/// from 0, and point arrays that all scans have by name, type and number of components are kept. A
+/// scan may be named once, and by one name only. Scans that are not there are counted and left out,
+/// if others are there and options do not say otherwise.
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
   const AlignedScansOptions& options = {}, const ParseLimits& limits = {},
   const ParseProgress& progress = {});
