@@ -99,7 +99,7 @@ class TestPlugin(unittest.TestCase):
                                                DomeHeight="Fitted")
         surface.UpdatePipeline()
         self.assertEqual(surface.GetDataInformation().GetNumberOfPoints(), 162)
-        surface.Sphere, surface.Frequency = None, 5
+        surface.Sphere, surface.Sampling, surface.Frequency = None, "Directions", 5
         surface.UpdatePipeline()
         self.assertEqual(surface.GetDataInformation().GetNumberOfPoints(), 252)
 

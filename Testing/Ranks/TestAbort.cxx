@@ -99,6 +99,7 @@ TEST(Abort, StopsTheLearnerWhereverItIs)
   const vtkIdType size = 4000;
   vtkNew<vtkConformalSOM> filter;
   filter->SetInputData(clouds::OwnPart(clouds::Horseshoe(size), clouds::UnevenCuts(size)));
+  filter->SetLatticeToGeodesic();
   filter->SetFrequency(12);
   filter->SetStartingShapeToHull();
   // The last sum of the hull is at 14 %, the next one after mapping it, at 70 %.

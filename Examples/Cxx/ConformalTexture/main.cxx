@@ -39,8 +39,8 @@ int main(int argc, char* argv[])
   {
     box->SetThetaResolution(100);
     box->SetPhiResolution(100);
-    box->SetPhiRoundness(0.5);
-    box->SetThetaRoundness(0.5);
+    box->SetPhiRoundness(0.8);
+    box->SetThetaRoundness(0.8);
     mesh->SetInputConnection(box->GetOutputPort());
   }
 

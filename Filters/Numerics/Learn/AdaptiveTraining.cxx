@@ -45,9 +45,9 @@ constexpr Index MinimumCoarse = 50; // vertices that can tell
 constexpr double LittleNoise = 0.5;
 
 // By how much vertices of objects lie off the middle of their neighbors, in squares of the edge
-// length where the largest radius is 1. Measured: on Igea and the armadillo with noise of 0.005 to
-// 0.02 this gives the best smoothness within a factor of two.
-constexpr double TypicalBending = 5.6;
+// length where the largest radius is 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01
+// this gives the best smoothness within a factor of two.
+constexpr double TypicalBending = 4.0;
 
 // What is left of the patterns of clean scans after a turn is less than this in edges, whatever
 // the scan and the number of neurons; what noise leaves is more, once it is a sixth of an edge.
