@@ -26,9 +26,10 @@ namespace conformal
 /// Noise is estimated from how much closer the surface comes to the samples than one of a quarter
 /// of the vertices does, and sets the smoothness of the last polish.
 ///
-/// The result is judged (SurfaceVerdict.h). Where it is bad it is learned anew: from the hull, if it
-/// was learned from the sphere and options.StartingShape is Automatic; then, if options.HullIndicator
-/// is Automatic, from the hull that was not taken at first. The best of the results is kept.
+/// The result is judged (SurfaceVerdict.h). Where it is bad it is learned anew: from the hull, if
+/// it was learned from the sphere and options.StartingShape is Automatic; then, if
+/// options.HullIndicator is Automatic, from the hull that was not taken at first. The best of the
+/// results is kept.
 ///
 /// Noise that is large against the edges is found after the first turn of polish, which is then
 /// repeated with a stiffer surface.

@@ -59,8 +59,8 @@ GenusZeroHullResult makeHull(
   {
     GenusZeroHullOptions options;
     options.Indicator = by;
-    options.Spacing = std::clamp(
-      minimumSpacing, hullSpacing(samples, by), GenusZeroHullLimits::MaximumSpacing);
+    options.Spacing =
+      std::clamp(minimumSpacing, hullSpacing(samples, by), GenusZeroHullLimits::MaximumSpacing);
     return options;
   };
   return indicator == HullIndicator::Automatic

@@ -97,9 +97,9 @@ struct ConformalSOMResult : MappedMesh
   std::vector<TrainingRecord> History;
 
   // Batch training: what it saw on its way.
-  bool Hulled = false;      ///< whether it started from a hull
+  bool Hulled = false;                               ///< whether it started from a hull
   HullIndicator Indicator = HullIndicator::Distance; ///< of the hull, what was used
-  bool NormalsUsed = false; ///< of the samples, for the hull
+  bool NormalsUsed = false;                          ///< of the samples, for the hull
   int NumberOfStarts = 1;   ///< that were tried; this is the best of the results
   bool HullLeaks = false;   ///< the points do not enclose anything at the hull's scale
   double CutFraction = 0.0; ///< of the hull's area, where handles of the object were cut open:
@@ -110,8 +110,8 @@ struct ConformalSOMResult : MappedMesh
                                     ///< coarse for
   bool ConformalMapFits = true; ///< false where a conformal map was wanted and would not fit into
                                 ///< numbers: SpherePositions keep angles less than that
-  double Noise = 0.0;               ///< that was found, its standard deviation; max radius 1
-  double AreaRatio = 1.0;           ///< of the surface and of what was polished at first
+  double Noise = 0.0;           ///< that was found, its standard deviation; max radius 1
+  double AreaRatio = 1.0;       ///< of the surface and of what was polished at first
   SurfaceVerdict Verdict;
 };
 }
