@@ -122,13 +122,12 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
 }
 
 // What is wrong with the mesh, and what to do about it.
-void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceVerdict& verdict, double apart)
+void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceVerdict& verdict)
 {
   using Tolerated = conformal::ToleratedVerdict;
-  const double unmet = verdict.UnmetFraction - apart;
-  if (unmet > Tolerated::UnmetFraction)
+  if (verdict.UnmetFraction > Tolerated::UnmetFraction)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * unmet
+    vtkWarningWithObjectMacro(self, << 100.0 * verdict.UnmetFraction
                                     << " % of the points lie apart from the mesh: it does not "
                                        "reach parts of the object. Learn with more neurons, or "
                                        "from another StartingShape or HullIndicator");
@@ -199,8 +198,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                "error is "
             << error << ", where 1 is conformal");
   }
-  WarnAbout(self, result.Verdict,
-    static_cast<double>(result.NumberOfSamplesOutside) / static_cast<double>(size));
+  WarnAbout(self, conformal::withoutLeftOut(result.Verdict, result.NumberOfSamplesOutside, size));
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
@@ -264,7 +262,10 @@ vtkConformalSOM::~vtkConformalSOM()
 //------------------------------------------------------------------------------
 void vtkConformalSOM::SetNumberOfNeurons(int number)
 {
-  number = number == 0 ? 0 : std::clamp(number, 12, 10000002);
+  constexpr auto minimum = static_cast<int>(conformal::MinimumNeurons);
+  const auto maximum =
+    static_cast<int>(conformal::geodesicSphereSize(this->GetFrequencyMaxValue()));
+  number = number == 0 ? 0 : std::clamp(number, minimum, maximum);
   if (this->NumberOfNeurons != number)
   {
     this->NumberOfNeurons = number;

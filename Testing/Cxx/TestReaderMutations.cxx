@@ -86,7 +86,7 @@ TEST(ReaderMutations, HandMadeBadFilesAreRefused)
     folder.write(test.Beside);
     std::vector<std::string> files = contract::FilesOfNobody();
     files.insert(files.end(), test.BadFiles.begin(), test.BadFiles.end());
-    EXPECT_GE(files.size(), 35u);
+    EXPECT_GE(files.size(), 40u);
     for (const std::string& bytes : files)
     {
       EXPECT_FALSE(ExpectTrustworthy(test, folder.write("a file", bytes))) << bytes.substr(0, 400);

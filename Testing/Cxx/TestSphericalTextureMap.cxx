@@ -247,7 +247,7 @@ TEST_F(SphericalTextureMap, NoTriangleOfAScanShowsTheImageBackwards)
     vtkNew<vtkCurvedSeamlessSurface> surface;
     surface->SetInputConnection(network->GetOutputPort());
     surface->Update();
-    ASSERT_GE(surface->GetOutput()->GetNumberOfPoints(), 64002);
+    ASSERT_EQ(surface->GetOutput()->GetNumberOfPoints(), 116642);
     this->Filter->SetInputConnection(surface->GetOutputPort());
     for (int projection = 0; projection < 4; ++projection)
     {

@@ -4,6 +4,7 @@
 #define ConformalTestSpheres_h
 
 #include "Base/Types.h"
+#include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
 
 #include <cmath>
@@ -15,17 +16,7 @@ namespace spheres
 inline conformal::Points geodesicWhere(
   int frequency, const std::function<bool(const conformal::Vector3&)>& test)
 {
-  const conformal::Points all = conformal::makeGeodesicSphere(frequency).Positions;
-  conformal::Points points(all.rows(), 3);
-  conformal::Index size = 0;
-  for (conformal::Index i = 0; i < all.rows(); ++i)
-  {
-    if (test(all.row(i)))
-    {
-      points.row(size++) = all.row(i);
-    }
-  }
-  return points.topRows(size);
+  return clouds::where(conformal::makeGeodesicSphere(frequency).Positions, test);
 }
 
 /// Spread evenly along a spiral.

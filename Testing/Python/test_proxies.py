@@ -126,7 +126,11 @@ class TestProxies(unittest.TestCase):
             if element.get("repeat_command"):
                 self.assertIsNone(default)
                 continue
-            value = AUTOMATIC.get(name, getattr(proxy.object, "Get" + name)())
+            value = getattr(proxy.object, "Get" + name)()
+            if name in AUTOMATIC:
+                getattr(proxy.object, "Set" + name)(AUTOMATIC[name])
+                self.assertEqual(getattr(proxy.object, "Get" + name)(), value)
+                value = AUTOMATIC[name]
             with self.subTest(name):
                 if element.tag == "StringVectorProperty":
                     self.assertEqual(default or "", value or "")

@@ -354,8 +354,12 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
   const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
+  if (better)
+  {
+    return byAll;
+  }
   hull.HandlesByChance = true;
-  return better ? byAll : hull;
+  return hull;
 }
 
 //------------------------------------------------------------------------------

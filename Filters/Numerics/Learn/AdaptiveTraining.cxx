@@ -137,8 +137,7 @@ private:
 
   double spacing() const
   {
-    return std::clamp(this->MinimumSpacing, hullSpacing(this->Samples, this->Options.HullIndicator),
-      GenusZeroHullLimits::MaximumSpacing);
+    return hullSpacing(this->Samples, this->Options.HullIndicator, this->MinimumSpacing);
   }
 
   double workFromHull() const
@@ -336,17 +335,12 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
     judgeSurface(samples, result.Positions, result.Triangles, result.Noise, steps.next());
   return result;
 }
-}
 
-namespace
+/// Whether another start may mend what is wrong.
+bool isBad(const ConformalSOMResult& result, const TrainingSamples& samples)
 {
-/// As far as another start may mend it: a hull leaves out samples on purpose.
-double mendable(const ConformalSOMResult& result, const TrainingSamples& samples)
-{
-  SurfaceVerdict verdict = result.Verdict;
-  verdict.UnmetFraction -=
-    static_cast<double>(result.NumberOfSamplesOutside) / static_cast<double>(samples.totalSize());
-  return badness(verdict);
+  return badness(withoutLeftOut(
+           result.Verdict, result.NumberOfSamplesOutside, samples.totalSize())) > 1.0;
 }
 }
 
@@ -382,12 +376,12 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
   const bool webbed = best.UnsupportedFraction > webs;
   bool hulled = best.Hulled;
   if (!hulled && options.StartingShape == StartingShape::Automatic &&
-    (webbed || mendable(best, samples) > 1.0))
+    (webbed || isBad(best, samples)))
   {
     startAnew(options.HullIndicator, webbed);
     hulled = true;
   }
-  if (hulled && options.HullIndicator == HullIndicator::Automatic && mendable(best, samples) > 1.0)
+  if (hulled && options.HullIndicator == HullIndicator::Automatic && isBad(best, samples))
   {
     startAnew(
       tried == HullIndicator::Distance ? HullIndicator::WindingNumbers : HullIndicator::Distance,

@@ -186,7 +186,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   Steps steps(run, { workOfLearning(options), workOfMap(options) });
   const auto learn = isAdaptive(options) ? trainAdaptiveFrom : trainGeodesic;
   ConformalSOMResult result = learn(samples, options, start, steps.next());
-  if (options.Lattice == Lattice::Geodesic && options.TrainingMode == TrainingMode::Batch)
+  if (!isAdaptive(options) && options.TrainingMode == TrainingMode::Batch)
   {
     result.Verdict =
       judgeSurface(samples, result.Positions, result.Triangles, result.Noise, run.unwatched());

@@ -31,11 +31,12 @@ constexpr double Balance = 0.18;
 constexpr double WorkOfThinning = 10000.0, WorkOfMap = 800e6;
 }
 
-double hullSpacing(const TrainingSamples& samples, HullIndicator indicator)
+double hullSpacing(const TrainingSamples& samples, HullIndicator indicator, double minimumSpacing)
 {
   const double factor = indicator == HullIndicator::WindingNumbers ? 0.25 : 0.6;
-  return std::clamp(
-    factor * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())), FinestSpacing, 0.2);
+  return std::clamp(factor * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())),
+    std::clamp(minimumSpacing, FinestSpacing, GenusZeroHullLimits::MaximumSpacing),
+    GenusZeroHullLimits::MaximumSpacing);
 }
 
 double workOfHull(const TrainingSamples& samples, double spacing, HullIndicator indicator)
@@ -59,8 +60,7 @@ GenusZeroHullResult makeHull(
   {
     GenusZeroHullOptions options;
     options.Indicator = by;
-    options.Spacing =
-      std::clamp(minimumSpacing, hullSpacing(samples, by), GenusZeroHullLimits::MaximumSpacing);
+    options.Spacing = hullSpacing(samples, by, minimumSpacing);
     return options;
   };
   return indicator == HullIndicator::Automatic

@@ -16,10 +16,11 @@ namespace conformal
 {
 /// Of a hull as fine as the samples are dense, in units of the largest radius. Winding numbers see
 /// no gaps between samples on a grid that is finer than these are dense.
-double hullSpacing(const TrainingSamples& samples, HullIndicator indicator);
+/// @param[in] minimumSpacing  where the grid need not be as fine
+double hullSpacing(
+  const TrainingSamples& samples, HullIndicator indicator, double minimumSpacing = 0.0);
 
 /// A genus-zero hull of the samples, on a grid of hullSpacing().
-/// @param[in] minimumSpacing  where the grid need not be as fine
 /// @param[in] indicator       how its inside is told from the outside
 /// @throws Aborted
 GenusZeroHullResult makeHull(

@@ -4,6 +4,7 @@
 #include "Cloud/CloudThinning.h"
 #include "Cloud/Orientation.h"
 #include "Cloud/WindingNumbers.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/PointTree.h"
 #include "Search/TriangleTree.h"
@@ -26,13 +27,6 @@ constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 8000.
 
 // Wide enough for the sides of a surface that lie on the same samples to cancel.
 constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
-
-Vector3 areaVector(const Points& positions, const Triangles& triangles, Index r)
-{
-  const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
-                c = positions.row(triangles(r, 2));
-  return 0.5 * (b - a).cross(c - a);
-}
 
 double foldedFraction(const Points& positions, const Triangles& triangles)
 {
@@ -180,6 +174,13 @@ SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positi
   const auto counted = static_cast<double>(std::max<Index>(1, size - strays));
   verdict.UnmetFraction = static_cast<double>(unmet) / counted;
   verdict.InvertedFraction = static_cast<double>(inverted) / counted;
+  return verdict;
+}
+
+//------------------------------------------------------------------------------
+SurfaceVerdict withoutLeftOut(SurfaceVerdict verdict, Index leftOut, Index all)
+{
+  verdict.UnmetFraction -= static_cast<double>(leftOut) / static_cast<double>(all);
   return verdict;
 }
 

@@ -45,6 +45,9 @@ SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positi
 /// What judgeSurface() takes, in nanoseconds as in Steps.
 double workOfVerdict(Index numberOfVertices);
 
+/// The verdict without samples that a hull left out on purpose, which the surface need not meet.
+SurfaceVerdict withoutLeftOut(SurfaceVerdict verdict, Index leftOut, Index all);
+
 /// The worst of a verdict, in units of what is tolerated: a surface above 1 is bad.
 double badness(const SurfaceVerdict& verdict);
 }

@@ -5,6 +5,8 @@
 
 #include "Base/Types.h"
 
+#include <Eigen/Geometry>
+
 namespace conformal
 {
 /// Vertices and the triangles between them.
@@ -13,6 +15,15 @@ struct Mesh
   Points Positions;               ///< #V by 3
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
+
+/// Normal of a triangle, as long as its area is large.
+inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
+{
+  const Vector3 a = positions.row(triangles(triangle, 0)),
+                b = positions.row(triangles(triangle, 1)),
+                c = positions.row(triangles(triangle, 2));
+  return 0.5 * (b - a).cross(c - a);
+}
 
 /// A closed mesh that knows its place on the sphere.
 struct MappedMesh : Mesh

@@ -19,13 +19,6 @@ namespace
 constexpr Index BlockSize = 512;
 constexpr double MinimumArea = 1e-24; // of the sphere, around a vertex
 
-Vector3 areaVector(const Points& points, const Triangles& triangles, Index r)
-{
-  const Vector3 a = points.row(triangles(r, 0)), b = points.row(triangles(r, 1)),
-                c = points.row(triangles(r, 2));
-  return 0.5 * (b - a).cross(c - a);
-}
-
 /// A third of the area of the triangles around each vertex.
 std::vector<double> vertexAreas(const Points& points, const Triangles& triangles)
 {

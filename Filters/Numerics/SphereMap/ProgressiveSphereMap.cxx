@@ -53,8 +53,8 @@ public:
   Mapper(const Points& places, const Triangles& triangles,
     const ProgressiveSphereMapOptions& options, const Run& run)
     : NoPlaces(Points::Zero(options.ConnectivityFirst ? places.rows() : 0, 3))
-    , Shapes(options.ConnectivityFirst ? NoPlaces : places, triangles)
     , FinalShapes(places, triangles)
+    , Shapes(options.ConnectivityFirst ? SurfaceShapes(NoPlaces, triangles) : FinalShapes)
     , Options(options)
     , Energy(energyFor(options.AreaBalance))
     , Mesh(options.ConnectivityFirst
@@ -224,8 +224,8 @@ private:
   }
 
   const Points NoPlaces;     // all at one point: triangles without a shape count as equilateral
-  SurfaceShapes Shapes;      // while vertices are put back
   SurfaceShapes FinalShapes; // of the surface
+  SurfaceShapes Shapes;      // while vertices are put back
   const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;

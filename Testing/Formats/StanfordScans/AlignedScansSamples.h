@@ -107,6 +107,7 @@ inline std::vector<std::string> BadAlignedScansFiles()
 {
   const std::string& conf = SphereConf();
   std::vector<std::string> files = { "camera 0 0 0 0 0 0 1\n", "# nothing\n",
+    "mesh missing.ply 0 0 0 0 0 0 1\n", "mesh . 0 0 0 0 0 0 1\n",
     replaced(conf, "bmesh side", "bash side"), replaced(conf, "side.ply", "front.ply"),
     replaced(conf, "side.ply", "broken.ply"), replaced(conf, "side.ply", "../side.ply"),
     replaced(conf, "side.ply", "a/../../side.ply"), replaced(conf, "side.ply", "/dev/zero"),

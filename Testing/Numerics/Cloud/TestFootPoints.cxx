@@ -1,6 +1,6 @@
 #include "Cloud/FootPoints.h"
 
-#include "Base/Random.h"
+#include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 
@@ -20,16 +20,10 @@ using conformal::Vector3;
 
 namespace
 {
-// In no order at all.
+// Around the origin, in no order at all.
 Points someCloud(Index size)
 {
-  conformal::Random random(2);
-  Points points(size, 3);
-  for (Index i = 0; i < points.size(); ++i)
-  {
-    points.data()[i] = 2.0 * random.uniform() - 1.0;
-  }
-  return points;
+  return 2.0 * clouds::inUnitCube(size, 2).array() - 1.0;
 }
 }
 

@@ -24,7 +24,6 @@ using conformal::WindingNumbers;
 
 namespace
 {
-
 // Points of a unit sphere for which the test holds.
 Points sphereWhere(const std::function<bool(const Vector3&)>& test)
 {

@@ -1,5 +1,6 @@
 #include "Cloud/SampleRotation.h"
 
+#include "Clouds.h"
 #include "Ranks.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,7 @@ namespace
 {
 Points someCloud(Index size)
 {
-  conformal::Random random(2);
-  Points points(size, 3);
-  for (Index i = 0; i < points.size(); ++i)
-  {
-    points.data()[i] = random.uniform();
-  }
-  return points;
+  return clouds::inUnitCube(size, 2);
 }
 
 std::vector<Index> idsOf(const SampleRotation& rotation)

@@ -18,7 +18,6 @@ using conformal::WindingNumbers;
 
 namespace
 {
-
 // Points of a unit sphere, spread evenly; their area vectors are their shares of its area.
 Points sphere()
 {

@@ -1,3 +1,4 @@
+#include "Grids.h"
 #include "Hull/FreudenthalGrid.h"
 #include "Hull/GridSolid.h"
 
@@ -10,18 +11,11 @@
 using conformal::eulerNumber;
 using conformal::FreudenthalGrid;
 using conformal::Index;
+using grids::cube;
+using grids::Marks;
 
 namespace
 {
-using Marks = std::vector<std::uint8_t>;
-
-FreudenthalGrid cube(int size)
-{
-  FreudenthalGrid grid;
-  grid.Size = { size, size, size };
-  return grid;
-}
-
 // Nodes of a block, both corners included.
 void fill(const FreudenthalGrid& grid, Marks& marks, Eigen::Vector3i low, Eigen::Vector3i high,
   std::uint8_t mark)

@@ -1,5 +1,7 @@
 #include "Hull/GridSolid.h"
 
+#include "Grids.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,18 +13,11 @@ using conformal::FreudenthalGrid;
 using conformal::HandleCut;
 using conformal::Index;
 using conformal::keepLargestPiece;
+using grids::cube;
+using grids::Marks;
 
 namespace
 {
-using Marks = std::vector<std::uint8_t>;
-
-FreudenthalGrid cube(int size)
-{
-  FreudenthalGrid grid;
-  grid.Size = { size, size, size };
-  return grid;
-}
-
 // A square ring in the middle plane, three nodes thick, around a hole three nodes wide.
 Marks ring(const FreudenthalGrid& grid)
 {
@@ -37,7 +32,7 @@ Marks ring(const FreudenthalGrid& grid)
 }
 }
 
-TEST(GridSolid, KeepsTheMaximumPiece)
+TEST(GridSolid, KeepsTheLargestPiece)
 {
   const FreudenthalGrid grid = cube(19);
   const Marks large = ring(grid);

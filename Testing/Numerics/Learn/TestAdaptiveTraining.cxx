@@ -1,6 +1,7 @@
 #include "Learn/AdaptiveTraining.h"
 
 #include "Base/Random.h"
+#include "Clouds.h"
 #include "Learn/ConformalSOM.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -193,6 +194,13 @@ ConformalSOMOptions adaptive(Index neurons)
   options.Lattice = Lattice::Adaptive;
   options.NumberOfNeurons = neurons;
   return options;
+}
+
+ConformalSOMResult learnedBy(
+  const Points& points, ConformalSOMOptions options, conformal::HullIndicator indicator)
+{
+  options.HullIndicator = indicator;
+  return trainConformalSOM(TrainingSamples{ conformal::PointView(points) }, options);
 }
 
 ConformalSOMOptions geodesic(int frequency)
@@ -610,35 +618,21 @@ TEST(AdaptiveTraining, RefusesWhatItCannotUse)
 TEST(AdaptiveTraining, TakesTheHullThatTheCloudSupports)
 {
   using conformal::HullIndicator;
-  const Points whole = ellipsoid(9000, 3), jack = Jack::cloud(12000, 3);
-  Points cut(whole.rows(), 3);
-  Index size = 0;
-  for (Index i = 0; i < whole.rows(); ++i)
-  {
-    if (whole(i, 0) < 0.1)
-    {
-      cut.row(size++) = whole.row(i);
-    }
-  }
-  cut.conservativeResize(size, 3);
+  const Points jack = Jack::cloud(12000, 3);
+  const Points cut = clouds::where(ellipsoid(9000, 3), [](const Vector3& x) { return x[0] < 0.1; });
   ConformalSOMOptions options = adaptive(1500);
   options.StartingShape = conformal::StartingShape::Hull;
-  const auto learnedBy = [&](const Points& points, HullIndicator indicator)
-  {
-    options.HullIndicator = indicator;
-    return trainConformalSOM(TrainingSamples{ conformal::PointView(points) }, options);
-  };
-  const ConformalSOMResult automatic = learnedBy(jack, HullIndicator::Automatic);
+  const ConformalSOMResult automatic = learnedBy(jack, options, HullIndicator::Automatic);
   EXPECT_EQ(automatic.Indicator, HullIndicator::Distance);
   EXPECT_EQ(automatic.NumberOfStarts, 1);
   EXPECT_LT(badness(automatic.Verdict), 0.5);
   EXPECT_LT(automatic.Noise, 0.002);
   EXPECT_NEAR(automatic.AreaRatio, 0.85, 0.1);
-  EXPECT_EQ(automatic.Positions, learnedBy(jack, HullIndicator::Distance).Positions);
+  EXPECT_EQ(automatic.Positions, learnedBy(jack, options, HullIndicator::Distance).Positions);
 
-  const ConformalSOMResult leaking = learnedBy(cut, HullIndicator::Automatic);
+  const ConformalSOMResult leaking = learnedBy(cut, options, HullIndicator::Automatic);
   EXPECT_EQ(leaking.Indicator, HullIndicator::WindingNumbers);
-  EXPECT_EQ(leaking.Positions, learnedBy(cut, HullIndicator::WindingNumbers).Positions);
+  EXPECT_EQ(leaking.Positions, learnedBy(cut, options, HullIndicator::WindingNumbers).Positions);
 }
 
 // So few points that the hull by the distance has holes and folds: the result is judged, learned
@@ -647,14 +641,9 @@ TEST(AdaptiveTraining, StartsAnewWhereTheResultIsBad)
 {
   using conformal::HullIndicator;
   const Points points = Jack::cloud(500, 3);
-  ConformalSOMOptions options = adaptive(3000);
-  const auto learnedBy = [&](HullIndicator indicator)
-  {
-    options.HullIndicator = indicator;
-    return trainConformalSOM(TrainingSamples{ conformal::PointView(points) }, options);
-  };
-  const ConformalSOMResult bad = learnedBy(HullIndicator::Distance),
-                           best = learnedBy(HullIndicator::Automatic);
+  const ConformalSOMOptions options = adaptive(3000);
+  const ConformalSOMResult bad = learnedBy(points, options, HullIndicator::Distance),
+                           best = learnedBy(points, options, HullIndicator::Automatic);
   RecordProperty("Distance", std::to_string(badness(bad.Verdict)));
   RecordProperty("Automatic", std::to_string(badness(best.Verdict)));
   EXPECT_GT(badness(bad.Verdict), 1.0);
@@ -666,17 +655,8 @@ TEST(AdaptiveTraining, StartsAnewWhereTheResultIsBad)
 // it, go on round over the hole; by the distance they are flat there.
 TEST(AdaptiveTraining, GoesOnOverAHoleByWindingNumbers)
 {
-  const Points all = ellipsoid(9000, 3);
-  Points points(all.rows(), 3);
-  Index size = 0;
-  for (Index i = 0; i < all.rows(); ++i)
-  {
-    if (all(i, 0) < 0.45)
-    {
-      points.row(size++) = all.row(i);
-    }
-  }
-  points.conservativeResize(size, 3);
+  const Points points =
+    clouds::where(ellipsoid(9000, 3), [](const Vector3& x) { return x[0] < 0.45; });
   const TrainingSamples samples{ conformal::PointView(points) };
   ConformalSOMOptions options;
   options.Lattice = conformal::Lattice::Adaptive;

@@ -1,0 +1,42 @@
+/// Clouds shared by tests.
+
+#ifndef ConformalTestClouds_h
+#define ConformalTestClouds_h
+
+#include "Base/Random.h"
+#include "Base/Types.h"
+
+#include <functional>
+
+namespace clouds
+{
+/// Those points for which the test holds, in their order.
+inline conformal::Points where(
+  const conformal::Points& all, const std::function<bool(const conformal::Vector3&)>& test)
+{
+  conformal::Points points(all.rows(), 3);
+  conformal::Index size = 0;
+  for (conformal::Index i = 0; i < all.rows(); ++i)
+  {
+    if (test(all.row(i)))
+    {
+      points.row(size++) = all.row(i);
+    }
+  }
+  return points.topRows(size);
+}
+
+/// Coordinates in [0, 1), in no order at all.
+inline conformal::Points inUnitCube(conformal::Index size, unsigned int seed)
+{
+  conformal::Random random(seed);
+  conformal::Points points(size, 3);
+  for (conformal::Index i = 0; i < points.size(); ++i)
+  {
+    points.data()[i] = random.uniform();
+  }
+  return points;
+}
+}
+
+#endif
