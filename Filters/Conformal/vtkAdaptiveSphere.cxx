@@ -226,7 +226,7 @@ int vtkAdaptiveSphere::RequestData(
         const conformal::SphereDensity details = DensityOfImage(input, image);
         if (conformal::isAnywhere(details, SMPRun())) // of one color there are none
         {
-          wantedDensity = conformal::halfAndHalf(wantedDensity, details, SMPRun());
+          wantedDensity = conformal::equalShares({ wantedDensity, details }, SMPRun());
         }
       }
       const conformal::Mesh sphere =

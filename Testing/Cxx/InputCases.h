@@ -16,6 +16,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkGuMeshWriter.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -151,6 +152,11 @@ inline std::vector<Case> Filters()
             filter->AddLandmark(id, id);
           }
         }),
+      { s, s } },
+    { "vtkSphericalResample", Maker<vtkSphericalResample>(), { s, s } },
+    { "vtkSphericalResample, barycentric",
+      Maker<vtkSphericalResample>(
+        [](vtkSphericalResample* filter) { filter->SetMethodToBarycentric(); }),
       { s, s } },
     { "vtkSphericalTextureBlend",
       Maker<vtkSphericalTextureBlend>(

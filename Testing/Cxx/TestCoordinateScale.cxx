@@ -10,6 +10,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -445,6 +446,27 @@ std::vector<Case> Cases()
         filter->SetTransform(kind);
         return Run(filter);
       } });
+  }
+  for (const int method : { vtkSphericalResample::BARYCENTRIC, vtkSphericalResample::AREA_ADAPTIVE })
+  {
+    cases.push_back(
+      { method == vtkSphericalResample::BARYCENTRIC ? "CarriesBetween" : "CarriesByAreas",
+        [=](double scale)
+        {
+          const Surface source = Mesh(scale, 7);
+          vtkNew<vtkDoubleArray> numbers;
+          numbers->SetName("Numbers");
+          for (vtkIdType i = 0; i < source->GetNumberOfPoints(); ++i)
+          {
+            numbers->InsertNextValue(source->GetPoint(i)[2] / scale);
+          }
+          source->GetPointData()->AddArray(numbers);
+          vtkNew<vtkSphericalResample> filter;
+          filter->SetInputData(Mesh(scale, 5));
+          filter->SetSourceData(source);
+          filter->SetMethod(method);
+          return Run(filter);
+        } });
   }
   cases.push_back({ "MeasuresDistortion",
     [](double scale)

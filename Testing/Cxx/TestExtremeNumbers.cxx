@@ -9,6 +9,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -158,6 +159,12 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   vtkNew<vtkSphericalAlignment> alignment;
   alignment->SetInputData(1, Scaled(1.0, 4));
   add("alignment", alignment, ofPoints("SpherePosition"));
+  vtkNew<vtkSphericalResample> resample;
+  const auto source = Scaled(1.0, 6);
+  source->GetPointData()->GetNormals()->SetName("Carried");
+  source->GetPointData()->SetActiveNormals(nullptr);
+  resample->SetSourceData(source);
+  add("resample", resample, ofPoints("Carried"));
   vtkNew<vtkCurvedSeamlessSurface> curved;
   curved->SetFrequency(7);
   add("curved", curved, ofPoints("Normals"));

@@ -5,6 +5,7 @@
 #include "Measure/SurfaceMismatch.h"
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
+#include "Register/SphericalResample.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
@@ -19,6 +20,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkStanfordScansReader.h"
@@ -177,6 +179,16 @@ TEST(OptionsMirrorProperties, SphericalAlignment)
   using conformal::AlignmentKind;
   EXPECT_EQ(vtkSphericalAlignment::ROTATION, static_cast<int>(AlignmentKind::Rotation));
   EXPECT_EQ(vtkSphericalAlignment::MOEBIUS, static_cast<int>(AlignmentKind::Moebius));
+}
+
+TEST(OptionsMirrorProperties, SphericalResample)
+{
+  const conformal::SphericalResampleOptions options;
+  vtkNew<vtkSphericalResample> filter;
+  EXPECT_EQ(filter->GetMethod(), static_cast<int>(options.Method));
+  using conformal::ResampleMethod;
+  EXPECT_EQ(vtkSphericalResample::BARYCENTRIC, static_cast<int>(ResampleMethod::Barycentric));
+  EXPECT_EQ(vtkSphericalResample::AREA_ADAPTIVE, static_cast<int>(ResampleMethod::AreaAdaptive));
 }
 
 TEST(OptionsMirrorProperties, SphericalTexture)

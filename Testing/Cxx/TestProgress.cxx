@@ -29,6 +29,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -506,6 +507,27 @@ TEST(Progress, OfTheAdaptiveSphere)
         sphere->SetImageData(picture);
         wants(40000, Sphere::IMAGE)(sphere);
       }));
+}
+
+TEST(Progress, OfTheResampling)
+{
+  using Resample = vtkSphericalResample;
+  const auto from = [](vtkPolyData* source, int method)
+  {
+    const vtkSmartPointer<vtkPolyData> held = source;
+    return [=](Resample* resample)
+    {
+      resample->SetSourceData(held);
+      resample->SetMethod(method);
+    };
+  };
+  const auto coarse = Colored(Head(60)), fine = Colored(Head(150));
+  for (const int method : { Resample::BARYCENTRIC, Resample::AREA_ADAPTIVE })
+  {
+    const std::string name = "SphericalResample " + std::to_string(method);
+    ExpectEven(name + ", to a coarse mesh", Of<Resample>(coarse, from(fine, method)));
+    ExpectEven(name + ", to a fine mesh", Of<Resample>(fine, from(coarse, method)));
+  }
 }
 
 TEST(Progress, OfTheHull)

@@ -11,6 +11,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -443,6 +444,22 @@ std::vector<SetUp> Alignments()
       OnPort<F>(1, [](F* f) { f->SetTransformToMoebius(); }), reads, false, true } };
 }
 
+std::vector<SetUp> Resamplings()
+{
+  using F = vtkSphericalResample;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  SetUp target = { "vtkSphericalResample", "target", true,
+    On<F>([](F* f, vtkPolyData* good) { f->SetSourceData(good); }), reads, false, true };
+  target.Properties = { Integer("Method", &F::SetMethod),
+    Name("MaskArrayName", &F::SetMaskArrayName) };
+  return { target,
+    { "vtkSphericalResample", "source", true, OnPort<F>(1, [](F*) {}), reads, false, true },
+    { "vtkSphericalResample", "source, barycentric", true,
+      OnPort<F>(1, [](F* f) { f->SetMethodToBarycentric(); }), reads, false, true },
+    { "vtkSphericalResample", "source, mask", true,
+      OnPort<F>(1, [](F* f) { f->SetMaskArrayName("Curvature"); }), reads, false, true } };
+}
+
 std::vector<SetUp> Measures()
 {
   using F = vtkSurfaceMismatch;
@@ -548,7 +565,8 @@ std::vector<Case> FilterCases()
   }
   std::vector<Case> all;
   for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
-         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Measures(), { Blend() } })
+         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(),
+         Resamplings(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

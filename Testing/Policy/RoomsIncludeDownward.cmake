@@ -2,7 +2,7 @@
 # source) include each other, not even through others. Tests have the rooms of what they test.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Surface Learn Texture Measure)
+set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Surface Learn Texture Measure Register)
 set(below_Base)
 set(below_Mesh Base)
 set(below_TriangleMap Base)
@@ -16,6 +16,7 @@ set(below_Surface Base Mesh TriangleMap Search Cloud Linear Sphere)
 set(below_Learn Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull)
 set(below_Texture Base Mesh Search Sphere)
 set(below_Measure Base Mesh Search Sphere)
+set(below_Register Base Mesh Search Linear Sphere Measure)
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 check_rooms("${SOURCE_DIR}/Filters/Numerics")

@@ -16,7 +16,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -96,7 +96,12 @@ def beside_the_chain(stages):
     adaptive.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     adaptive.SetNumberOfPoints(2000)
     adaptive.Update()
-    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive)}
+    resample = vtkSphericalResample()
+    resample.SetInputConnection(adaptive.GetOutputPort())
+    resample.SetSourceConnection(stages["vtkSurfaceMismatch"].GetOutputPort())
+    resample.SetMaskArrayName("Distance")
+    resample.Update()
+    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive, resample)}
 
 
 PLY = """ply

@@ -198,16 +198,32 @@ std::vector<double> vertexMeans(const Mesh& surface, const std::vector<double>& 
 }
 
 //------------------------------------------------------------------------------
-SphereDensity halfAndHalf(const SphereDensity& one, const SphereDensity& other, const Run& run)
+SphereDensity equalShares(const std::vector<SphereDensity>& densities, const Run& run)
 {
-  SphereDensity both;
-  both.At = [first = one.At, second = other.At, ofFirst = integralOf(one, densitiesOf(one, run)),
-              ofSecond = integralOf(other, densitiesOf(other, run))](const Vector3& direction)
-  { return first(direction) / ofFirst + second(direction) / ofSecond; };
-  both.Directions.resize(one.Directions.rows() + other.Directions.rows(), 3);
-  both.Directions << one.Directions, other.Directions;
-  both.Areas = one.Areas;
-  both.Areas.insert(both.Areas.end(), other.Areas.begin(), other.Areas.end());
-  return both;
+  struct Part
+  {
+    std::function<double(const Vector3&)> At;
+    double Integral;
+  };
+  std::vector<Part> parts;
+  SphereDensity all;
+  for (const SphereDensity& density : densities)
+  {
+    parts.push_back({ density.At, integralOf(density, densitiesOf(density, run)) });
+    const Index before = all.Directions.rows();
+    all.Directions.conservativeResize(before + density.Directions.rows(), 3);
+    all.Directions.bottomRows(density.Directions.rows()) = density.Directions;
+    all.Areas.insert(all.Areas.end(), density.Areas.begin(), density.Areas.end());
+  }
+  all.At = [parts](const Vector3& direction)
+  {
+    double sum = 0.0;
+    for (const Part& part : parts)
+    {
+      sum += part.At(direction) / part.Integral;
+    }
+    return sum;
+  };
+  return all;
 }
 }

@@ -62,9 +62,9 @@ std::vector<double> vertexMeans(const Mesh& surface, const std::vector<double>& 
 /// @throws std::invalid_argument if one is negative or not finite
 bool isAnywhere(const SphereDensity& density, const Run& run = {});
 
-/// A density of which each of two makes up half of the points.
-SphereDensity halfAndHalf(
-  const SphereDensity& one, const SphereDensity& other, const Run& run = {});
+/// A density of which each of several makes up as many points.
+/// @param[in] densities  at least one
+SphereDensity equalShares(const std::vector<SphereDensity>& densities, const Run& run = {});
 }
 
 #endif

@@ -141,7 +141,7 @@ TEST(SphereDensity, HalvesHaveTheSameWeight)
   everywhere.Areas = north.Areas;
   north.At = [](const Vector3& p) { return p[2] > 0.8 ? 1e6 : 0.0; };
   everywhere.At = [](const Vector3&) { return 7.0; };
-  const SphereDensity both = conformal::halfAndHalf(north, everywhere);
+  const SphereDensity both = conformal::equalShares({ north, everywhere });
   EXPECT_EQ(both.Directions.rows(), 2 * north.Directions.rows());
   // A tenth of the sphere has half of all, and its share of the other half.
   const double ofNorth = both.At({ 0, 0, 1 }), ofRest = both.At({ 0, 0, -1 });

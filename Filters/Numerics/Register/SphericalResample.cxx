@@ -1,0 +1,170 @@
+#include "Register/SphericalResample.h"
+
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Search/TriangleTree.h"
+#include "Sphere/SphereCoverage.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 256;
+
+// Positions on the sphere are rounded, in files to floats: a smaller weight is one of 0.
+constexpr double MinimumWeight = 1e-7;
+
+using Parts = std::vector<std::pair<int, double>>;
+
+/// @return folds
+Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
+{
+  const SphereCoverage coverage =
+    measureSphereCoverage(mesh.SpherePositions, mesh.Triangles, run.unwatched());
+  if (std::abs(coverage.Degree) != 1)
+  {
+    throw std::invalid_argument(std::string("the map to the sphere of the ") + what +
+      " covers the sphere " + std::to_string(coverage.Degree) + " times instead of once");
+  }
+  return coverage.Degree > 0 ? coverage.NumberOfFolds
+                             : mesh.Triangles.rows() - coverage.NumberOfFolds;
+}
+
+/// For each direction the corners of the closest triangle.
+std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, const Run& run)
+{
+  Steps steps(run,
+    { 500.0 * static_cast<double>(source.Triangles.rows()),
+      1000.0 * static_cast<double>(directions.rows()) });
+  const TriangleTree tree(source.SpherePositions, source.Triangles, steps.next());
+  std::vector<Parts> parts(directions.rows());
+  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(directions.row(i));
+        for (int k = 0; k < 3; ++k)
+        {
+          if (foot.Barycentric[k] > MinimumWeight)
+          {
+            parts[i].emplace_back(source.Triangles(foot.Triangle, k), foot.Barycentric[k]);
+          }
+        }
+      }
+    });
+  return parts;
+}
+
+/// For each point of the target the points of the source that lie in its triangles.
+std::vector<Parts> partsBack(const MappedMesh& source, const MappedMesh& target, const Run& run)
+{
+  std::vector<char> isUsed(source.SpherePositions.rows(), 0);
+  for (Index k = 0; k < source.Triangles.size(); ++k)
+  {
+    isUsed[source.Triangles.data()[k]] = 1;
+  }
+  const std::vector<Parts> rows = partsAt(target, source.SpherePositions, run);
+  std::vector<Parts> columns(target.SpherePositions.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    for (const auto& [id, weight] : rows[i])
+    {
+      if (isUsed[i] != 0)
+      {
+        columns[id].emplace_back(static_cast<int>(i), weight);
+      }
+    }
+  }
+  return columns;
+}
+
+bool namesAllOf(const Parts& parts, const Parts& others)
+{
+  return std::all_of(others.begin(), others.end(),
+    [&](const auto& other)
+    {
+      return std::any_of(
+        parts.begin(), parts.end(), [&](const auto& part) { return part.first == other.first; });
+    });
+}
+
+/// Scale rows by the areas of the target, then columns to those of the source.
+void scaleByAreas(std::vector<Parts>& rows, const MappedMesh& source, const MappedMesh& target)
+{
+  const Eigen::VectorXd sourceAreas = vertexAreas(source.Positions, source.Triangles),
+                        targetAreas = vertexAreas(target.Positions, target.Triangles);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(sourceAreas.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    for (const auto& [id, weight] : rows[i])
+    {
+      sums[id] += weight * targetAreas[static_cast<Index>(i)];
+    }
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const double area = targetAreas[static_cast<Index>(i)];
+    Parts scaled = rows[i];
+    double sum = 0.0;
+    for (auto& [id, weight] : scaled)
+    {
+      weight *= sums[id] > 0.0 ? area * sourceAreas[id] / sums[id] : 0.0;
+      sum += weight;
+    }
+    if (sum > 0.0) // else there are no areas to go by
+    {
+      rows[i] = std::move(scaled);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& target,
+  const SphericalResampleOptions& options, const Run& run)
+{
+  const bool isAdaptive = options.Method == ResampleMethod::AreaAdaptive;
+  const auto sourceSize = static_cast<double>(source.SpherePositions.rows()),
+             targetSize = static_cast<double>(target.SpherePositions.rows());
+  const double sum = sourceSize + targetSize;
+  Steps steps(run,
+    { 100.0 * sum, 1000.0 * sum, isAdaptive ? 1000.0 * sum : 0.0,
+      isAdaptive ? 500.0 * sum : 100.0 * targetSize });
+  steps.next();
+  SphericalResampling result;
+  result.NumberOfFolds = requireCover(source, "source", run);
+  std::vector<Parts> rows = partsAt(source, target.SpherePositions, steps.next());
+  const Run backwards = steps.next();
+  if (isAdaptive)
+  {
+    requireCover(target, "target", run);
+    const std::vector<Parts> back = partsBack(source, target, backwards);
+    steps.next();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      if (!namesAllOf(rows[i], back[i]))
+      {
+        rows[i] = back[i];
+      }
+    }
+    scaleByAreas(rows, source, target);
+  }
+  else
+  {
+    steps.next();
+  }
+  for (const Parts& parts : rows)
+  {
+    result.Weights.add(parts);
+  }
+  return result;
+}
+}

@@ -1,0 +1,167 @@
+"""What surfaces with corresponding maps to the sphere are good for.
+
+Weights of resampling are held against those of Connectome Workbench (wb_command, where it is
+installed), on GIFTI files that vtkGIFTIWriter writes.
+"""
+import base64
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import zlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from conformalsom import vtkGeodesicSphereSource, vtkGIFTIReader, vtkGIFTIWriter, vtkSphericalResample
+
+WORKBENCH = shutil.which("wb_command")
+METHODS = {"BARYCENTRIC": vtkSphericalResample.BARYCENTRIC,
+           "ADAP_BARY_AREA": vtkSphericalResample.AREA_ADAPTIVE}
+
+LABELS = """<?xml version="1.0" encoding="UTF-8"?>
+<GIFTI Version="1.0" NumberOfDataArrays="1">
+<MetaData><MD><Name>AnatomicalStructurePrimary</Name><Value>CortexLeft</Value></MD></MetaData>
+<LabelTable>{table}</LabelTable>
+<DataArray Intent="NIFTI_INTENT_LABEL" DataType="NIFTI_TYPE_INT32" ArrayIndexingOrder="RowMajorOrder"
+ Dimensionality="1" Dim0="{size}" Encoding="ASCII" Endian="LittleEndian" ExternalFileName=""
+ ExternalFileOffset=""><MetaData/><Data>{data}</Data></DataArray>
+</GIFTI>
+"""
+
+
+def turn(angle):
+    c, s, d, t = np.cos(angle), np.sin(angle), np.cos(0.7 * angle), np.sin(0.7 * angle)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, d, -t], [0, t, d]])
+
+
+def uneven_sphere(frequency, angle):
+    """A geodesic sphere that is turned and denser on one side: polygons, and unit vectors."""
+    source = vtkGeodesicSphereSource()
+    source.SetFrequency(frequency)
+    source.Update()
+    places = vtk_to_numpy(source.GetOutput().GetPoints().GetData()) @ turn(angle).T
+    places = places + np.outer(0.25 * (1.0 + places[:, 2]) * places[:, 0], [0, 0, 1])
+    return source.GetOutput().GetPolys(), places / np.linalg.norm(places, axis=1)[:, None]
+
+
+def shape_at(places):
+    """A bent ellipsoid in units of 1."""
+    x, y, z = places.T
+    return np.stack([x + 0.1 * z**2, 0.7 * y + 0.2 * np.sin(3.0 * x), 0.4 * z * (1.0 + 0.4 * y)], axis=1)
+
+
+def labels_at(places):
+    """Parcels along waves that no mesh follows."""
+    return (np.floor(3.0 * np.sin(4.0 * places[:, 0]) + 2.0 * places[:, 1]) + 6.0).astype(np.int32)
+
+
+def surface_of(polygons, positions, **arrays):
+    """A surface of floats, as files have them."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(positions.astype(np.float32), deep=1))
+    surface = vtkPolyData()
+    surface.SetPoints(points)
+    surface.SetPolys(polygons)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=1)
+        array.SetName(name)
+        surface.GetPointData().AddArray(array)
+    return surface
+
+
+def data_of(path):
+    """The integers of the only data array of a GIFTI file."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    content = re.search(r"<Data>(.*?)</Data>", text, re.DOTALL).group(1)
+    if 'Encoding="ASCII"' in text:
+        return np.array(content.split(), dtype=np.int32)
+    packed = base64.b64decode(content)
+    return np.frombuffer(zlib.decompress(packed) if "GZip" in text else packed, dtype="<i4")
+
+
+class Pair:
+    """A source and a target as files for Workbench and as data for the filter."""
+
+    def __init__(self, folder, source_frequency, target_frequency):
+        self.folder = folder
+        self.polygons, self.source = uneven_sphere(source_frequency, 0.0)
+        self.others, self.target = uneven_sphere(target_frequency, 0.9)
+        for name, polygons, places in (("source", self.polygons, self.source),
+                                       ("target", self.others, self.target)):
+            self.write(name + ".surf.gii", surface_of(polygons, shape_at(places)))
+            self.write(name + ".sphere.gii", surface_of(polygons, 100.0 * places))
+        keys = np.unique(labels_at(self.source))
+        table = "".join(f'<Label Key="{key}" Red="0" Green="1" Blue="0" Alpha="1">{key}</Label>'
+                        for key in [0, *keys])
+        with open(self.path("source.label.gii"), "w", encoding="ascii") as file:
+            file.write(LABELS.format(table=table, size=len(self.source),
+                                     data=" ".join(map(str, labels_at(self.source)))))
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, surface):
+        writer = vtkGIFTIWriter()
+        writer.SetInputData(surface)
+        writer.SetFileName(self.path(name))
+        assert writer.Write() == 1
+
+    def by_workbench(self, command, what, method):
+        """The file that it makes of the source's."""
+        areas = ["-area-surfs", "source.surf.gii", "target.surf.gii"] if "AREA" in method else []
+        run = subprocess.run(
+            [WORKBENCH, command, "source." + what, "source.sphere.gii", "target.sphere.gii", method,
+             "resampled." + what, *areas], cwd=self.folder, capture_output=True, text=True, check=False)
+        assert run.returncode == 0, run.stdout + run.stderr
+        return self.path("resampled." + what)
+
+    def by_filter(self, method):
+        positions = shape_at(self.source).astype(np.float32)
+        resample = vtkSphericalResample()
+        resample.SetMethod(METHODS[method])
+        resample.SetSourceData(surface_of(
+            self.polygons, positions, SpherePosition=(100.0 * self.source).astype(np.float32),
+            Positions=positions, Labels=labels_at(self.source)))
+        resample.SetInputData(surface_of(
+            self.others, shape_at(self.target), SpherePosition=(100.0 * self.target).astype(np.float32)))
+        resample.Update()
+        return resample.GetOutput().GetPointData()
+
+
+class TestResample(unittest.TestCase):
+    @unittest.skipUnless(WORKBENCH, "wb_command is not installed (Debian: connectome-workbench)")
+    def test_weights_are_those_of_workbench(self):
+        for frequencies in ((12, 20), (20, 12), (16, 15), (30, 8)):
+            with tempfile.TemporaryDirectory() as folder:
+                pair = Pair(folder, *frequencies)
+                for method in METHODS:
+                    with self.subTest(method, frequencies=frequencies):
+                        carried = pair.by_filter(method)
+                        reader = vtkGIFTIReader()
+                        reader.SetFileName(pair.by_workbench("-surface-resample", "surf.gii", method))
+                        reader.Update()
+                        expected = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+                        positions = vtk_to_numpy(carried.GetArray("Positions"))
+                        self.assertEqual(positions.shape, expected.shape)
+                        self.assertLess(np.abs(positions - expected).max(), 1e-5)
+                        path = pair.by_workbench("-label-resample", "label.gii", method)
+                        np.testing.assert_array_equal(
+                            vtk_to_numpy(carried.GetArray("Labels")), data_of(path))
+
+    def test_methods_differ_and_both_carry_smooth_values(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pair = Pair(folder, 30, 20)
+            carried = [vtk_to_numpy(pair.by_filter(method).GetArray("Positions")) for method in METHODS]
+        for positions in carried:
+            self.assertLess(np.abs(positions - shape_at(pair.target)).max(), 0.01)
+        self.assertGreater(np.abs(carried[0] - carried[1]).max(), 1e-4)
+
+
+if __name__ == "__main__":
+    unittest.main()
