@@ -210,7 +210,7 @@ conformal::PointView ViewPoints(
 
 //------------------------------------------------------------------------------
 conformal::CoordinateFrame FrameOf(
-  std::initializer_list<vtkPointSet*> data, const conformal::Reduce& reduce)
+  const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce)
 {
   std::vector<conformal::Points> copies(data.size());
   std::vector<conformal::PointView> views;

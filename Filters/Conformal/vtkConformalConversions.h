@@ -9,11 +9,10 @@
 
 #include "vtkSmartPointer.h" // for Held
 
-#include <exception>        // for MessageOf's argument
-#include <functional>       // for RunCore's argument, GhostTest
-#include <initializer_list> // for FrameOf's argument
-#include <string>           // for MessageOf
-#include <vector>           // for AddNumbers' argument
+#include <exception>  // for MessageOf's argument
+#include <functional> // for RunCore's argument, GhostTest
+#include <string>     // for MessageOf
+#include <vector>     // for the arguments of FrameOf, AddNumbers
 
 class vtkAlgorithm;
 class vtkCellArray;
@@ -81,7 +80,7 @@ void WarnOfEmptyInput(vtkObject* self, const char* message);
 /// one frame.
 /// @param[in] reduce  adds up over the processes, where they hold parts of the points
 conformal::CoordinateFrame FrameOf(
-  std::initializer_list<vtkPointSet*> data, const conformal::Reduce& reduce = {});
+  const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce = {});
 
 /// Coordinates in a frame, #P by 3 (empty for a null pointer).
 conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame);

@@ -6,8 +6,9 @@
  * vtkPolyData, the source: the surface that has them. Polygons and strips are cut into triangles.
  * Both have
  * - point array "SpherePosition" (3 components, of any length but 0, float or double): where on the
- *   sphere the point lies. What lies at the same place corresponds. The map must cover the sphere
- *   once; of a target with BARYCENTRIC it need not, and there need not be triangles. A surface
+ *   sphere the point lies. What lies at the same place corresponds. Surfaces must be closed and the
+ *   maps cover the sphere once; of a target with BARYCENTRIC neither counts, nor need there be
+ *   triangles. A surface
  *   without the array whose points lie on a sphere around the origin (within a thousandth of its
  *   radius, as those in files of radius 100) is its own map.
  *

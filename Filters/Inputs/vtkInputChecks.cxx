@@ -4,6 +4,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -11,6 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <stdexcept>
@@ -111,6 +114,16 @@ void RequireConsistentInputs(vtkAlgorithm* self)
 //------------------------------------------------------------------------------
 void RequireConsistentData(vtkDataObject* data, const std::string& what)
 {
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    vtkIdType number = 0;
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem(), ++number)
+    {
+      RequireConsistentData(
+        each->GetCurrentDataObject(), what + ", block " + std::to_string(number));
+    }
+  }
   auto* dataSet = vtkDataSet::SafeDownCast(data);
   if (!dataSet)
   {

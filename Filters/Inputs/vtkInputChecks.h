@@ -21,7 +21,8 @@ void RequireConsistentInputs(vtkAlgorithm* self);
 /// - ghost arrays are of unsigned char and have 1 component, active normals and points have 3;
 /// - cells of a vtkPolyData have valid offsets. The ids in them are not checked, since filters
 ///   of points read no cells; see RequireCellIds.
-/// Data objects that are no vtkDataSet, and null, pass. Costs a look at each array and offset.
+/// Of composite data each block that is there is looked at; other data objects that are no
+/// vtkDataSet, and null, pass. Costs a look at each array and offset.
 /// @param[in] what  what the data are to the user, for the message
 /// @throws std::invalid_argument that says what does not fit, and what to do
 void RequireConsistentData(vtkDataObject* data, const std::string& what);

@@ -16,6 +16,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkGuMeshWriter.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -152,6 +153,9 @@ inline std::vector<Case> Filters()
             filter->AddLandmark(id, id);
           }
         }),
+      { s, s } },
+    { "vtkSphericalMorph",
+      Maker<vtkSphericalMorph>([](vtkSphericalMorph* filter) { filter->SetNumberOfPoints(500); }),
       { s, s } },
     { "vtkSphericalResample", Maker<vtkSphericalResample>(), { s, s } },
     { "vtkSphericalResample, barycentric",

@@ -10,6 +10,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -447,7 +448,8 @@ std::vector<Case> Cases()
         return Run(filter);
       } });
   }
-  for (const int method : { vtkSphericalResample::BARYCENTRIC, vtkSphericalResample::AREA_ADAPTIVE })
+  for (const int method :
+    { vtkSphericalResample::BARYCENTRIC, vtkSphericalResample::AREA_ADAPTIVE })
   {
     cases.push_back(
       { method == vtkSphericalResample::BARYCENTRIC ? "CarriesBetween" : "CarriesByAreas",
@@ -467,6 +469,27 @@ std::vector<Case> Cases()
           filter->SetMethod(method);
           return Run(filter);
         } });
+  }
+  for (const int path : { vtkSphericalMorph::LINEAR, vtkSphericalMorph::RIGID })
+  {
+    cases.push_back({ path == vtkSphericalMorph::LINEAR ? "MorphsStraight" : "MorphsByTurning",
+      [=](double scale)
+      {
+        const Surface target = Mesh(scale, 5);
+        for (vtkIdType i = 0; i < target->GetNumberOfPoints(); ++i)
+        {
+          double p[3];
+          target->GetPoint(i, p);
+          target->GetPoints()->SetPoint(i, p[1], p[2], p[0]);
+        }
+        vtkNew<vtkSphericalMorph> filter;
+        filter->SetInputData(Mesh(scale, 7));
+        filter->SetTargetData(target);
+        filter->SetPath(path);
+        filter->SetLatticeToGeodesic();
+        filter->SetFrequency(6);
+        return Run(filter);
+      } });
   }
   cases.push_back({ "MeasuresDistortion",
     [](double scale)

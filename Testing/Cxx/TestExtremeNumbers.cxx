@@ -9,6 +9,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -159,6 +160,11 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   vtkNew<vtkSphericalAlignment> alignment;
   alignment->SetInputData(1, Scaled(1.0, 4));
   add("alignment", alignment, ofPoints("SpherePosition"));
+  vtkNew<vtkSphericalMorph> morph;
+  morph->SetTargetData(Scaled(1.0, 4));
+  morph->SetLatticeToGeodesic();
+  morph->SetFrequency(5);
+  add("morph", morph, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalResample> resample;
   const auto source = Scaled(1.0, 6);
   source->GetPointData()->GetNormals()->SetName("Carried");

@@ -5,6 +5,8 @@
 #include "Measure/SurfaceMismatch.h"
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
+#include "Register/ConsistentRemesh.h"
+#include "Register/SphericalMorph.h"
 #include "Register/SphericalResample.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
@@ -20,6 +22,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
@@ -179,6 +182,27 @@ TEST(OptionsMirrorProperties, SphericalAlignment)
   using conformal::AlignmentKind;
   EXPECT_EQ(vtkSphericalAlignment::ROTATION, static_cast<int>(AlignmentKind::Rotation));
   EXPECT_EQ(vtkSphericalAlignment::MOEBIUS, static_cast<int>(AlignmentKind::Moebius));
+}
+
+TEST(OptionsMirrorProperties, SphericalMorph)
+{
+  const conformal::SphericalMorphOptions options;
+  const conformal::ConsistentRemeshOptions remesh;
+  vtkNew<vtkSphericalMorph> filter;
+  EXPECT_EQ(filter->GetPath(), static_cast<int>(options.Path));
+  EXPECT_EQ(filter->GetLattice(), static_cast<int>(remesh.Lattice));
+  EXPECT_EQ(filter->GetFrequency(), remesh.Frequency);
+  EXPECT_EQ(filter->GetNumberOfPoints(), remesh.NumberOfPoints);
+  EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
+  using Limits = conformal::AdaptiveSphereLimits;
+  EXPECT_EQ(filter->GetNumberOfPointsMinValue(), Limits::MinimumPoints);
+  EXPECT_EQ(filter->GetNumberOfPointsMaxValue(), Limits::MaximumPoints);
+  using conformal::MorphPath;
+  using conformal::RemeshLattice;
+  EXPECT_EQ(vtkSphericalMorph::LINEAR, static_cast<int>(MorphPath::Linear));
+  EXPECT_EQ(vtkSphericalMorph::RIGID, static_cast<int>(MorphPath::Rigid));
+  EXPECT_EQ(vtkSphericalMorph::GEODESIC, static_cast<int>(RemeshLattice::Geodesic));
+  EXPECT_EQ(vtkSphericalMorph::ADAPTIVE, static_cast<int>(RemeshLattice::Adaptive));
 }
 
 TEST(OptionsMirrorProperties, SphericalResample)

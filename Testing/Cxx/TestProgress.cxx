@@ -29,6 +29,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -507,6 +508,33 @@ TEST(Progress, OfTheAdaptiveSphere)
         sphere->SetImageData(picture);
         wants(40000, Sphere::IMAGE)(sphere);
       }));
+}
+
+TEST(Progress, OfTheMorph)
+{
+  using Morph = vtkSphericalMorph;
+  const auto to = [](vtkPolyData* target, int lattice, int path)
+  {
+    const vtkSmartPointer<vtkPolyData> held = target;
+    return [=](Morph* morph)
+    {
+      morph->SetTargetData(held);
+      morph->SetLattice(lattice);
+      morph->SetPath(path);
+      morph->SetFrequency(70);
+      morph->SetNumberOfPoints(30000);
+    };
+  };
+  const auto head = Colored(Head(60)), limbs = Colored(Limbs(80)), fine = Colored(Head(180));
+  for (const int path : { Morph::LINEAR, Morph::RIGID })
+  {
+    for (const int lattice : { Morph::GEODESIC, Morph::ADAPTIVE })
+    {
+      const std::string name = "SphericalMorph " + std::to_string(path) + std::to_string(lattice);
+      ExpectEven(name, Of<Morph>(head, to(limbs, lattice, path)));
+      ExpectEven(name + ", fine meshes", Of<Morph>(fine, to(fine, lattice, path)));
+    }
+  }
 }
 
 TEST(Progress, OfTheResampling)

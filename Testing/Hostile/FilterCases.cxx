@@ -11,6 +11,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalMorph.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -444,6 +445,54 @@ std::vector<SetUp> Alignments()
       OnPort<F>(1, [](F* f) { f->SetTransformToMoebius(); }), reads, false, true } };
 }
 
+std::vector<SetUp> Morphs()
+{
+  using F = vtkSphericalMorph;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto with = [](int path, int lattice)
+  {
+    return [=](F* f)
+    {
+      f->SetPath(path);
+      f->SetLattice(lattice);
+      f->SetFrequency(6);
+      f->SetNumberOfPoints(500);
+    };
+  };
+  const auto onSource = [&](const char* name, int path, int lattice)
+  {
+    return SetUp{ "vtkSphericalMorph", name, true,
+      On<F>(
+        [=, set = with(path, lattice)](F* f, vtkPolyData* good)
+        {
+          set(f);
+          f->SetTargetData(good);
+        }),
+      reads, true, true };
+  };
+  SetUp linear = onSource("Linear", F::LINEAR, F::GEODESIC);
+  Property weights = { "weight", {} };
+  for (const double weight : { 0.0, -1.0, 1e308, std::numeric_limits<double>::infinity(),
+         std::numeric_limits<double>::quiet_NaN() })
+  {
+    weights.Values.emplace_back(std::to_string(weight).substr(0, 8),
+      [=](vtkAlgorithm* filter)
+      {
+        static_cast<F*>(filter)->AddWeight(weight);
+        static_cast<F*>(filter)->AddWeight(1.0);
+      });
+  }
+  linear.Properties = { Number("MorphFactor", &F::SetMorphFactor), Integer("Path", &F::SetPath),
+    Integer("Lattice", &F::SetLattice), Integer("Frequency", &F::SetFrequency),
+    Switch("GenerateTimeSteps", &F::SetGenerateTimeSteps),
+    Integer("NumberOfTimeSteps", &F::SetNumberOfTimeSteps), weights };
+  SetUp rigid = onSource("Rigid, Adaptive", F::RIGID, F::ADAPTIVE);
+  rigid.Properties = { Integer("NumberOfPoints", &F::SetNumberOfPoints) };
+  return { linear, rigid,
+    { "vtkSphericalMorph", "target", true, OnPort<F>(1, with(F::RIGID, F::GEODESIC)), reads, true,
+      true } };
+}
+
 std::vector<SetUp> Resamplings()
 {
   using F = vtkSphericalResample;
@@ -564,9 +613,9 @@ std::vector<Case> FilterCases()
     inputs.insert(inputs.end(), more.begin(), more.end());
   }
   std::vector<Case> all;
-  for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
-         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(),
-         Resamplings(), Measures(), { Blend() } })
+  for (const std::vector<SetUp>& setUps :
+    { Learners(), Hulls(), Maps(), CurvedSurfaces(), AdaptiveSpheres(), TextureMaps(),
+      TextureImages(), Alignments(), Morphs(), Resamplings(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

@@ -9,6 +9,7 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkLogger.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -255,6 +256,13 @@ Outcome JudgeData(vtkDataObject* data, const Given& given)
   if (auto* set = vtkPointSet::SafeDownCast(data))
   {
     look(JudgeValues(set->GetPoints() ? set->GetPoints()->GetData() : nullptr, given));
+  }
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      look(JudgeData(blocks->GetBlock(i), given));
+    }
   }
   if (auto* table = vtkTable::SafeDownCast(data))
   {

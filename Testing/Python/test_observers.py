@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
-    vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
            "gii": "GIFTI", "white": "FreeSurfer"}
@@ -105,6 +105,7 @@ FILTERS = {
         vtkSphericalTextureImage, surface(), ArrayName="Normals", ImageSize=(200, 200)),
     "image of a source": lambda: with_inputs(
         vtkSphericalTextureImage, surface(), surface(20), ImageSize=(100, 100)),
+    "morph": lambda: with_inputs(vtkSphericalMorph, surface(), surface(20, 0.3), NumberOfPoints=2000, Path=1),
     "resampling": lambda: with_inputs(vtkSphericalResample, surface(), surface(30), MaskArrayName="Weights"),
     "texture": lambda: with_inputs(vtkSphericalTextureMap, surface(60)),
     "texture, split": lambda: with_inputs(vtkSphericalTextureMap, surface(), SplitSeam=True),

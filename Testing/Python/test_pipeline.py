@@ -16,7 +16,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -101,7 +101,12 @@ def beside_the_chain(stages):
     resample.SetSourceConnection(stages["vtkSurfaceMismatch"].GetOutputPort())
     resample.SetMaskArrayName("Distance")
     resample.Update()
-    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive, resample)}
+    morph = vtkSphericalMorph()
+    morph.SetInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
+    morph.SetTargetConnection(stages["vtkConformalSOM"].GetOutputPort())
+    morph.SetNumberOfPoints(1000)
+    morph.Update()
+    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive, morph, resample)}
 
 
 PLY = """ply

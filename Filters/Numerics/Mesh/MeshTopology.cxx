@@ -100,6 +100,12 @@ Triangles triangleNeighbors(const Triangles& triangles, const Adjacency& around,
 }
 
 //------------------------------------------------------------------------------
+Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run)
+{
+  return (triangleNeighbors(triangles, numberOfVertices, run).array() < 0).count();
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors)
 {

@@ -40,6 +40,10 @@ Triangles triangleNeighbors(
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
 
+/// Edges of triangles across which no triangle has the opposite sense: 0 for a closed mesh whose
+/// triangles are oriented alike.
+Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
+
 /// Calls a visitor with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 

@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
+#include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/SphereCoverage.h"
 
@@ -26,6 +27,13 @@ using Parts = std::vector<std::pair<int, double>>;
 /// @return folds
 Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
 {
+  const Index open = countOpenEdges(mesh.Triangles, mesh.SpherePositions.rows(), run.unwatched());
+  if (open > 0)
+  {
+    throw std::invalid_argument(std::string("the ") + what +
+      " is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " edges, but must be closed. vtkGenusZeroCheck shows where.");
+  }
   const SphereCoverage coverage =
     measureSphereCoverage(mesh.SpherePositions, mesh.Triangles, run.unwatched());
   if (std::abs(coverage.Degree) != 1)
@@ -136,7 +144,7 @@ SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& 
              targetSize = static_cast<double>(target.SpherePositions.rows());
   const double sum = sourceSize + targetSize;
   Steps steps(run,
-    { 100.0 * sum, 1000.0 * sum, isAdaptive ? 1000.0 * sum : 0.0,
+    { 250.0 * sum, 1000.0 * sum, isAdaptive ? 1000.0 * sum : 0.0,
       isAdaptive ? 500.0 * sum : 100.0 * targetSize });
   steps.next();
   SphericalResampling result;

@@ -42,8 +42,8 @@ struct SphericalResampling
 /// @param[in] source  its positions say what area is around each point; points of no triangle do
 ///                    not count
 /// @param[in] target  Barycentric needs no triangles and no positions of it
-/// @throws std::invalid_argument if a map does not cover the sphere once, mirrored or not; that of
-///   the target needs not with Barycentric
+/// @throws std::invalid_argument if a surface is open, or a map does not cover the sphere once,
+///   mirrored or not; those of the target need not with Barycentric
 /// @throws Aborted
 SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& target,
   const SphericalResampleOptions& options = {}, const Run& run = {});

@@ -600,14 +600,14 @@ Mesh makeAdaptiveSphere(
   work[0] = 100.0 * static_cast<double>(density.Areas.size());
   work[1] = WorkOfRefinement * size;
   Steps steps(run, work);
-  steps.next();
-  std::optional<Refinement> refinement(std::in_place, density, options.NumberOfPoints, run);
+  std::optional<Refinement> refinement(
+    std::in_place, density, options.NumberOfPoints, steps.next());
   refinement->refine(options.NumberOfPoints, steps.next());
   if (static_cast<double>(refinement->size()) > (1.0 + Limits::Tolerance) * size)
   {
     // The last point needed many others for its angles. Without it:
     const Index fewer = refinement->sizeBefore();
-    refinement.emplace(density, options.NumberOfPoints, run);
+    refinement.emplace(density, options.NumberOfPoints, run.unwatched());
     refinement->refine(fewer, {});
   }
   refinement->dropQueues();

@@ -44,7 +44,7 @@ std::vector<double> densitiesOf(const SphereDensity& density, const Run& run)
     throw std::invalid_argument("a density needs directions, and an area for each of them");
   }
   std::vector<double> densities(density.Directions.rows());
-  forBlocks(run, density.Directions.rows(), BlockSize,
+  forBlocksReporting(run, density.Directions.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -205,11 +205,17 @@ SphereDensity equalShares(const std::vector<SphereDensity>& densities, const Run
     std::function<double(const Vector3&)> At;
     double Integral;
   };
+  std::vector<double> work;
+  for (const SphereDensity& density : densities)
+  {
+    work.push_back(static_cast<double>(density.Directions.rows()));
+  }
+  Steps steps(run, work);
   std::vector<Part> parts;
   SphereDensity all;
   for (const SphereDensity& density : densities)
   {
-    parts.push_back({ density.At, integralOf(density, densitiesOf(density, run)) });
+    parts.push_back({ density.At, integralOf(density, densitiesOf(density, steps.next())) });
     const Index before = all.Directions.rows();
     all.Directions.conservativeResize(before + density.Directions.rows(), 3);
     all.Directions.bottomRows(density.Directions.rows()) = density.Directions;

@@ -250,6 +250,12 @@ TEST(SphericalResample, MapsThatDoNotCoverTheSphereAreRefused)
   expectRefused(bowl, whole, "the map to the sphere of the source covers the sphere 0 times");
   expectRefused(whole, bowl, "the map to the sphere of the target covers the sphere 0 times");
   EXPECT_NO_THROW(resampleSurface(whole, bowl, { ResampleMethod::Barycentric }));
+  MappedMesh half = whole;
+  half.Triangles.conservativeResize(half.Triangles.rows() - 1, 3);
+  expectRefused(
+    half, whole, "the source is open, or its triangles are not oriented alike, at 3 edges");
+  expectRefused(
+    whole, half, "the target is open, or its triangles are not oriented alike, at 3 edges");
 }
 
 TEST(SphericalResample, ThreadsChangeNoBitAndARunCanBeStopped)

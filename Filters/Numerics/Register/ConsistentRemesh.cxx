@@ -1,0 +1,188 @@
+#include "Register/ConsistentRemesh.h"
+
+#include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Mesh/MeshTopology.h"
+#include "Sphere/AdaptiveSphere.h"
+#include "Sphere/SphereCoverage.h"
+#include "Sphere/SphereDensity.h"
+#include "Sphere/SphereLocator.h"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 512;
+
+struct Placed
+{
+  conformal::Triangles Triangles; // counter-clockwise on the sphere seen from outside
+  bool IsMirrored = false;        // the surface seen from outside is the sphere seen from inside
+};
+
+Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
+{
+  const Index open = countOpenEdges(surface.Triangles, surface.Positions.rows(), run.unwatched());
+  if (open > 0)
+  {
+    throw std::invalid_argument("surface " + std::to_string(number) +
+      " is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " edges, but must be closed. vtkGenusZeroCheck shows where.");
+  }
+  Placed result;
+  result.Triangles = surface.Triangles;
+  SphereCoverage coverage =
+    measureSphereCoverage(surface.SpherePositions, result.Triangles, run.unwatched());
+  const bool isTurned = coverage.Degree < 0;
+  if (isTurned)
+  {
+    result.Triangles.col(1).swap(result.Triangles.col(2));
+    coverage = measureSphereCoverage(surface.SpherePositions, result.Triangles, run.unwatched());
+  }
+  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
+  {
+    throw std::invalid_argument("the map to the sphere of surface " + std::to_string(number) +
+      " covers it " + std::to_string(coverage.Degree) + " times with " +
+      std::to_string(coverage.NumberOfFolds) +
+      " folded triangles, but must cover it once without folds");
+  }
+  result.IsMirrored = signedVolume(surface.Positions, result.Triangles) < 0.0;
+  return result;
+}
+
+Mesh commonSphere(
+  const std::vector<MappedMesh>& surfaces, const ConsistentRemeshOptions& options, const Run& run)
+{
+  if (options.Lattice == RemeshLattice::Geodesic)
+  {
+    return makeGeodesicSphere(options.Frequency, run);
+  }
+  AdaptiveSphereOptions sphere;
+  sphere.NumberOfPoints = options.NumberOfPoints;
+  std::vector<double> work;
+  double size = 0.0;
+  for (const MappedMesh& surface : surfaces)
+  {
+    work.push_back(1200.0 * static_cast<double>(surface.Positions.rows()));
+    size += static_cast<double>(surface.Positions.rows());
+  }
+  work.push_back(600.0 * size);
+  work.push_back(1000.0 * size + workOfAdaptiveSphere(sphere));
+  Steps steps(run, work);
+  std::vector<SphereDensity> densities;
+  for (const MappedMesh& surface : surfaces)
+  {
+    densities.push_back(
+      densityOnSurface(surface, std::vector<double>(surface.Positions.rows(), 1.0), steps.next()));
+  }
+  const SphereDensity density = equalShares(densities, steps.next());
+  return makeAdaptiveSphere(density, sphere, steps.next());
+}
+
+void sample(
+  const MappedMesh& surface, const Triangles& triangles, ConsistentMeshes& meshes, const Run& run)
+{
+  const Points& directions = meshes.Sphere.Positions;
+  const auto size = static_cast<double>(directions.rows());
+  Steps steps(run, { 500.0 * static_cast<double>(triangles.rows()), 300.0 * size, 150.0 * size });
+  const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
+  std::vector<SphereLocation> locations(directions.rows());
+  Points positions(directions.rows(), 3);
+  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        locations[i] = locator.locate(directions.row(i));
+        const auto ids = triangles.row(locations[i].Triangle);
+        const Vector3& l = locations[i].Barycentric;
+        positions.row(i) = l[0] * surface.Positions.row(ids[0]) +
+          l[1] * surface.Positions.row(ids[1]) + l[2] * surface.Positions.row(ids[2]);
+      }
+    });
+  steps.next();
+  ResampleWeights weights;
+  for (const SphereLocation& location : locations)
+  {
+    const auto ids = triangles.row(location.Triangle);
+    weights.add({ { ids[0], location.Barycentric[0] }, { ids[1], location.Barycentric[1] },
+      { ids[2], location.Barycentric[2] } });
+  }
+  meshes.Positions.push_back(std::move(positions));
+  meshes.Weights.push_back(std::move(weights));
+}
+}
+
+//------------------------------------------------------------------------------
+ConsistentMeshes remeshConsistently(
+  const std::vector<MappedMesh>& surfaces, const ConsistentRemeshOptions& options, const Run& run)
+{
+  if (surfaces.empty())
+  {
+    throw std::invalid_argument("there is no surface to remesh");
+  }
+  const bool isAdaptive = options.Lattice == RemeshLattice::Adaptive;
+  AdaptiveSphereOptions sphere;
+  sphere.NumberOfPoints = options.NumberOfPoints;
+  const double points = isAdaptive ? static_cast<double>(options.NumberOfPoints)
+                                   : static_cast<double>(geodesicSphereSize(options.Frequency));
+  double size = 0.0;
+  for (const MappedMesh& surface : surfaces)
+  {
+    size += static_cast<double>(surface.Positions.rows());
+  }
+  // The maps, the sphere, and each surface.
+  std::vector<double> work = { 350.0 * size,
+    isAdaptive ? 2800.0 * size + workOfAdaptiveSphere(sphere) : 100.0 * points };
+  for (const MappedMesh& surface : surfaces)
+  {
+    work.push_back(1000.0 * static_cast<double>(surface.Positions.rows()) + 450.0 * points);
+  }
+  Steps steps(run, work);
+  const Run checking = steps.next();
+  std::vector<Placed> all;
+  for (const MappedMesh& surface : surfaces)
+  {
+    all.push_back(placed(surface, all.size(), run));
+    if (all.back().IsMirrored != all.front().IsMirrored)
+    {
+      throw std::invalid_argument("the map to the sphere of surface " +
+        std::to_string(all.size() - 1) +
+        (all.back().IsMirrored ? " mirrors it" : " does not mirror it") +
+        ", unlike that of surface 0; mirror one of the surfaces or of the maps");
+    }
+    checking.report(static_cast<double>(all.size()) / static_cast<double>(surfaces.size()));
+  }
+  ConsistentMeshes meshes;
+  meshes.Sphere = commonSphere(surfaces, options, steps.next());
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    sample(surfaces[s], all[s].Triangles, meshes, steps.next());
+  }
+  if (all.front().IsMirrored)
+  {
+    meshes.Sphere.Triangles.col(1).swap(meshes.Sphere.Triangles.col(2));
+  }
+  return meshes;
+}
+
+//------------------------------------------------------------------------------
+double workOfConsistentRemesh(
+  double size, double numberOfSurfaces, const ConsistentRemeshOptions& options)
+{
+  if (options.Lattice == RemeshLattice::Geodesic)
+  {
+    return 1200.0 * size +
+      (100.0 + 450.0 * numberOfSurfaces) * 10.0 * options.Frequency * options.Frequency;
+  }
+  AdaptiveSphereOptions sphere;
+  sphere.NumberOfPoints = options.NumberOfPoints;
+  return 4000.0 * size + workOfAdaptiveSphere(sphere) +
+    450.0 * numberOfSurfaces * static_cast<double>(options.NumberOfPoints);
+}
+}

@@ -1,0 +1,277 @@
+#include "Register/SphericalMorph.h"
+
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Linear/MultifrontalCholesky.h"
+#include "Mesh/MeshTopology.h"
+#include "Register/TriangleRotations.h"
+#include "Sphere/MoebiusTransform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 1024;
+
+/// The shapes that count, each around its center.
+struct Active
+{
+  std::vector<const Points*> Shapes;
+  std::vector<double> Weights;
+  std::vector<Vector3> Centers;
+  std::vector<Vector3> Turns; ///< rotation vectors, from the first shape
+};
+
+Vector3 rotationVector(const Eigen::Matrix3d& rotation)
+{
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+/// Areas around the vertices, of all shapes together.
+Eigen::VectorXd commonAreas(const Mesh& sphere, const std::vector<const Points*>& shapes)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(sphere.Positions.rows());
+  for (const Points* shape : shapes)
+  {
+    areas += vertexAreas(*shape, sphere.Triangles);
+  }
+  return areas;
+}
+
+Active activeShapes(
+  const Mesh& sphere, const std::vector<Points>& shapes, const std::vector<double>& weights)
+{
+  Active active;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    if (weights[s] > 0.0)
+    {
+      active.Shapes.push_back(&shapes[s]);
+      active.Weights.push_back(weights[s]);
+    }
+  }
+  const Eigen::VectorXd areas = commonAreas(sphere, active.Shapes);
+  const double sum = areas.sum();
+  for (const Points* shape : active.Shapes)
+  {
+    active.Centers.emplace_back(shape->transpose() * areas / sum);
+  }
+  const Points first = active.Shapes[0]->rowwise() - active.Centers[0].transpose();
+  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
+  {
+    const Points other = active.Shapes[s]->rowwise() - active.Centers[s].transpose();
+    active.Turns.emplace_back(
+      s == 0 ? Vector3::Zero() : rotationVector(closestRotation(first, other, areas)));
+  }
+  return active;
+}
+
+/// Weighted sums, of shapes or of centers.
+Points linearBlend(const Active& active)
+{
+  Points sum = active.Weights[0] * *active.Shapes[0];
+  for (std::size_t s = 1; s < active.Shapes.size(); ++s)
+  {
+    sum += active.Weights[s] * *active.Shapes[s];
+  }
+  return sum;
+}
+
+Vector3 weighted(const std::vector<double>& weights, const std::vector<Vector3>& vectors)
+{
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t s = 0; s < weights.size(); ++s)
+  {
+    sum += weights[s] * vectors[s];
+  }
+  return sum;
+}
+
+/// Corners of each triangle as it should be, relative to the first of them.
+using Wanted = std::vector<Eigen::Matrix3d>;
+
+Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
+{
+  const Triangles& triangles = sphere.Triangles;
+  const Triangles neighbors = triangleNeighbors(triangles, sphere.Positions.rows());
+  std::vector<double> work(active.Shapes.size(), 1500.0);
+  work[0] = 400.0;
+  Steps steps(run, work);
+  std::vector<std::vector<Vector3>> turns(active.Shapes.size());
+  for (std::size_t s = 1; s < active.Shapes.size(); ++s)
+  {
+    turns[s] = triangleRotations(
+      triangles, neighbors, *active.Shapes[0], *active.Shapes[s], active.Turns[s], steps.next());
+  }
+  Wanted wanted(triangles.rows());
+  const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
+  forBlocksReporting(steps.next(), triangles.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index r = begin; r < end; ++r)
+      {
+        Vector3 turn = Vector3::Zero();
+        Eigen::Matrix3d corners = Eigen::Matrix3d::Zero();
+        for (std::size_t s = 0; s < active.Shapes.size(); ++s)
+        {
+          const Points& shape = *active.Shapes[s];
+          Eigen::Matrix3d own; // turned back to how the first shape has it
+          for (int k = 0; k < 3; ++k)
+          {
+            own.col(k) = shape.row(triangles(r, k)) - shape.row(triangles(r, 0));
+          }
+          if (s > 0)
+          {
+            own = (rotationOf(active.Turns[s]) * rotationOf(turns[s][r])).transpose() * own;
+            turn += active.Weights[s] * turns[s][r];
+          }
+          corners += active.Weights[s] * own;
+        }
+        wanted[r] = whole * rotationOf(turn) * corners;
+      }
+    });
+  return wanted;
+}
+
+/// Cotangents of the corners of triangles, within bounds.
+Points cotangentsOf(const Wanted& wanted)
+{
+  Points cotangents(static_cast<Index>(wanted.size()), 3);
+  for (Index r = 0; r < cotangents.rows(); ++r)
+  {
+    const Eigen::Matrix3d& corners = wanted[r];
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 u = corners.col(next(k)) - corners.col(k),
+                    v = corners.col(previous(k)) - corners.col(k);
+      const double area = u.cross(v).norm();
+      const double cotangent = area > 0.0 ? u.dot(v) / area : MinimumCotangent;
+      cotangents(r, k) = std::clamp(cotangent, MinimumCotangent, MaximumCotangent);
+    }
+  }
+  return cotangents;
+}
+
+Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
+{
+  const auto size = static_cast<double>(sphere.Positions.rows());
+  Steps steps(run,
+    { 100.0 * size, 3000.0 * size * static_cast<double>(active.Shapes.size()), 600.0 * size,
+      6000.0 * size, 500.0 * size });
+  steps.next();
+  const Triangles& triangles = sphere.Triangles;
+  const Eigen::VectorXd areas = commonAreas(sphere, active.Shapes);
+  const Vector3 center = weighted(active.Weights, active.Centers);
+  const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
+  Points shape = Points::Zero(sphere.Positions.rows(), 3);
+  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
+  {
+    const Eigen::Matrix3d turn = whole * rotationOf(active.Turns[s]).transpose();
+    shape += active.Weights[s] * (active.Shapes[s]->rowwise() - active.Centers[s].transpose()) *
+      turn.transpose();
+  }
+  const Wanted wanted = wantedTriangles(active, sphere, steps.next());
+
+  steps.next();
+  const Points cotangents = cotangentsOf(wanted);
+  const EdgeWeights weights = cotangentWeights(triangles, sphere.Positions.rows(), cotangents);
+  Columns correction = Columns::Zero(sphere.Positions.rows(), 3);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = triangles(r, next(k)), b = triangles(r, previous(k));
+      const Vector3 missing =
+        wanted[r].col(previous(k)) - wanted[r].col(next(k)) - Vector3(shape.row(b) - shape.row(a));
+      const Vector3 force = 0.5 * cotangents(r, k) * missing;
+      correction.row(b) += force;
+      correction.row(a) -= force;
+    }
+  }
+  std::vector<double> diagonal(sphere.Positions.rows());
+  for (Index v = 0; v < sphere.Positions.rows(); ++v)
+  {
+    diagonal[v] = weights.sumAt(v);
+  }
+  diagonal[0] *= 2.0; // vertex 0 stays where it is, since the forces add up to 0
+  const MultifrontalCholesky solver(weights, diagonal, sphere.Positions, steps.next());
+  steps.next();
+  solver.solve(correction);
+  shape += correction;
+  const Vector3 off = center - Vector3(shape.transpose() * areas / areas.sum());
+  shape.rowwise() += off.transpose();
+  return shape;
+}
+
+void requireShares(const std::vector<double>& weights, std::size_t numberOfShapes)
+{
+  constexpr double rounding = 1e-9;
+  double sum = 0.0;
+  bool isGood = weights.size() == numberOfShapes && numberOfShapes > 0;
+  for (const double weight : weights)
+  {
+    isGood = isGood && weight >= 0.0;
+    sum += weight;
+  }
+  if (!isGood || !(std::abs(sum - 1.0) <= rounding))
+  {
+    throw std::invalid_argument(
+      "a morph needs a weight for each shape, at least 0, that add up to 1");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> morphWeights(double factor, std::size_t numberOfShapes)
+{
+  std::vector<double> weights(numberOfShapes, 0.0);
+  const double place = factor * static_cast<double>(numberOfShapes - 1);
+  const std::size_t before =
+    std::min(static_cast<std::size_t>(place), numberOfShapes > 1 ? numberOfShapes - 2 : 0);
+  const double share = place - static_cast<double>(before);
+  weights[before] = 1.0 - share;
+  if (share > 0.0)
+  {
+    weights[before + 1] = share;
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
+  const std::vector<double>& weights, const SphericalMorphOptions& options, const Run& run)
+{
+  requireShares(weights, shapes.size());
+  const auto whole = std::find(weights.begin(), weights.end(), 1.0);
+  if (whole != weights.end())
+  {
+    run.report(1.0);
+    return shapes[whole - weights.begin()];
+  }
+  if (options.Path == MorphPath::Rigid)
+  {
+    return rigidBlend(activeShapes(sphere, shapes, weights), sphere, run);
+  }
+  Active active;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    active.Shapes.push_back(&shapes[s]);
+    active.Weights.push_back(weights[s]);
+  }
+  run.report(1.0);
+  return linearBlend(active);
+}
+
+//------------------------------------------------------------------------------
+double workOfMorph(double numberOfPoints, double numberOfShapes, MorphPath path)
+{
+  return numberOfPoints *
+    (path == MorphPath::Rigid ? 7200.0 + 3000.0 * numberOfShapes : 20.0 * numberOfShapes);
+}
+}
