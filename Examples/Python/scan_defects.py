@@ -124,6 +124,17 @@ def defects(model, count):
     yield "5 % outliers", np.vstack([points, strays]), np.vstack([normals, 0.0 * strays]), everywhere
 
 
+def clouds(model, args):
+    """(name, input, what tells where the object is known)."""
+    if args.vertices:
+        everywhere = lambda x: np.ones(len(x), bool)
+        yield "vertices", cloud_of(vtk_to_numpy(model.data.GetPoints().GetData())), everywhere
+        yield "triangles", model.data, everywhere
+        return
+    for name, points, normals, known in defects(model, args.points):
+        yield name, cloud_of(points, normals if args.normals else None), known
+
+
 def far_from(missing):
     """Tells which points are farther than 0.03 from those missing."""
     locator = vtkStaticPointLocator()
@@ -167,6 +178,8 @@ def main():
     parser.add_argument("model", nargs="*", help="closed models, default: a toy bear made by code")
     parser.add_argument("--points", type=int, default=40000, help="to learn from, default 40000")
     parser.add_argument("--normals", action="store_true", help="give the points normals")
+    parser.add_argument("--vertices", action="store_true",
+                        help="learn the models' own vertices, without and with their triangles")
     args = parser.parse_args()
     if args.points < 3000:
         parser.error("--points must be at least 3000")
@@ -178,10 +191,10 @@ def main():
     print(f"{'':<24}{'scan':<14}" + "".join(f"{column:>11}" for column in COLUMNS))
     for name, data in (models or {"bear": builtin_figure.figure_surface()}).items():
         model = Surface(data, scaled=True)
-        for defect, points, normals, known in defects(model, args.points):
-            mesh, seconds, warnings = learned(cloud_of(points, normals if args.normals else None))
+        for scan, cloud, known in clouds(model, args):
+            mesh, seconds, warnings = learned(cloud)
             row = measured(model, mesh, known, seconds, warnings)
-            print(f"{name:<24}{defect:<14}" + "".join(f"{value:>11.3g}" for value in row.values()),
+            print(f"{name:<24}{scan:<14}" + "".join(f"{value:>11.3g}" for value in row.values()),
                   flush=True)
     print("Lengths: the model's largest radius is 1. Figures farther than 0.03 from what is missing.\n"
           "s2p: mean square distance of the mesh to the model; web: share of the mesh farther than\n"

@@ -1,29 +1,30 @@
 #include "vtkCloudNormals.h"
 
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/VertexNormals.h"
 #include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 namespace vtkConformalConversions
 {
 namespace
 {
-bool HasCellIds(vtkPolyData* surface)
+std::int64_t CountUsed(const conformal::Triangles& triangles, vtkIdType numberOfPoints)
 {
-  try
+  std::vector<bool> used(numberOfPoints, false);
+  for (conformal::Index i = 0; i < triangles.size(); ++i)
   {
-    vtkInputChecks::RequireCellIds(surface);
+    used[triangles.data()[i]] = true;
   }
-  catch (const std::invalid_argument&)
-  {
-    return false;
-  }
-  return true;
+  return std::count(used.begin(), used.end(), true);
 }
 }
 
@@ -33,28 +34,31 @@ void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
   vtkDataArray* array = input->GetPointData()->GetNormals();
-  const bool empty = input->GetNumberOfPoints() == 0;
-  const bool hasTriangles = surface &&
-    surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0 &&
-    (needed || HasCellIds(surface));
+  const vtkIdType size = input->GetNumberOfPoints();
+  conformal::Triangles triangles;
+  if (HasTriangles(surface) && (needed || HasCellIds(surface)))
+  {
+    triangles = ToTriangles(surface);
+  }
   const bool hasArray = array && array->GetNumberOfComponents() == 3;
-  std::int64_t counts[] = { !empty, !empty && !hasTriangles, !empty && !hasArray };
+  std::int64_t counts[] = { size, CountUsed(triangles, size), size > 0 && !hasArray };
   reduce.sum(counts, 3);
-  const bool triangles = counts[1] == 0;
-  normals.Known = counts[0] > 0 && (triangles || counts[2] == 0);
-  if (empty || !normals.Known)
+  const bool byTriangles = 2 * counts[1] > counts[0];
+  normals.Known = counts[0] > 0 && (byTriangles || counts[2] == 0);
+  if (size == 0 || !normals.Known)
   {
     return;
   }
-  if (!triangles)
+  if (!byTriangles)
   {
     normals.View = ViewVectors(array, "normals", normals.Copy);
     return;
   }
+  conformal::orientConsistently(triangles);
   conformal::Points points = ToPoints(input->GetPoints(), frame);
   // One that is not finite is left out later; it must not spoil the others' unit.
   points = points.array().isFinite().select(points, 0.0);
-  normals.Copy = conformal::vertexNormals(points, ToTriangles(surface));
+  normals.Copy = conformal::vertexNormals(points, triangles);
   normals.View = normals.Copy;
 }
 }

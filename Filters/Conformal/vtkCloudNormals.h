@@ -18,8 +18,9 @@ struct CloudNormals
   conformal::Points Copy;
 };
 
-/// Those of the input's polygons where it has some, else the active normals of its points; not
-/// known where it has neither. Of processes that share a cloud all with points must have the same.
+/// Those of the input's polygons, turned to agree with their neighbors, where most of its points
+/// are of one; else the active normals of its points; not known where it has neither. Of processes
+/// that share a cloud all with points must have the array.
 /// @param[in] normals  filled in place, since its view may be one of its copy
 /// @param[in] needed   if not, polygons of which no normals can be made count as none
 /// @throws std::invalid_argument if they are needed, and a cell names a point that is not there

@@ -7,6 +7,7 @@
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
+#include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"
 
 #include "vtkDoubleArray.h"
@@ -93,6 +94,57 @@ vtkIdType CountUnusable(
     throw std::invalid_argument("no point has a positive priority in the array \"" + name + "\"");
   }
   return sums[1];
+}
+
+bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
+{
+  using conformal::StartingShape;
+  return options.TrainingMode == conformal::TrainingMode::Batch &&
+    (options.StartingShape == StartingShape::Automatic ||
+      options.StartingShape == StartingShape::Mesh);
+}
+
+// The input's own triangles, on all processes, as a mesh to start from; an empty one where they are
+// not to be used. StartingShape Automatic takes them if they are a surface of all samples.
+conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool must,
+  const conformal::TrainingSamples& samples, const conformal::CoordinateFrame& frame,
+  vtkConformalConversions::Processes& processes)
+{
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
+  const conformal::Reduce reduce = processes.reduce();
+  std::int64_t counts[] = { input->GetNumberOfPoints() > 0,
+    vtkConformalConversions::HasTriangles(surface) };
+  reduce.sum(counts, 2);
+  const bool inPieces = counts[0] > 1;
+  if (must && (counts[1] == 0 || inPieces))
+  {
+    throw std::invalid_argument(
+      std::string("StartingShape Mesh needs a closed mesh as input, but ") +
+      (inPieces ? "it is spread over several processes" : "it has no polygons"));
+  }
+  if (counts[1] > 0 && inPieces && processes.isFirst())
+  {
+    vtkWarningWithObjectMacro(self, << "the input's polygons are spread over several processes; "
+                                       "learning does not start from them, as it may on one");
+  }
+  conformal::MappedMesh own;
+  if (vtkConformalConversions::HasTriangles(surface) && !inPieces)
+  {
+    if (must)
+    {
+      const auto closed = vtkConformalConversions::ToClosedMesh(self, surface, frame);
+      static_cast<conformal::Mesh&>(own) = closed;
+      if (closed.InsideOut)
+      {
+        own.Triangles.col(1).swap(own.Triangles.col(2));
+      }
+    }
+    else if (samples.dimension() == 3 && surface->GetNumberOfPoints() == samples.totalSize())
+    {
+      static_cast<conformal::Mesh&>(own) = vtkConformalConversions::ToMeshIfClosed(surface, frame);
+    }
+  }
+  return vtkConformalConversions::GatherMesh(reduce, own);
 }
 
 // What the points have that their user should know.
@@ -215,6 +267,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   vtkConformalConversions::AddLengths(
     data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
+  AddNumber(data, "StartedFromMesh", static_cast<long long>(result.FromMesh));
   AddNumber(data, "HullIndicator", static_cast<long long>(result.Indicator));
   AddNumber(data, "NormalsUsed", static_cast<long long>(result.NormalsUsed));
   AddNumber(data, "NumberOfStarts", static_cast<long long>(result.NumberOfStarts));
@@ -358,8 +411,14 @@ int vtkConformalSOM::RequestData(
       {
         mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
       }
+      else if (MayStartFromMesh(options))
+      {
+        mesh = OwnMesh(this, input, options.StartingShape == conformal::StartingShape::Mesh,
+          samples, frame, processes);
+      }
+      const bool hasMesh = mesh.Positions.rows() > 0;
       const conformal::ConformalSOMResult result =
-        conformal::trainConformalSOM(samples, options, start ? &mesh : nullptr, steps.next());
+        conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
       if (processes.isFirst())
       {
         WarnAbout(this, result, samples);
@@ -422,6 +481,7 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StartingShape: "
      << (this->StartingShape == SPHERE    ? "Sphere"
             : this->StartingShape == HULL ? "Hull"
+            : this->StartingShape == MESH ? "Mesh"
                                           : "Automatic")
      << "\n";
   os << indent << "HullIndicator: "

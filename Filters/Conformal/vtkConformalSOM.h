@@ -2,8 +2,9 @@
  * @class   vtkConformalSOM
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
- * Input port 0: vtkPointSet, any points in any order; cells are ignored. Points that are not
- * finite are left out with a warning, hidden or duplicate ghost points silently.
+ * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for the polygons of
+ * a vtkPolyData: learning may start from them, see StartingShape. Points that are not finite are
+ * left out with a warning, hidden or duplicate ghost points silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition", from which learning starts instead of the sphere or a hull. It must lie where
@@ -33,6 +34,8 @@
  * points' unit; 0 where detail explains what the mesh leaves of the points. All of these are 0
  * (AreaRatio: 1) in Online mode, and a warning tells of what is wrong.
  * - field data "StartedFromHull" (1 value): whether Batch took the hull.
+ * - field data "StartedFromMesh" (1 value): whether learning started from a mesh, the input's own
+ *   or that on input port 1.
  * - field data "HullIndicator" (1 value): what told the inside of that hull, 0 the distance, 1
  * winding numbers.
  * - field data "NormalsUsed" (1 value): whether winding numbers used normals of the input.
@@ -99,7 +102,8 @@ public:
   {
     AUTOMATIC = 0,
     SPHERE = 1,
-    HULL = 2
+    HULL = 2,
+    MESH = 3
   };
 
   enum HullIndicators
@@ -344,20 +348,33 @@ public:
   ///@{
   /**
    * Batch: where learning starts if there is no mesh on input port 1. AUTOMATIC (default): from the
-   * unit sphere, as in the paper; where the mesh so learned has parts without points, webs between
-   * limbs or lids over holes, or triangles stretched over limbs (a fifth of them obtuse), anew from
-   * a closed hull of the points that is mapped to the sphere. SPHERE or HULL: always from that. A
-   * hull that winds too much to be mapped, as that of a long thin curve does, is an error with
-   * HULL; with AUTOMATIC the mesh learned from the sphere is kept. An adaptive network's hull is
-   * remeshed instead of mapped, so any will do; and since the coarse lattice from which it starts
-   * otherwise misses small webs, it is learned anew from a hull where more than 0.1 % of the
-   * polished mesh's area has no points nearby, which takes as long again.
+   * input's own polygons, if they are one closed surface of genus zero of which all points are
+   * vertices, whose mesh is kept unless it is bad (see UnmetFraction, InvertedFraction,
+   * FoldedFraction) and another start does better; else from the unit sphere, as in the paper;
+   * where the mesh so learned has parts without points, webs between limbs or lids over holes, or
+   * triangles stretched over limbs (a fifth of them obtuse), anew from a closed hull of the points
+   * that is mapped to the sphere. SPHERE, HULL or MESH, the input's polygons: always from that.
+   *
+   * Where vertices of the polygons are sparse, points on these are learned from too. With MESH it
+   * is an error if the polygons are not a closed surface of genus zero, and points that none of
+   * them has are left out with a warning. With AUTOMATIC other polygons only
+   * orient the points, see HullIndicator. A surface that winds too much to be mapped, as that of a
+   * long thin curve does, is an error with HULL, and with MESH and a geodesic lattice; with
+   * AUTOMATIC the mesh learned from the sphere is kept. Of several processes, one must have all of
+   * the input for its polygons to be used: with MESH it is an error if several have points, with
+   * AUTOMATIC a warning says so.
+   *
+   * An adaptive network's hull or mesh is remeshed instead of mapped, so any will do; and since the
+   * coarse lattice from which it starts otherwise misses small webs, it is learned anew from a hull
+   * where more than 0.1 % of the polished mesh's area has no points nearby, which takes as long
+   * again.
    */
-  vtkSetClampMacro(StartingShape, int, AUTOMATIC, HULL);
+  vtkSetClampMacro(StartingShape, int, AUTOMATIC, MESH);
   vtkGetMacro(StartingShape, int);
   void SetStartingShapeToAutomatic() { this->SetStartingShape(AUTOMATIC); }
   void SetStartingShapeToSphere() { this->SetStartingShape(SPHERE); }
   void SetStartingShapeToHull() { this->SetStartingShape(HULL); }
+  void SetStartingShapeToMesh() { this->SetStartingShape(MESH); }
   ///@}
 
   ///@{
@@ -366,8 +383,9 @@ public:
    * Indicator of vtkGenusZeroHull. AUTOMATIC_INDICATOR (default): as AUTOMATIC there; and where the
    * mesh of an adaptive lattice turns out bad, it is learned anew from the other hull, and the
    * better one is kept. DISTANCE or WINDING_NUMBERS: always by that. Winding numbers are for scans
-   * with large holes, hidden sides or noise; they use the normals of the input's polygons, else its
-   * active normals, else find them.
+   * with large holes, hidden sides or noise; they use the normals of the input's polygons, turned
+   * to agree with their neighbors, if most of its points are of one; else its active normals; else,
+   * and where these do not agree on what is inside, they find them.
    */
   vtkSetClampMacro(HullIndicator, int, DISTANCE, AUTOMATIC_INDICATOR);
   vtkGetMacro(HullIndicator, int);

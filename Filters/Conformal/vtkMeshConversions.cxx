@@ -147,6 +147,48 @@ std::string Sentence(const conformal::GenusZeroReport& report)
   }
   return text;
 }
+
+struct Repairs
+{
+  conformal::Index Merged = 0, Repeated = 0, Turned = 0, Isolated = 0;
+};
+
+// Repair what can be without a loss; the rest of the mesh is made only if it is of genus zero then.
+Repairs Repair(const conformal::Points& points, vtkConformalConversions::ClosedMesh& mesh,
+  conformal::GenusZeroReport& report, const conformal::Run& run = {})
+{
+  Repairs done;
+  conformal::Triangles& triangles = mesh.Triangles;
+  report = conformal::checkGenusZero(triangles, points.rows(), points, run);
+  if (!report.BoundaryEdges.empty())
+  {
+    done.Merged = conformal::mergeCoincidentBoundaryPoints(triangles, points, report);
+  }
+  done.Repeated = conformal::dropRepeatedVertices(triangles);
+  if (done.Merged + done.Repeated > 0)
+  {
+    report = conformal::checkGenusZero(triangles, points.rows(), points);
+  }
+  if (!report.isGenusZero())
+  {
+    return done;
+  }
+  if (!report.InconsistentEdges.empty())
+  {
+    done.Turned = conformal::orientConsistently(triangles);
+  }
+  mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
+  const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
+  mesh.PointIds.assign(kept.begin(), kept.end());
+  mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    mesh.Positions.row(v) = points.row(kept[v]);
+  }
+  // Points that were merged away are of no triangle either, but are counted already.
+  done.Isolated = points.rows() - mesh.Positions.rows() - done.Merged;
+  return done;
+}
 }
 
 namespace vtkConformalConversions
@@ -180,14 +222,33 @@ conformal::Triangles ToTriangles(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+bool HasTriangles(vtkPolyData* surface)
+{
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool HasCellIds(vtkPolyData* surface)
+{
+  try
+  {
+    vtkInputChecks::RequireCellIds(surface);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  conformal::Steps steps(run, { 32.0, 5.0, 310.0, 20.0 }); // for each triangle
+  conformal::Steps steps(run, { 32.0, 5.0, 330.0 }); // for each triangle
   steps.next();
   ClosedMesh mesh;
-  conformal::Triangles& triangles = mesh.Triangles;
-  triangles = ToTriangles(surface);
+  mesh.Triangles = ToTriangles(surface);
   steps.next();
   const conformal::Points points = ToPoints(surface->GetPoints(), frame);
   if (!points.allFinite())
@@ -197,54 +258,56 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
       " points of the surface are not finite");
   }
 
-  conformal::GenusZeroReport report =
-    conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
-  conformal::Index merged = 0;
-  if (!report.BoundaryEdges.empty())
-  {
-    merged = conformal::mergeCoincidentBoundaryPoints(triangles, points, report);
-  }
-  const conformal::Index repeated = conformal::dropRepeatedVertices(triangles);
-  if (merged + repeated > 0)
-  {
-    report = conformal::checkGenusZero(triangles, points.rows(), points);
-  }
+  conformal::GenusZeroReport report;
+  const Repairs done = Repair(points, mesh, report, steps.next());
   if (!report.isGenusZero())
   {
     throw std::invalid_argument(
       "the surface must be closed, manifold, in one piece and of genus zero, but it is " +
       Sentence(report) + ". vtkGenusZeroCheck lists all of it.");
   }
-  if (merged > 0)
+  if (done.Merged > 0)
   {
-    vtkWarningWithObjectMacro(self, << merged << " coincident points of open edges were merged");
-  }
-  if (repeated > 0)
-  {
-    vtkWarningWithObjectMacro(self, << repeated << " triangles with a repeated point were dropped");
-  }
-  if (!report.InconsistentEdges.empty())
-  {
-    const conformal::Index turned = conformal::orientConsistently(triangles);
     vtkWarningWithObjectMacro(
-      self, << turned << " triangles were reversed to agree in orientation with their neighbors");
+      self, << done.Merged << " coincident points of open edges were merged");
   }
-  steps.next();
-  mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
+  if (done.Repeated > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << done.Repeated << " triangles with a repeated point were dropped");
+  }
+  if (done.Turned > 0)
+  {
+    vtkWarningWithObjectMacro(self, << done.Turned
+                                    << " triangles were reversed to agree in orientation with "
+                                       "their neighbors");
+  }
+  if (done.Isolated > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << done.Isolated << " points that belong to no triangle were dropped");
+  }
+  return mesh;
+}
 
-  const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
-  mesh.PointIds.assign(kept.begin(), kept.end());
-  mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);
-  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+//------------------------------------------------------------------------------
+conformal::Mesh ToMeshIfClosed(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  if (!HasCellIds(surface))
   {
-    mesh.Positions.row(v) = points.row(kept[v]);
+    return {};
   }
-  // Points that were merged away are of no triangle either, but were reported already.
-  const conformal::Index isolated = points.rows() - mesh.Positions.rows() - merged;
-  if (isolated > 0)
+  ClosedMesh mesh;
+  mesh.Triangles = ToTriangles(surface);
+  const conformal::Points points = ToPoints(surface->GetPoints(), frame);
+  conformal::GenusZeroReport report;
+  if (!points.allFinite() || Repair(points, mesh, report).Isolated > 0 || !report.isGenusZero())
   {
-    vtkWarningWithObjectMacro(
-      self, << isolated << " points that belong to no triangle were dropped");
+    return {};
+  }
+  if (mesh.InsideOut)
+  {
+    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
   }
   return mesh;
 }

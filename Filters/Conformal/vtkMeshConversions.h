@@ -23,6 +23,12 @@ namespace vtkConformalConversions
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
+/// Whether there are polygons or strips; false for null.
+bool HasTriangles(vtkPolyData* surface);
+
+/// Whether each cell names only points that are there.
+bool HasCellIds(vtkPolyData* surface);
+
 /// A closed surface of genus zero, ready for the core: positions are finite and in the frame, each
 /// of a triangle; no triangle has a vertex twice, all are consistently oriented.
 struct ClosedMesh : conformal::Mesh
@@ -40,6 +46,11 @@ struct ClosedMesh : conformal::Mesh
 ///   open, not manifold, in several pieces, or of another genus
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
+
+/// A surface that ToClosedMesh() would take, each of its points of a triangle, as a mesh
+/// counter-clockwise seen from outside; an empty one for another surface, also where a cell names a
+/// point that is not there. It warns of nothing.
+conformal::Mesh ToMeshIfClosed(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".

@@ -1,14 +1,18 @@
 #include "vtkConformalSOM.h"
 
 #include "FilterContract.h"
+#include "MeshFixtures.h"
 #include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkConformalDistortion.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkImageData.h"
+#include "vtkMassProperties.h"
+#include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
@@ -29,6 +33,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -89,6 +94,40 @@ void ExpectEmpty(vtkConformalSOM* filter)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(vtkTable::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfRows(), 0);
+}
+
+double Figure(vtkConformalSOM* filter, const char* name)
+{
+  return filter->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+void ExpectSamePoints(vtkConformalSOM* a, vtkConformalSOM* b)
+{
+  vtkPoints *own = a->GetOutput()->GetPoints(), *other = b->GetOutput()->GetPoints();
+  ASSERT_EQ(own->GetNumberOfPoints(), other->GetNumberOfPoints());
+  EXPECT_EQ(std::memcmp(own->GetVoidPointer(0), other->GetVoidPointer(0),
+              3 * sizeof(double) * own->GetNumberOfPoints()),
+    0);
+}
+
+// The polygons, each with points of its own.
+void MakeSoup(vtkPolyData* surface, vtkPolyData* soup)
+{
+  const vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
+  {
+    surface->GetPolys()->GetCellAtId(i, ids);
+    polygons->InsertNextCell(ids->GetNumberOfIds());
+    for (const vtkIdType id : *ids)
+    {
+      polygons->InsertCellPoint(points->InsertNextPoint(surface->GetPoint(id)));
+    }
+  }
+  soup->SetPoints(points);
+  soup->SetPolys(polygons);
 }
 
 void AddPriorities(vtkPolyData* cloud, const std::function<double(vtkIdType)>& value)
@@ -231,6 +270,225 @@ TEST(ConformalSOM, StartsFromTheMeshOnPortOne)
   filter->Update();
   EXPECT_NE(observed.ErrorMessage().find("SpherePosition"), std::string::npos);
   ExpectEmpty(filter);
+}
+
+TEST(ConformalSOM, StartsFromItsOwnPolygonsWhereTheyAreClosed)
+{
+  const vtkNew<vtkPolyData> closed = fixtures::Ellipsoid(12);
+  for (const int lattice : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+  {
+    const auto learned = [&](vtkPolyData* input, int start, bool fromMesh)
+    {
+      auto filter = MakeFilter(input);
+      filter->SetLattice(lattice);
+      filter->SetNumberOfNeurons(362);
+      filter->SetStartingShape(start);
+      contract::Observed observed(filter);
+      filter->Update();
+      EXPECT_FALSE(observed.Error() || observed.Warning());
+      EXPECT_EQ(Figure(filter, "StartedFromMesh"), fromMesh);
+      return filter;
+    };
+    learned(closed, vtkConformalSOM::SPHERE, false);
+    auto automatic = learned(closed, vtkConformalSOM::AUTOMATIC, true);
+    ExpectSamePoints(automatic, learned(closed, vtkConformalSOM::MESH, true));
+    // Inside out, it is the same surface.
+    const vtkNew<vtkPolyData> reversed = fixtures::Ellipsoid(12);
+    fixtures::TurnOverEvery(1, reversed);
+    vtkNew<vtkGenusZeroCheck> check;
+    check->SetInputData(learned(reversed, vtkConformalSOM::AUTOMATIC, true)->GetOutput());
+    check->Update();
+    EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsInsideOut")->GetTuple1(0), 0.0);
+
+    // Open, or not all of the points: as the points alone.
+    vtkNew<vtkPolyData> cloud, open, more;
+    cloud->SetPoints(closed->GetPoints());
+    open->DeepCopy(closed);
+    fixtures::ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i > 0; });
+    auto alone = learned(cloud, vtkConformalSOM::AUTOMATIC, false);
+    ExpectSamePoints(alone, learned(open, vtkConformalSOM::AUTOMATIC, false));
+    more->DeepCopy(closed);
+    more->GetPointData()->Initialize();
+    more->GetPoints()->InsertNextPoint(closed->GetPoint(0));
+    learned(more, vtkConformalSOM::AUTOMATIC, false);
+  }
+}
+
+// As STL files have it: each triangle with points of its own.
+TEST(ConformalSOM, StartsFromAPolygonSoup)
+{
+  const vtkNew<vtkPolyData> closed = fixtures::Ellipsoid(12);
+  fixtures::TurnOverEvery(3, closed);
+  vtkNew<vtkPolyData> soup;
+  MakeSoup(closed, soup);
+  auto filter = MakeFilter(soup);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  EXPECT_EQ(Figure(filter, "StartedFromMesh"), 1.0);
+  vtkNew<vtkMassProperties> mass, expected;
+  mass->SetInputData(filter->GetOutput());
+  expected->SetInputData(fixtures::Ellipsoid(12));
+  EXPECT_NEAR(mass->GetVolume(), expected->GetVolume(), 0.01 * expected->GetVolume());
+}
+
+// Cells that are no surface of the points: the result is that of the points alone, to the bit.
+TEST(ConformalSOM, CellsMayBeDecoration)
+{
+  auto cloud = MakeCloud(3000);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  normals->SetName("Normals");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    const double* x = cloud->GetPoint(i);
+    normals->InsertNextTuple3((x[0] - 5.0) / 9.0, x[1] / 4.0, x[2]);
+  }
+  cloud->GetPointData()->SetNormals(normals);
+  using Cells = std::vector<std::vector<vtkIdType>>;
+  Cells verts, line(1), few = { { 0, 1, 2 }, { 7, 8, 9, 10 } }, repeated,
+                        missing = { { 0, 1, 3000 } };
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    verts.push_back({ i });
+    line[0].push_back(i);
+    repeated.push_back({ i, i, i });
+  }
+  const auto withCells = [&](const Cells& cells, void (vtkPolyData::*set)(vtkCellArray*))
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->ShallowCopy(cloud);
+    vtkNew<vtkCellArray> array;
+    for (const std::vector<vtkIdType>& ids : cells)
+    {
+      array->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+    (data->*set)(array);
+    return data;
+  };
+  for (const int hull : { vtkConformalSOM::AUTOMATIC, vtkConformalSOM::HULL })
+  {
+    const auto learned = [&](vtkPolyData* input)
+    {
+      auto filter = MakeFilter(input);
+      filter->SetStartingShape(hull);
+      contract::Observed observed(filter);
+      filter->Update();
+      EXPECT_FALSE(observed.Error() || observed.Warning()) << observed.WarningMessage();
+      EXPECT_EQ(Figure(filter, "StartedFromMesh"), 0.0);
+      return filter;
+    };
+    auto alone = learned(cloud);
+    ExpectSamePoints(alone, learned(withCells(verts, &vtkPolyData::SetVerts)));
+    ExpectSamePoints(alone, learned(withCells(line, &vtkPolyData::SetLines)));
+    ExpectSamePoints(alone, learned(withCells(few, &vtkPolyData::SetPolys)));
+    ExpectSamePoints(alone, learned(withCells(repeated, &vtkPolyData::SetStrips)));
+    ExpectSamePoints(alone, learned(withCells(missing, &vtkPolyData::SetPolys)));
+  }
+}
+
+// Of a surface that is open, of genus one, or has unused points, and however its triangles are
+// turned: they tell what is outside, before a normals array does, unless they do not agree.
+TEST(ConformalSOM, TrianglesOrientThePoints)
+{
+  const auto hulled = [](vtkPolyData* input)
+  {
+    auto filter = MakeFilter(input);
+    filter->SetStartingShapeToHull();
+    filter->SetHullIndicatorToWindingNumbers();
+    filter->SetLatticeToAdaptive();
+    filter->SetNumberOfNeurons(642);
+    filter->Update();
+    EXPECT_EQ(Figure(filter, "StartedFromMesh"), 0.0);
+    return filter;
+  };
+  const auto volume = [](vtkAlgorithm* filter)
+  {
+    vtkNew<vtkMassProperties> mass;
+    mass->SetInputConnection(filter->GetOutputPort());
+    return mass->GetVolume();
+  };
+  const vtkNew<vtkPolyData> closed = fixtures::Ellipsoid(16);
+  vtkNew<vtkMassProperties> whole;
+  whole->SetInputData(closed);
+  vtkNew<vtkPolyData> open, turned, unused;
+  open->DeepCopy(closed);
+  fixtures::ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i % 100 > 0; });
+  turned->DeepCopy(open);
+  fixtures::TurnOverEvery(3, turned);
+  unused->DeepCopy(closed);
+  unused->GetPointData()->Initialize();
+  unused->GetPoints()->InsertNextPoint(closed->GetPoint(0));
+  for (vtkPolyData* input : { open.Get(), turned.Get(), unused.Get() })
+  {
+    // Normals that say nothing stand behind the triangles.
+    vtkNew<vtkFloatArray> nonsense;
+    nonsense->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      nonsense->InsertNextTuple3(0.0, 0.0, 1.0);
+    }
+    input->GetPointData()->SetNormals(nonsense);
+    auto filter = hulled(input);
+    EXPECT_EQ(Figure(filter, "NormalsUsed"), 1.0);
+    EXPECT_NEAR(volume(filter), whole->GetVolume(), 0.05 * whole->GetVolume());
+  }
+  // Without a common edge nobody can turn them: the points tell by themselves.
+  fixtures::TurnOverEvery(2, open);
+  vtkNew<vtkPolyData> soup;
+  MakeSoup(open, soup);
+  auto filter = hulled(soup);
+  EXPECT_EQ(Figure(filter, "NormalsUsed"), 0.0);
+  EXPECT_NEAR(volume(filter), whole->GetVolume(), 0.05 * whole->GetVolume());
+}
+
+// Its triangles are no surface to start from.
+TEST(ConformalSOM, ATorusIsLearnedFromItsPoints)
+{
+  constexpr int around = 60, across = 40;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polygons;
+  for (int i = 0; i < around; ++i)
+  {
+    for (int j = 0; j < across; ++j)
+    {
+      const double u = 2.0 * vtkMath::Pi() * i / around, v = 2.0 * vtkMath::Pi() * j / across;
+      const double r = 1.0 + 0.4 * std::cos(v);
+      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v));
+      const int right = (i + 1) % around, up = (j + 1) % across;
+      polygons->InsertNextCell(
+        { i * across + j, right * across + j, right * across + up, i * across + up });
+    }
+  }
+  vtkNew<vtkPolyData> torus;
+  torus->SetPoints(points);
+  torus->SetPolys(polygons);
+  auto filter = MakeFilter(torus);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error());
+  EXPECT_EQ(Figure(filter, "StartedFromMesh"), 0.0);
+  vtkNew<vtkGenusZeroCheck> check;
+  check->SetInputConnection(filter->GetOutputPort());
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("EulerNumber")->GetTuple1(0), 2.0);
+}
+
+TEST(ConformalSOM, SaysWhyItCannotStartFromThePolygons)
+{
+  const auto expectError = [](vtkPolyData* input, const std::string& why)
+  {
+    auto filter = MakeFilter(input);
+    filter->SetStartingShapeToMesh();
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_NE(observed.ErrorMessage().find(why), std::string::npos) << observed.ErrorMessage();
+    ExpectEmpty(filter);
+  };
+  expectError(MakeCloud(1000), "no polygons");
+  const vtkNew<vtkPolyData> open = fixtures::Ellipsoid(8);
+  fixtures::ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i > 0; });
+  expectError(open, "must be closed");
 }
 
 TEST(ConformalSOM, LearnsTheEllipsoidWhereItLies)

@@ -82,6 +82,7 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(vtkConformalSOM::AUTOMATIC, static_cast<int>(StartingShape::Automatic));
   EXPECT_EQ(vtkConformalSOM::SPHERE, static_cast<int>(StartingShape::Sphere));
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
+  EXPECT_EQ(vtkConformalSOM::MESH, static_cast<int>(StartingShape::Mesh));
   EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullIndicator::Distance));
   EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullIndicator::WindingNumbers));
   EXPECT_EQ(vtkConformalSOM::AUTOMATIC_INDICATOR, static_cast<int>(HullIndicator::Automatic));

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   learner->SetFrequency(1 + source.below(3));
   learner->SetTrainingMode(source.below(2));
   learner->SetReferencePoint(source.below(2));
-  learner->SetStartingShape(source.below(3));
+  learner->SetStartingShape(source.below(4));
   learner->SetNumberOfEpochs(source.below(3));
   learner->SetSamplesPerEpoch(1 + source.below(40));
   learner->SetPassesPerLevel(source.below(3));

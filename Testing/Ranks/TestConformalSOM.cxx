@@ -47,7 +47,7 @@ void ExpectSameAsAlone(vtkPolyData* cloud, const Change& change)
     clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
     for (const char* name : { "CloudDimension", "UnsupportedFraction", "UnmetFraction",
            "InvertedFraction", "FoldedFraction", "AreaRatio", "NoiseLevel", "StartedFromHull",
-           "HullIndicator", "NormalsUsed", "NumberOfStarts", "Polished" })
+           "StartedFromMesh", "HullIndicator", "NormalsUsed", "NumberOfStarts", "Polished" })
     {
       clouds::ExpectSameBits(filter->GetOutput()->GetFieldData()->GetArray(name),
         alone->GetOutput()->GetFieldData()->GetArray(name));
@@ -134,6 +134,52 @@ TEST(ConformalSOM, StartsFromTheMeshOfOneRank)
       isAlone || hasMesh ? first->GetOutput() : static_cast<vtkPolyData*>(nothing));
   };
   ExpectSameAsAlone(cloud, start);
+}
+
+TEST(ConformalSOM, StartsFromThePolygonsOfTheRankThatHasAll)
+{
+  auto mesh = clouds::Learned(clouds::Ellipsoid(4000));
+  auto alone = MakeFilter(mesh);
+  alone->SetController(nullptr);
+  alone->SetStartingShapeToAutomatic();
+  alone->Update();
+  EXPECT_EQ(alone->GetOutput()->GetFieldData()->GetArray("StartedFromMesh")->GetTuple1(0), 1.0);
+  const vtkNew<vtkPolyData> nothing;
+  auto filter =
+    MakeFilter(clouds::Rank() + 1 == clouds::NumberOfRanks() ? mesh.Get() : nothing.Get());
+  filter->SetStartingShapeToAutomatic();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("StartedFromMesh")->GetTuple1(0), 1.0);
+  clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
+}
+
+// Nobody has all of the surface: its points are learned alone, and a warning says so.
+TEST(ConformalSOM, PolygonsInPiecesAreNotStartedFrom)
+{
+  auto soup = clouds::Soup(clouds::Learned(clouds::Ellipsoid(4000)));
+  auto alone = MakeFilter(soup); // has no polygons yet
+  alone->SetController(nullptr);
+  alone->SetStartingShapeToAutomatic();
+  alone->Update();
+  std::vector<vtkIdType> ends = clouds::EvenCuts(soup->GetNumberOfPoints() / 3);
+  std::transform(ends.begin(), ends.end(), ends.begin(), [](vtkIdType end) { return 3 * end; });
+  auto part = clouds::OwnPart(soup, ends);
+  clouds::AddSoupTriangles(part);
+  auto filter = MakeFilter(part);
+  filter->SetStartingShapeToAutomatic();
+  contract::Observed observed(filter);
+  filter->Update();
+  const bool inPieces = clouds::NumberOfRanks() > 1;
+  EXPECT_EQ(
+    filter->GetOutput()->GetFieldData()->GetArray("StartedFromMesh")->GetTuple1(0), !inPieces);
+  if (inPieces)
+  {
+    clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
+    EXPECT_EQ(observed.WarningMessage().find("several processes") != std::string::npos,
+      clouds::Rank() == 0);
+    filter->SetStartingShapeToMesh();
+    ExpectErrorEverywhere(filter, "several processes");
+  }
 }
 
 TEST(ConformalSOM, PiecesOfTheOutputMakeTheWhole)

@@ -24,8 +24,9 @@ namespace
 {
 // Measured on scans, 12,962 neurons: more of these cost time and gain nothing. What was learned
 // from the sphere meets the patterns already.
-constexpr int FirstIterations = 6, Iterations = 3;      // of remeshing
-constexpr int TurnsFromSphere = 1, TurnsFromHull = 3;   // of polish and remeshing
+constexpr int FirstIterations = 6, Iterations = 3;    // of remeshing
+constexpr int TurnsFromSphere = 1, TurnsFromHull = 3; // of polish and remeshing
+constexpr int TurnsFromMesh = 1;
 constexpr int RoundsFromSphere = 4, RoundsFromHull = 2; // of a turn of polish
 constexpr Index SamplesOfTurn = 4;                      // in a round, for each neuron
 
@@ -99,6 +100,7 @@ public:
     requireGenusZero(start.Triangles, start.Positions.rows(), run);
     ConformalSOMResult result;
     static_cast<Mesh&>(result) = start;
+    result.FromMesh = true;
     if (signedVolume(result.Positions, result.Triangles) < 0.0)
     {
       result.Triangles.col(1).swap(result.Triangles.col(2));
@@ -256,7 +258,7 @@ void firstPolish(const TrainingSamples& samples, PolishOptions& polishing,
 }
 
 ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const Mesh* start, const Run& run)
+  const Mesh* start, const std::shared_ptr<const TriangleTree>& mesh, const Run& run)
 {
   const Index neurons = options.NumberOfNeurons;
   PolishOptions polishing; // of a turn
@@ -267,6 +269,7 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   polishing.AutomaticPriority = options.AutomaticPriority;
   polishing.SamplesPerRound = std::min<Index>(options.SamplesPerNeuron, SamplesOfTurn) * neurons;
   polishing.RandomSeed = options.RandomSeed;
+  polishing.Guide = mesh;
   PolishOptions last = polishing;
   last.SamplesPerRound = options.SamplesPerNeuron * neurons;
   last.NumberOfRounds = options.NumberOfPolishRounds;
@@ -301,7 +304,7 @@ ConformalSOMResult trainFrom(const TrainingSamples& samples, const ConformalSOMO
   last.Belongs = polishing.Belongs;
   last.Guide = polishing.Guide;
   const double areaAtFirst = surfaceArea(result.Positions, result.Triangles);
-  const int turns = start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
+  const int turns = mesh ? TurnsFromMesh : start || result.Hulled ? TurnsFromHull : TurnsFromSphere;
   steps.replan(workFrom(static_cast<double>(result.Positions.rows()), turns));
 
   remesh(result, remeshingTo(neurons, FirstIterations), steps.next());
@@ -345,12 +348,12 @@ bool isBad(const ConformalSOMResult& result, const TrainingSamples& samples)
 }
 
 ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const Mesh* start, const Run& run)
+  const Mesh* start, std::shared_ptr<const TriangleTree> mesh, const Run& run)
 {
   // Webs in deep folds show only when the surface is polished, and so does most of what is wrong
   // with a start; then it is learned anew. That is rare, and little of the progress is kept for it.
   constexpr double webs = 0.001, share = 0.95;
-  ConformalSOMResult best = trainFrom(samples, options, start, run.part(0.0, share));
+  ConformalSOMResult best = trainFrom(samples, options, start, mesh, run.part(0.0, share));
   if (start || samples.dimension() < 3)
   {
     return best;
@@ -363,7 +366,7 @@ ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const Conformal
     ConformalSOMOptions hulled = options;
     hulled.StartingShape = StartingShape::Hull;
     hulled.HullIndicator = indicator;
-    ConformalSOMResult next = trainFrom(samples, hulled, nullptr, run.part(begin, end));
+    ConformalSOMResult next = trainFrom(samples, hulled, nullptr, nullptr, run.part(begin, end));
     begin = end;
     tried = next.Indicator;
     const int starts = best.NumberOfStarts + 1;

@@ -8,6 +8,9 @@
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
 #include "Mesh/Mesh.h"
+#include "Search/TriangleTree.h"
+
+#include <memory>
 
 namespace conformal
 {
@@ -40,11 +43,13 @@ namespace conformal
 ///
 /// @param[in] start  may be null: a closed genus-zero mesh near the samples, in their unit, that
 ///                   replaces sphere and hull. Only its surface counts, not its triangles.
+/// @param[in] mesh   may be null: the start, if it has the samples as its vertices. It is the guide
+///                   of the polish then (LeastSquaresPolish.h), and one turn is enough.
 /// @throws std::invalid_argument if the start is not of genus zero
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
 ConformalSOMResult trainAdaptive(const TrainingSamples& samples, const ConformalSOMOptions& options,
-  const Mesh* start, const Run& run);
+  const Mesh* start, std::shared_ptr<const TriangleTree> mesh, const Run& run);
 }
 
 #endif

@@ -331,6 +331,21 @@ double hullReserve(const ConformalSOMResult& result, const std::vector<double>& 
   return std::min(ofHull, ofSphere * (stretched > closeToLimit ? ifPossible : ifUnlikely));
 }
 
+/// A hull or mesh is near all of the surface, and at first at one distance.
+constexpr double OutlierRatioFromSurface = 4.0;
+
+constexpr double SmoothnessFromMesh = 0.05; ///< at first: nothing is rough
+
+ConformalSOMResult placedNetwork(int frequency, const NeuronPlaces& place, const Run& run)
+{
+  ConformalSOMResult result;
+  Mesh network = makeGeodesicSphere(frequency, run.unwatched());
+  result.Positions = place(network.Positions);
+  result.SpherePositions = std::move(network.Positions);
+  result.Triangles = std::move(network.Triangles);
+  return result;
+}
+
 /// From a start that is rough, from smooth to fine.
 /// @param[in] hull  what the weights come from; may be null
 ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hull,
@@ -345,7 +360,7 @@ ConformalSOMResult polishFrom(Points weights, double noise, const HullStart* hul
   PolishOptions polish = polishFor(options, noise);
   polish.NumberOfRounds *= 2;
   polish.Evenness = 1.0;
-  polish.OutlierRatio = 4.0; // the hull is near all of the surface, and at first at one distance
+  polish.OutlierRatio = OutlierRatioFromSurface;
   polish.FirstSmoothness = std::max(polish.LastSmoothness, 0.2);
   if (hull)
   {
@@ -361,6 +376,64 @@ ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples
   const ConformalSOMOptions& options, const Run& run)
 {
   return polishFrom(std::move(weights), 0.0, nullptr, samples, options, run);
+}
+
+ConformalSOMResult trainBatchFromMesh(const NeuronPlaces& place, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, std::shared_ptr<const TriangleTree> mesh, const Run& run)
+{
+  // Half of the rounds tell how much noise there is, beside those of a lattice of half the
+  // frequency; the others smooth it.
+  PolishOptions polishing = polishFor(options, 0.0);
+  polishing.Guide = std::move(mesh);
+  polishing.Evenness = 1.0;
+  polishing.OutlierRatio = OutlierRatioFromSurface;
+  polishing.FirstSmoothness = std::max(polishing.LastSmoothness, SmoothnessFromMesh);
+  const int rounds = polishing.NumberOfRounds;
+  polishing.NumberOfRounds = rounds / 2;
+  const double half = workOfPolish(samples, polishing, geodesicSphereSize(options.Frequency));
+  Steps steps(run, { 0.35 * half, half, 0.1 * half, half });
+
+  double errors[2] = {}; // of the coarser lattice and of this one
+  double areaAtFirst = 0.0;
+  const bool measures = polishing.NumberOfRounds > 0 && options.Frequency / 2 >= CoarsestFrequency;
+  const auto polished = [&](int frequency, Index patterns)
+  {
+    ConformalSOMResult result = placedNetwork(frequency, place, run);
+    areaAtFirst = surfaceArea(result.Positions, result.Triangles);
+    polishing.SamplesPerRound = patterns;
+    polish(samples, polishing, result, steps.next());
+    return result;
+  };
+  const auto error = [&](const ConformalSOMResult& result)
+  {
+    return typicalSquareError(
+      samples, result.Positions, result.Triangles, polishing.SamplesPerRound, run.unwatched());
+  };
+  const Index patterns = polishing.SamplesPerRound;
+  if (measures)
+  {
+    errors[0] = error(polished(options.Frequency / 2, patterns / 4));
+  }
+  else
+  {
+    steps.next();
+  }
+  ConformalSOMResult result = polished(options.Frequency, patterns);
+  steps.next();
+  if (measures)
+  {
+    errors[1] = error(result);
+    result.NoiseToDetail = noiseToDetail(errors[0], errors[1]);
+    result.Noise = std::sqrt(noiseVariance(errors[0], errors[1]));
+  }
+  PolishOptions last = polishFor(options, result.NoiseToDetail);
+  last.NumberOfRounds = rounds - rounds / 2;
+  last.Guide = polishing.Guide;
+  last.Evenness = polishing.Evenness;
+  last.OutlierRatio = polishing.OutlierRatio;
+  polishAndCheck(samples, last, result, steps.next());
+  result.AreaRatio = surfaceArea(result.Positions, result.Triangles) / areaAtFirst;
+  return result;
 }
 
 std::optional<ConformalSOMResult> learnWithoutPolish(

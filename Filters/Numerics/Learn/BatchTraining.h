@@ -7,7 +7,10 @@
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/Training.h"
+#include "Search/TriangleTree.h"
 
+#include <functional>
+#include <memory>
 #include <optional>
 
 namespace conformal
@@ -37,6 +40,15 @@ double workWithoutPolish(const TrainingSamples& samples, const ConformalSOMOptio
 /// From weights given, in the samples' unit: polished only, from smooth to fine.
 ConformalSOMResult trainBatchFrom(Points weights, const TrainingSamples& samples,
   const ConformalSOMOptions& options, const Run& run);
+
+/// Where neurons lie on a surface, in the samples' unit: #N by 3 for #N by 3 directions.
+using NeuronPlaces = std::function<Points(const Points&)>;
+
+/// From a surface that has the samples as its vertices: polished only, with the surface as its
+/// guide (LeastSquaresPolish.h), and smoothed as the noise asks that shows beside a coarser
+/// lattice.
+ConformalSOMResult trainBatchFromMesh(const NeuronPlaces& place, const TrainingSamples& samples,
+  const ConformalSOMOptions& options, std::shared_ptr<const TriangleTree> mesh, const Run& run);
 }
 
 #endif

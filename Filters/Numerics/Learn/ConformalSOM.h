@@ -24,7 +24,12 @@ namespace conformal
 ///
 /// @param[in] samples   at least one pattern
 /// @param[in] start     may be null: the surface learning starts from, resampled at the neurons'
-///                      positions. Batch training then goes straight to the polish.
+///                      positions. Batch training then goes straight to the polish. Without sphere
+///                      positions it is a closed mesh of genus zero, counter-clockwise seen from
+///                      outside, with the samples as its vertices, for Batch only. It is mapped to
+///                      the sphere here where that is needed. Where that fails, and where the
+///                      result is bad (SurfaceVerdict.h), StartingShape Automatic tries the other
+///                      starts and keeps the best result.
 /// @throws std::invalid_argument if there are no samples or an option is out of range
 /// @throws Aborted
 /// @post the result depends only on the arguments: same input, same bits, any number of threads;

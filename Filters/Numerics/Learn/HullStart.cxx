@@ -1,21 +1,16 @@
 #include "Learn/HullStart.h"
 
-#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
-#include "Mesh/MeshDecimation.h"
+#include "Learn/SurfaceStart.h"
 #include "Sphere/Resampling.h"
-#include "SphereMap/ProgressiveSphereMap.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace conformal
 {
 namespace
 {
-constexpr Index HullVertices = 12000; // more do not show in the learned surface
-
 // Finer than the hull's default: pockets such as the hollow of an ear fold less often when the
 // surface is drawn into them. Measured: 0.016 is faster by a third, 0.010 no better.
 constexpr double FinestSpacing = 0.012;
@@ -27,8 +22,7 @@ constexpr double TypicalArea = 5.0;
 // More of the sphere for limbs, or better angles: measured, a middle.
 constexpr double Balance = 0.18;
 
-// In nanoseconds as in Steps: of thinning for each vertex, of the map, of the hull.
-constexpr double WorkOfThinning = 10000.0, WorkOfMap = 800e6;
+constexpr double WorkOfResampling = 15e6; // in nanoseconds as in Steps
 }
 
 double hullSpacing(const TrainingSamples& samples, HullIndicator indicator, double minimumSpacing)
@@ -72,8 +66,7 @@ GenusZeroHullResult makeHull(
 double workOfHullStart(const TrainingSamples& samples, HullIndicator indicator)
 {
   const double spacing = hullSpacing(samples, indicator);
-  return workOfHull(samples, spacing, indicator) + WorkOfThinning * verticesOfHull(spacing) +
-    WorkOfMap;
+  return workOfHull(samples, spacing, indicator) + workOfThinAndMap(verticesOfHull(spacing));
 }
 
 std::optional<HullStart> startFromHull(
@@ -84,24 +77,16 @@ std::optional<HullStart> startFromHull(
   Steps steps(run, { ofHull, workOfHullStart(samples, indicator) - ofHull });
   const GenusZeroHullResult hull = makeHull(samples, 0.0, indicator, steps.next());
   const auto size = static_cast<double>(hull.Positions.rows());
-  steps.replan({ WorkOfThinning * size, WorkOfMap, 15e6 });
-  const DecimatedMesh thinned = decimate(hull, HullVertices, steps.next());
-  ProgressiveSphereMapOptions mapOptions;
-  mapOptions.AreaBalance = Balance;
-  ProgressiveSphereMapResult map;
-  try
-  {
-    map = mapToSphere(thinned, mapOptions, steps.next());
-  }
-  catch (const NumericalFailure&)
+  steps.replan({ workOfThinAndMap(size), WorkOfResampling });
+  const std::optional<MappedMesh> mapped = thinAndMap(hull, Balance, steps.next());
+  if (!mapped)
   {
     return {};
   }
-
   steps.next();
   HullStart start;
-  start.Positions =
-    resample(map.Positions, thinned.Positions, thinned.Triangles, directions, run.unwatched());
+  start.Positions = resample(
+    mapped->SpherePositions, mapped->Positions, mapped->Triangles, directions, run.unwatched());
   start.Data = hull.Data;
   if (hull.Indicator == HullIndicator::WindingNumbers)
   {

@@ -43,8 +43,7 @@ struct HullStart
   Index NumberOfSamplesOutside = 0;
 };
 
-/// The hull thinned, mapped to the sphere without folds and resampled at
-/// the directions of a grid.
+/// The hull thinned, mapped to the sphere without folds and resampled at the directions of a grid.
 /// @param[in] directions  #N by 3 unit vectors
 /// @return nothing if the hull cannot be mapped: it winds so much that the sphere has no room for
 /// it

@@ -24,13 +24,14 @@ enum class ReferencePoint
   Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
 };
 
-/// Where batch learning may start, if no mesh is given.
+/// Where batch learning may start. Automatic takes a mesh that is given.
 enum class StartingShape
 {
   Automatic, ///< the sphere; if the surface then spans parts without patterns, or more than a
              ///< fifth of its triangles is obtuse, the hull
   Sphere,    ///< always the unit sphere, as in the paper
-  Hull       ///< always a closed hull of the points, mapped to the sphere
+  Hull,      ///< always a closed hull of the points, mapped to the sphere
+  Mesh       ///< always the mesh given
 };
 
 /// What the network is.
@@ -98,6 +99,7 @@ struct ConformalSOMResult : MappedMesh
 
   // Batch training: what it saw on its way.
   bool Hulled = false;                               ///< whether it started from a hull
+  bool FromMesh = false;                             ///< whether it started from the mesh given
   HullIndicator Indicator = HullIndicator::Distance; ///< of the hull, what was used
   bool NormalsUsed = false;                          ///< of the samples, for the hull
   int NumberOfStarts = 1;   ///< that were tried; this is the best of the results

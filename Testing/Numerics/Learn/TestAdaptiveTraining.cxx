@@ -665,7 +665,7 @@ TEST(AdaptiveTraining, GoesOnOverAHoleByWindingNumbers)
   const auto volumeBy = [&](conformal::HullIndicator indicator)
   {
     options.HullIndicator = indicator;
-    const ConformalSOMResult result = trainAdaptive(samples, options, nullptr, {});
+    const ConformalSOMResult result = trainAdaptive(samples, options, nullptr, nullptr, {});
     EXPECT_TRUE(conformal::checkGenusZero(result.Triangles, result.Positions.rows()).isGenusZero());
     return conformal::signedVolume(result.Positions, result.Triangles) *
       std::pow(samples.scale(), 3);

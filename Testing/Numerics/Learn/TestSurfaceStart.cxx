@@ -1,0 +1,237 @@
+#include "Learn/SurfaceStart.h"
+
+#include "Learn/ConformalSOM.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Sphere/SphereCoverage.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+using conformal::ConformalSOMOptions;
+using conformal::ConformalSOMResult;
+using conformal::Index;
+using conformal::Lattice;
+using conformal::MappedMesh;
+using conformal::Mesh;
+using conformal::StartingShape;
+using conformal::TrainingSamples;
+using conformal::Vector3;
+
+namespace
+{
+const double Pi = std::acos(-1.0);
+constexpr double Inner = 0.93, Opening = 0.15; // of the radius, of half a turn
+
+// A spherical shell with an opening, whose wall is thinner than its vertices lie apart: of those
+// alone nobody can tell that the hollow is outside.
+Mesh jar(int frequency)
+{
+  Mesh mesh = conformal::makeGeodesicSphere(frequency);
+  for (Index i = 0; i < mesh.Positions.rows(); ++i)
+  {
+    const Vector3 n = mesh.Positions.row(i);
+    const double polar = std::acos(std::clamp(n[2], -1.0, 1.0)), around = std::atan2(n[1], n[0]);
+    const double along = 1.0 - std::abs(1.0 - 2.0 * polar / Pi); // 0 at the poles, 1 at the rim
+    const double angle = (1.0 - Opening) * Pi * along;
+    const double inwards = std::clamp(20.0 * (polar / Pi - 0.5), -0.5, 0.5) + 0.5;
+    mesh.Positions.row(i) = (1.0 - (1.0 - Inner) * inwards) *
+      Vector3(
+        std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle));
+  }
+  return mesh;
+}
+
+/// A cube of two triangles a side.
+Mesh box()
+{
+  Mesh mesh;
+  mesh.Positions.resize(8, 3);
+  for (int i = 0; i < 8; ++i)
+  {
+    mesh.Positions.row(i) << 2 * (i & 1) - 1, (i & 2) - 1, (i & 4) / 2 - 1;
+  }
+  mesh.Triangles.resize(12, 3);
+  mesh.Triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2,
+    2, 4, 6, 1, 3, 5, 3, 7, 5;
+  return mesh;
+}
+
+double volumeOfJar()
+{
+  const double solidAngle = 2.0 * Pi * (1.0 - std::cos((1.0 - Opening) * Pi));
+  return solidAngle * (1.0 - std::pow(Inner, 3)) / 3.0;
+}
+
+ConformalSOMOptions optionsFor(Lattice lattice)
+{
+  ConformalSOMOptions options;
+  options.Lattice = lattice;
+  options.Frequency = 12;
+  options.NumberOfNeurons = 1442;
+  return options;
+}
+
+double volumeOf(const ConformalSOMResult& result)
+{
+  return conformal::signedVolume(result.Positions, result.Triangles);
+}
+}
+
+TEST(SurfaceStart, MapsOneToOneWhatItThins)
+{
+  const Mesh surface = jar(36); // 12,962 vertices
+  const std::optional<MappedMesh> mapped = conformal::thinAndMap(surface, 0.35, {});
+  ASSERT_TRUE(mapped.has_value());
+  EXPECT_EQ(mapped->Positions.rows(), 12000);
+  EXPECT_TRUE(conformal::checkGenusZero(mapped->Triangles, 12000).isGenusZero());
+  const conformal::SphereCoverage coverage =
+    conformal::measureSphereCoverage(mapped->SpherePositions, mapped->Triangles);
+  EXPECT_EQ(coverage.NumberOfFolds, 0);
+  EXPECT_EQ(coverage.Degree, 1);
+  EXPECT_NEAR(conformal::signedVolume(mapped->Positions, mapped->Triangles), volumeOfJar(), 0.1);
+}
+
+TEST(SurfaceStart, LearningFollowsTheMesh)
+{
+  const Mesh surface = jar(14);
+  const MappedMesh start{ surface, {} };
+  const TrainingSamples samples{ conformal::PointView(surface.Positions) };
+  for (const Lattice lattice : { Lattice::Geodesic, Lattice::Adaptive })
+  {
+    const ConformalSOMResult result = trainConformalSOM(samples, optionsFor(lattice), &start);
+    EXPECT_TRUE(result.FromMesh);
+    EXPECT_FALSE(result.Hulled);
+    EXPECT_EQ(result.NumberOfStarts, 1);
+    EXPECT_LE(conformal::badness(result.Verdict), 1.0);
+    EXPECT_NEAR(volumeOf(result), volumeOfJar(), 0.05 * volumeOfJar());
+    EXPECT_GT(result.Positions.rowwise().norm().minCoeff(), Inner - 0.03);
+    EXPECT_LT(result.Positions.rowwise().norm().maxCoeff(), 1.03);
+  }
+}
+
+// If they did, the test above would show nothing.
+TEST(SurfaceStart, VerticesAloneDoNotTell)
+{
+  const Mesh surface = jar(14);
+  const TrainingSamples samples{ conformal::PointView(surface.Positions) };
+  ConformalSOMOptions options = optionsFor(Lattice::Adaptive);
+  options.NumberOfNeurons = 1002;
+  const ConformalSOMResult alone = trainConformalSOM(samples, options);
+  EXPECT_FALSE(alone.FromMesh);
+  EXPECT_GT(volumeOf(alone), 2.0 * volumeOfJar());
+}
+
+// Vertices of a sphere under other numbers: closed and of genus zero, but no surface of the points.
+void expectAnotherStart(Lattice lattice)
+{
+  const Mesh sphere = conformal::makeGeodesicSphere(6);
+  MappedMesh start{ sphere, {} };
+  const Index size = sphere.Positions.rows();
+  for (Index i = 0; i < size; ++i)
+  {
+    start.Positions.row(i) =
+      sphere.Positions.row(i * 41 % size); // 41 and 362 have no factor in common
+  }
+  const TrainingSamples samples{ conformal::PointView(start.Positions) };
+  ConformalSOMOptions options = optionsFor(lattice);
+  options.Frequency = 6;
+  options.NumberOfNeurons = 362;
+  const ConformalSOMResult result = trainConformalSOM(samples, options, &start);
+  EXPECT_FALSE(result.FromMesh);
+  EXPECT_GT(result.NumberOfStarts, 1);
+  EXPECT_LE(conformal::badness(result.Verdict), 1.0);
+  EXPECT_NEAR(volumeOf(result), 4.0 / 3.0 * Pi, 0.05 * 4.0 / 3.0 * Pi);
+  // Asked for by name it is judged only.
+  options.StartingShape = StartingShape::Mesh;
+  const ConformalSOMResult kept = trainConformalSOM(samples, options, &start);
+  EXPECT_TRUE(kept.FromMesh);
+  EXPECT_EQ(kept.NumberOfStarts, 1);
+  EXPECT_GT(conformal::badness(kept.Verdict), 1.0);
+}
+
+TEST(SurfaceStart, AnotherStartIsTakenWhereTheMeshIsBadOnAnAdaptiveLattice)
+{
+  expectAnotherStart(Lattice::Adaptive);
+}
+
+TEST(SurfaceStart, AnotherStartIsTakenWhereTheMeshIsBadOnAGeodesicLattice)
+{
+  expectAnotherStart(Lattice::Geodesic);
+}
+
+TEST(SurfaceStart, TrianglesSayWhatLiesBetweenSparseVertices)
+{
+  const MappedMesh start{ box(), {} };
+  const TrainingSamples samples{ conformal::PointView(start.Positions) };
+  for (const Lattice lattice : { Lattice::Geodesic, Lattice::Adaptive })
+  {
+    const ConformalSOMResult result = trainConformalSOM(samples, optionsFor(lattice), &start);
+    EXPECT_TRUE(result.FromMesh);
+    EXPECT_EQ(result.UnsupportedFraction, 0.0);
+    EXPECT_NEAR(volumeOf(result), 8.0, 0.05);
+    EXPECT_NEAR(conformal::surfaceArea(result.Positions, result.Triangles), 24.0, 0.2);
+    EXPECT_NEAR(result.Positions.cwiseAbs().maxCoeff(), 1.0, 0.02);
+  }
+}
+
+TEST(SurfaceStart, SpreadsPointsEvenly)
+{
+  const Mesh surface = box();
+  EXPECT_EQ(conformal::withPointsBetween(surface, 11).rows(), 8); // 12 triangles, all as large
+  const conformal::Points points = conformal::withPointsBetween(surface, 1201);
+  ASSERT_EQ(points.rows(), 8 + 12 * 100);
+  EXPECT_EQ(points.topRows(8), surface.Positions);
+  EXPECT_NEAR(points.colwise().mean().norm(), 0.0, 1e-12);
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    EXPECT_NEAR(points.row(i).cwiseAbs().maxCoeff(), 1.0, 1e-12);
+  }
+}
+
+// What half of the rounds leave of the vertices is noise if a coarser lattice leaves no more.
+TEST(SurfaceStart, FindsTheNoiseOfTheMesh)
+{
+  const auto noiseToDetail = [](double noise)
+  {
+    Mesh surface = conformal::makeGeodesicSphere(20);
+    for (Index i = 0; i < surface.Positions.rows(); ++i)
+    {
+      const Vector3 n = surface.Positions.row(i);
+      const double bump = 0.1 * std::sin(7.0 * n[0]) * std::sin(7.0 * n[1]);
+      const double error = noise * std::sin(1e4 * (n[0] + 0.7 * n[1])); // no two alike
+      surface.Positions.row(i) *= 1.0 + bump + error;
+    }
+    const MappedMesh start{ surface, {} };
+    ConformalSOMOptions options = optionsFor(Lattice::Geodesic);
+    options.Frequency = 6;
+    return trainConformalSOM(
+      TrainingSamples{ conformal::PointView(surface.Positions) }, options, &start)
+      .NoiseToDetail;
+  };
+  EXPECT_LT(noiseToDetail(0.0), 0.5);
+  EXPECT_GT(noiseToDetail(0.02), 2.0);
+}
+
+TEST(SurfaceStart, AsksForTheMeshWhereItMustStartFromIt)
+{
+  const Mesh surface = jar(10);
+  MappedMesh start{ surface, {} };
+  const TrainingSamples samples{ conformal::PointView(surface.Positions) };
+  ConformalSOMOptions options = optionsFor(Lattice::Adaptive);
+  options.StartingShape = StartingShape::Mesh;
+  EXPECT_THROW(trainConformalSOM(samples, options), std::invalid_argument);
+  EXPECT_TRUE(trainConformalSOM(samples, options, &start).FromMesh);
+  // Online learning has no use for a mesh without a map.
+  options.Lattice = Lattice::Geodesic;
+  options.TrainingMode = conformal::TrainingMode::Online;
+  EXPECT_THROW(trainConformalSOM(samples, options, &start), std::invalid_argument);
+  options.TrainingMode = conformal::TrainingMode::Batch;
+  start.Triangles.conservativeResize(start.Triangles.rows() - 1, 3); // open
+  EXPECT_THROW(trainConformalSOM(samples, options, &start), std::invalid_argument);
+}
