@@ -427,6 +427,7 @@ int vtkConformalSOM::RequestData(
       vtkConformalConversions::SetSurface(surface, result.Positions, result.Triangles, frame);
       vtkConformalConversions::AddVectors(surface->GetPointData(),
         vtkConformalConversions::SpherePositionName(), result.SpherePositions);
+      vtkConformalConversions::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
       const conformal::Run measuring = steps.next();
       if (measuresErrors)
       {

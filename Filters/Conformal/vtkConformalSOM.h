@@ -16,6 +16,8 @@
  * - point array "SpherePosition" (double, 3 components): where each point lies on the unit sphere,
  *   as SphereMap says: the neuron's position vector n_i, or its place in a conformal map of the
  * mesh.
+ * - point array "Supported" (double, 1 component): 1 where the input has points nearby, falling to
+ * 0 over what nobody saw, as the lid over a hole. vtkCurvedSeamlessSurface carries it on.
  * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
  *   square distance between a neuron and the input points it stands for.
  * - field data "CloudDimension" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a

@@ -5,6 +5,7 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/TriangleSubdivision.h"
 #include "Mesh/VertexNormals.h"
+#include "Sphere/Resampling.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessConversions.h"
@@ -154,6 +155,41 @@ void FillGaps(VectorMap normals, const VectorMap& directions)
     });
 }
 
+constexpr const char* SupportName = "Supported";
+
+// Isolated points are not part of the network; then nobody knows whose numbers are whose.
+bool HasSupport(vtkPolyData* mesh, const conformal::CurvedSeamlessSurface& network)
+{
+  vtkDataArray* support = mesh->GetPointData()->GetArray(SupportName);
+  return support && support->GetNumberOfComponents() == 1 &&
+    support->GetNumberOfTuples() == network.sphere().rows();
+}
+
+// Which parts of the surface have points nearby, interpolated from the mesh.
+std::vector<double> SupportAt(
+  const VectorMap& directions, vtkPolyData* mesh, const conformal::CurvedSeamlessSurface& network)
+{
+  std::vector<double> shares(directions.rows());
+  if (shares.empty())
+  {
+    return shares;
+  }
+  vtkDataArray* support = mesh->GetPointData()->GetArray(SupportName);
+  conformal::Points values = conformal::Points::Zero(network.sphere().rows(), 3);
+  for (conformal::Index i = 0; i < values.rows(); ++i)
+  {
+    const double value = support->GetComponent(i, 0);
+    values(i, 0) = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
+  }
+  const conformal::Points fine = conformal::resample(
+    network.sphere(), values, network.triangles(), directions, vtkConformalConversions::SMPRun());
+  for (conformal::Index i = 0; i < fine.rows(); ++i)
+  {
+    shares[i] = std::clamp(fine(i, 0), 0.0, 1.0);
+  }
+  return shares;
+}
+
 // The triangles of which a test is true.
 vtkNew<vtkUnsignedCharArray> DegenerateCells(
   conformal::Index size, const std::function<bool(conformal::Index)>& isDegenerate)
@@ -278,7 +314,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       // What is large is let go as soon as the output has it.
       const conformal::Run making = steps.next();
       conformal::Mesh dense;
-      if (processes.rank() == owner)
+      const bool isOwner = processes.rank() == owner;
+      if (isOwner)
       {
         dense = cuts > 0 ? conformal::subdividedNetwork(map->Surface, cuts, making)
                          : DenseSphere(sphere, frequency, making);
@@ -329,6 +366,11 @@ int vtkCurvedSeamlessSurface::RequestData(
       result->SetPoints(points);
       result->GetPointData()->AddArray(directions);
       result->GetPointData()->SetNormals(normals);
+      if (processes.firstWith(isOwner && HasSupport(surface, map->Surface)) >= 0)
+      {
+        vtkConformalConversions::AddNumbers(result->GetPointData(), SupportName,
+          SupportAt(ViewOf(directions), surface, map->Surface));
+      }
       result->GetCellData()->AddArray(DegenerateCells(dense.Triangles.rows(),
         [&](conformal::Index r) -> bool
         {

@@ -25,6 +25,7 @@
  * of the normals of the triangles around each point, weighted by area. Where there is none it is
  * the normal of the flat triangle the point comes from, or if that is degenerate its
  * SpherePosition.
+ * - point array "Supported" (double, 1 component), if port 0 has it, interpolated.
  * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
  *   degenerate triangle of port 0; with Sampling NETWORK in those that are cut from one.
  * - field array "NumberOfDegeneratePatches" (vtkIdType): of the triangles of port 0, how many

@@ -156,6 +156,8 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
     ExpectMesh(filter);
     contract::ExpectArray(
       filter->GetOutput()->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 362);
+    contract::ExpectArray(filter->GetOutput()->GetPointData(), "Supported", VTK_DOUBLE, 1, 362);
+    EXPECT_GT(filter->GetOutput()->GetPointData()->GetArray("Supported")->GetRange()[0], 0.9);
     contract::ExpectArray(filter->GetOutput()->GetFieldData(), "CloudDimension", -1, 1, 1);
     EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("CloudDimension")->GetTuple1(0), 3.0);
     contract::ExpectArray(

@@ -943,3 +943,42 @@ TEST_F(CurvedSeamlessSurface, IsolatedPointsAreDropped)
   vtkPolyData* output = this->ExpectDone(surface, "1 points that belong to no triangle");
   EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }
+
+// A number for each vertex of the mesh is one for each point of the surface, linear between.
+TEST_F(CurvedSeamlessSurface, CarriesSupportOn)
+{
+  const vtkNew<vtkPolyData> mesh = fixtures::Ellipsoid(6);
+  vtkNew<vtkDoubleArray> support;
+  support->SetName("Supported");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    support->InsertNextValue(mesh->GetPoint(i)[2] > 0.0 ? 0.0 : 1.0);
+  }
+  for (const int sampling :
+    { vtkCurvedSeamlessSurface::NETWORK, vtkCurvedSeamlessSurface::DIRECTIONS })
+  {
+    vtkNew<vtkCurvedSeamlessSurface> filter;
+    filter->SetInputData(mesh);
+    filter->SetSampling(sampling);
+    filter->SetFrequency(12);
+    mesh->GetPointData()->RemoveArray("Supported");
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("Supported"), nullptr);
+    mesh->GetPointData()->AddArray(support);
+    mesh->Modified();
+    filter->Update();
+    vtkPolyData* surface = filter->GetOutput();
+    contract::ExpectArray(
+      surface->GetPointData(), "Supported", VTK_DOUBLE, 1, surface->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const double z = surface->GetPoint(i)[2];
+      const double value = surface->GetPointData()->GetArray("Supported")->GetTuple1(i);
+      if (std::abs(z) > 0.3)
+      {
+        ASSERT_NEAR(value, z > 0.0 ? 0.0 : 1.0, 1e-12) << z;
+      }
+      ASSERT_TRUE(value >= 0.0 && value <= 1.0);
+    }
+  }
+}

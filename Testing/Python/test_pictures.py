@@ -7,6 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkClipPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
@@ -240,6 +241,44 @@ class TestPictures(unittest.TestCase):
         actor.GetMapper().UseLookupTableScalarRangeOn()
         actor.GetMapper().SetLookupTable(colors)
         self.expect_actor("SurfaceMismatch", actor)
+
+    def test_what_nobody_saw(self):
+        """The bear without a part of its back: the scan, where it supports the surface, and the rest cut off."""
+        points = vtk_to_numpy(self.scan.GetPoints().GetData())
+        back = points[points[:, 2].argmin()]
+        seen = vtkPolyData()
+        seen.SetPoints(vtkPoints())
+        kept = points[np.linalg.norm(points - back, axis=1) > 0.45 * np.ptp(points[:, 0])]
+        seen.GetPoints().SetData(numpy_to_vtk(kept, deep=True))
+        network = vtkConformalSOM()
+        network.SetInputData(seen)
+        surface = vtkCurvedSeamlessSurface()
+        surface.SetInputConnection(network.GetOutputPort())
+        surface.SetFrequency(72)
+        surface.Update()
+        support = surface.GetOutput().GetPointData().GetArray("Supported").GetRange()
+        self.assertEqual(support, (0.0, 1.0))
+        surface.GetOutput().GetPointData().SetActiveScalars("Supported")
+        colors = vtkLookupTable()
+        colors.SetHueRange(0.04, 0.12)
+        colors.SetSaturationRange(0.8, 0.1)
+        colors.SetValueRange(0.8, 0.95)
+        colors.SetTableRange(0.0, 1.0)
+        colors.Build()
+        colored = pictures.actor_of(surface.GetOutput())
+        colored.GetMapper().ScalarVisibilityOn()
+        colored.GetMapper().UseLookupTableScalarRangeOn()
+        colored.GetMapper().SetLookupTable(colors)
+        cut = vtkClipPolyData()
+        cut.SetInputConnection(surface.GetOutputPort())
+        cut.SetValue(0.5)
+        cut.Update()
+        camera = lambda: self.camera(215)
+        behind = (np.sin(np.radians(215)), 0, np.cos(np.radians(215)))
+        self.expect_row("Supported", (
+            pictures.scene(pictures.cloud_actor(seen, behind), "Scan, from behind", camera()),
+            pictures.scene(colored, "Supported", camera()),
+            pictures.scene(pictures.actor_of(cut.GetOutput()), "At least 0.5", camera())))
 
     def test_checkerboard_by_the_conformal_map(self):
         self.expect_actor(

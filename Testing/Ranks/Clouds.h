@@ -96,6 +96,24 @@ inline vtkSmartPointer<vtkPolyData> Horseshoe(vtkIdType size)
     });
 }
 
+/// A cloud of which nobody has seen what lies high.
+inline vtkSmartPointer<vtkPolyData> WithoutTop(vtkPolyData* cloud)
+{
+  constexpr double top = 0.5;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    if (cloud->GetPoint(i)[2] < top)
+    {
+      points->InsertNextPoint(cloud->GetPoint(i));
+    }
+  }
+  auto seen = vtkSmartPointer<vtkPolyData>::New();
+  seen->SetPoints(points);
+  return seen;
+}
+
 inline void AddPriorities(vtkPolyData* cloud)
 {
   vtkNew<vtkDoubleArray> array;

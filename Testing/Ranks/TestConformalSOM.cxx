@@ -182,6 +182,19 @@ TEST(ConformalSOM, PolygonsInPiecesAreNotStartedFrom)
   }
 }
 
+TEST(ConformalSOM, WhatNobodySawIsMarkedOnAnyNumberOfRanks)
+{
+  auto cloud = clouds::WithoutTop(clouds::Ellipsoid(6000));
+  auto alone = MakeFilter(cloud);
+  alone->SetController(nullptr);
+  alone->Update();
+  double range[2];
+  alone->GetOutput()->GetPointData()->GetArray("Supported")->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(range[1], 1.0);
+  ExpectSameAsAlone(cloud, [](vtkConformalSOM*) {}); // all point arrays
+}
+
 TEST(ConformalSOM, PiecesOfTheOutputMakeTheWhole)
 {
   auto cloud = clouds::Ellipsoid(4000);

@@ -66,6 +66,35 @@ TEST(CurvedSeamlessSurface, IsFittedToTheCloudOfAllRanks)
   }
 }
 
+TEST(CurvedSeamlessSurface, CarriesSupportOnOnAnyNumberOfRanks)
+{
+  auto cloud = clouds::WithoutTop(clouds::Ellipsoid(Size));
+  auto mesh = clouds::Learned(cloud);
+  auto alone = MakeFilter(mesh, cloud);
+  alone->SetController(nullptr);
+  alone->Update();
+  double range[2];
+  alone->GetOutput()->GetPointData()->GetArray("Supported")->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(range[1], 1.0);
+  const vtkNew<vtkPolyData> nothing;
+  const bool isLast = clouds::Rank() + 1 == clouds::NumberOfRanks();
+  auto filter = MakeFilter(isLast ? mesh.Get() : static_cast<vtkPolyData*>(nothing),
+    clouds::OwnPart(cloud, clouds::EvenCuts(cloud->GetNumberOfPoints())));
+  filter->Update();
+  // The mesh is on the last rank, and so is the surface.
+  vtkDataArray* own = filter->GetOutput()->GetPointData()->GetArray("Supported");
+  ASSERT_NE(own, nullptr);
+  if (isLast)
+  {
+    clouds::ExpectSameBits(own, alone->GetOutput()->GetPointData()->GetArray("Supported"));
+  }
+  else
+  {
+    EXPECT_EQ(own->GetNumberOfTuples(), 0);
+  }
+}
+
 TEST(CurvedSeamlessSurface, OtherDomesAreThoseOfEachRank)
 {
   auto mesh = clouds::Learned(clouds::Ellipsoid(2000 + 500 * clouds::Rank()));

@@ -7,6 +7,7 @@
 #include "Learn/BatchTraining.h"
 #include "Learn/OnlineTraining.h"
 #include "Learn/SurfaceStart.h"
+#include "Learn/SurfaceSupport.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/VertexNormals.h"
 #include "Search/TriangleTree.h"
@@ -227,13 +228,15 @@ ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
 ConformalSOMResult learn(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const MappedMesh* start, const Run& run)
 {
-  ConformalSOMResult result =
-    (isAdaptive(options) ? trainAdaptiveFrom : trainGeodesic)(samples, options, start, run);
+  Steps steps(run, { workOfLearning(options), workOfSupport(numberOfNeurons(options)) });
+  ConformalSOMResult result = (isAdaptive(options) ? trainAdaptiveFrom : trainGeodesic)(
+    samples, options, start, steps.next());
   if (!isAdaptive(options) && options.TrainingMode == TrainingMode::Batch)
   {
     result.Verdict =
       judgeSurface(samples, result.Positions, result.Triangles, result.Noise, run.unwatched());
   }
+  result.Supported = supportOfVertices(samples, result.Positions, result.Triangles, steps.next());
   return result;
 }
 

@@ -3,7 +3,10 @@
 #include "Cloud/SampleRotation.h"
 #include "Search/PointTree.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 
 namespace conformal
 {
@@ -174,6 +177,113 @@ double unsupportedFraction(const TrainingSamples& samples, const Points& positio
     ? 0.0
     : areaFraction(positions, triangles,
         farFromPatterns(positions, bare, selection(samples, PatternsPerNeuron * positions.rows())));
+}
+
+namespace
+{
+/// How far apart patterns are around one of them, in any direction along the surface.
+class PatternSpacing
+{
+public:
+  explicit PatternSpacing(const Points& patterns)
+    : Patterns(patterns)
+    , Tree(patterns)
+  {
+  }
+
+  Neighbor nearest(const Vector3& place) const { return this->Tree.nearest(place); }
+
+  double at(Index pattern, std::vector<Neighbor>& around) const
+  {
+    // On a scan line the nearest ones are all on it: more of them, until some are beside.
+    constexpr int fewest = 6, most = 6 * 4 * 4 * 2, growth = 4;
+    constexpr double flattest = 0.03; // of the widths' squares
+    const Vector3 place = this->Patterns.row(pattern);
+    double spacing = 0.0;
+    for (int count = fewest; count <= most; count *= growth)
+    {
+      this->Tree.nearest(place, count + 1, around);
+      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+      for (const Neighbor& neighbor : around)
+      {
+        const Vector3 way = Vector3(this->Patterns.row(neighbor.Id)) - place;
+        spread += way * way.transpose();
+      }
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+      axes.computeDirect(spread, Eigen::EigenvaluesOnly);
+      spacing = std::sqrt(around.back().SquareDistance);
+      if (axes.eigenvalues()[1] >= flattest * axes.eigenvalues()[2])
+      {
+        break;
+      }
+    }
+    return spacing;
+  }
+
+private:
+  const Points& Patterns;
+  PointTree Tree;
+};
+
+/// 1 at 0, 0 at 1 and beyond, with slopes of 0 there.
+double fall(double x)
+{
+  const double t = std::clamp(x, 0.0, 1.0);
+  return 1.0 - t * t * (3.0 - 2.0 * t);
+}
+}
+
+std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, const Run& run)
+{
+  constexpr double near = 2.0, far = 4.0; // spacings
+  constexpr double widest = 4.0;          // a spacing, of typical ones: an outlier's are not
+  constexpr int smoothings = 2;
+  constexpr Index blockSize = 256;
+  const Index size = positions.rows();
+  const Points patterns = selection(samples, PatternsPerNeuron * size);
+  const PatternSpacing spacing(patterns);
+  std::vector<double> distances(size), spacings(size), support(size), smoother(size);
+  forBlocksReporting(run, size, blockSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> around;
+      for (Index i = begin; i < end; ++i)
+      {
+        const Neighbor nearest = spacing.nearest(positions.row(i));
+        distances[i] = std::sqrt(nearest.SquareDistance);
+        spacings[i] = spacing.at(nearest.Id, around);
+      }
+    });
+  std::vector<double> sorted = spacings;
+  std::nth_element(sorted.begin(), sorted.begin() + size / 2, sorted.end());
+  const double limit = widest * sorted[size / 2];
+  for (Index i = 0; i < size; ++i)
+  {
+    const double unit = std::min(spacings[i], limit);
+    support[i] =
+      unit > 0.0 ? fall((distances[i] / unit - near) / (far - near)) : double(distances[i] == 0.0);
+  }
+  const Adjacency neighbors = vertexNeighbors(triangles, size);
+  for (int pass = 0; pass < smoothings; ++pass)
+  {
+    for (Index i = 0; i < size; ++i)
+    {
+      double sum = support[i];
+      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+      {
+        sum += support[*j];
+      }
+      smoother[i] = sum / (1.0 + neighbors.size(i));
+    }
+    support.swap(smoother);
+  }
+  return support;
+}
+
+double workOfSupport(Index numberOfVertices)
+{
+  return 12000.0 * static_cast<double>(numberOfVertices);
 }
 
 double obtuseFraction(const Points& positions, const Triangles& triangles)

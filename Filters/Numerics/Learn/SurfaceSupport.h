@@ -3,6 +3,7 @@
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Cloud/TrainingSamples.h"
 #include "Mesh/MeshTopology.h"
@@ -51,6 +52,19 @@ double areaFraction(
 /// @param[in] masses  as of unsupportedVertices()
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);
+
+/// How far each vertex has patterns nearby: 1 where the nearest lies no farther than twice the
+/// spacing of those around it, 0 where it lies farther than four times, smooth between and over the
+/// mesh. The spacing is that across scan lines too. The same on all processes.
+/// @param[in] positions  #V by 3, in the samples' unit
+/// @param[in] triangles  #F by 3
+/// @return #V values in [0, 1]
+/// @throws Aborted
+std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, const Run& run = {});
+
+/// What supportOfVertices() takes, in nanoseconds as in Steps.
+double workOfSupport(Index numberOfVertices);
 
 /// Share of the triangles that have an angle of more than a right one: a lattice of nearly
 /// equilateral triangles that has been stretched over limbs and edges shows in it.

@@ -96,6 +96,7 @@ struct TrainingRecord
 struct ConformalSOMResult : MappedMesh
 {
   std::vector<TrainingRecord> History;
+  std::vector<double> Supported; ///< #N, in [0, 1]: see supportOfVertices()
 
   // Batch training: what it saw on its way.
   bool Hulled = false;                               ///< whether it started from a hull

@@ -199,7 +199,7 @@ TEST(SurfaceStart, FindsTheNoiseOfTheMesh)
 {
   const auto noiseToDetail = [](double noise)
   {
-    Mesh surface = conformal::makeGeodesicSphere(20);
+    Mesh surface = conformal::makeGeodesicSphere(22);
     for (Index i = 0; i < surface.Positions.rows(); ++i)
     {
       const Vector3 n = surface.Positions.row(i);
@@ -209,7 +209,7 @@ TEST(SurfaceStart, FindsTheNoiseOfTheMesh)
     }
     const MappedMesh start{ surface, {} };
     ConformalSOMOptions options = optionsFor(Lattice::Geodesic);
-    options.Frequency = 6;
+    options.Frequency = 8;
     return trainConformalSOM(
       TrainingSamples{ conformal::PointView(surface.Positions) }, options, &start)
       .NoiseToDetail;
