@@ -108,7 +108,7 @@ bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
 // not to be used. StartingShape Automatic takes them if they are a surface of all samples.
 conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool must,
   const conformal::TrainingSamples& samples, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes)
+  vtkConformalConversions::Processes& processes, const conformal::Run& run)
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
   const conformal::Reduce reduce = processes.reduce();
@@ -132,7 +132,7 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
   {
     if (must)
     {
-      const auto closed = vtkConformalConversions::ToClosedMesh(self, surface, frame);
+      const auto closed = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
       static_cast<conformal::Mesh&>(own) = closed;
       if (closed.InsideOut)
       {
@@ -141,7 +141,8 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
     }
     else if (samples.dimension() == 3 && surface->GetNumberOfPoints() == samples.totalSize())
     {
-      static_cast<conformal::Mesh&>(own) = vtkConformalConversions::ToMeshIfClosed(surface, frame);
+      static_cast<conformal::Mesh&>(own) =
+        vtkConformalConversions::ToMeshIfClosed(surface, frame, run);
     }
   }
   return vtkConformalConversions::GatherMesh(reduce, own);
@@ -381,12 +382,19 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
-      // Reading, learning, errors, the output.
+      // Reading, normals and mesh of the polygons, learning, errors, the output.
+      const bool hasTriangles =
+        vtkConformalConversions::HasTriangles(vtkPolyData::SafeDownCast(input));
+      const double polygons = hasTriangles ? size : 0.0;
+      const auto learningFrom = [&](double vertices)
+      { return conformal::workOfConformalSOM(options) + 5000.0 * vertices; };
+      const double ofErrors = measuresErrors ? 450.0 * size : 0.0, ofOutput = 10.0 * neurons;
       conformal::Steps steps(processes.run(),
-        { 40.0 * size, conformal::workOfConformalSOM(options), measuresErrors ? 450.0 * size : 0.0,
-          10.0 * neurons });
+        { 40.0 * size, 600.0 * polygons, 1000.0 * polygons, learningFrom(polygons), ofErrors,
+          ofOutput });
       conformal::TrainingSamples samples(points, priorities,
         vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
+      steps.next();
       vtkConformalConversions::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
         options.HullIndicator != conformal::HullIndicator::Distance)
@@ -407,6 +415,7 @@ int vtkConformalSOM::RequestData(
         return;
       }
       conformal::MappedMesh mesh;
+      const conformal::Run meshing = steps.next();
       if (start)
       {
         mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
@@ -414,9 +423,11 @@ int vtkConformalSOM::RequestData(
       else if (MayStartFromMesh(options))
       {
         mesh = OwnMesh(this, input, options.StartingShape == conformal::StartingShape::Mesh,
-          samples, frame, processes);
+          samples, frame, processes, meshing);
       }
       const bool hasMesh = mesh.Positions.rows() > 0;
+      steps.replan({ learningFrom(start ? 0.0 : static_cast<double>(mesh.Positions.rows())),
+        ofErrors, ofOutput });
       const conformal::ConformalSOMResult result =
         conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
       if (processes.isFirst())

@@ -291,7 +291,8 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 }
 
 //------------------------------------------------------------------------------
-conformal::Mesh ToMeshIfClosed(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+conformal::Mesh ToMeshIfClosed(
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
   if (!HasCellIds(surface))
   {
@@ -301,7 +302,8 @@ conformal::Mesh ToMeshIfClosed(vtkPolyData* surface, const conformal::Coordinate
   mesh.Triangles = ToTriangles(surface);
   const conformal::Points points = ToPoints(surface->GetPoints(), frame);
   conformal::GenusZeroReport report;
-  if (!points.allFinite() || Repair(points, mesh, report).Isolated > 0 || !report.isGenusZero())
+  if (!points.allFinite() || Repair(points, mesh, report, run).Isolated > 0 ||
+    !report.isGenusZero())
   {
     return {};
   }

@@ -50,7 +50,8 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 /// A surface that ToClosedMesh() would take, each of its points of a triangle, as a mesh
 /// counter-clockwise seen from outside; an empty one for another surface, also where a cell names a
 /// point that is not there. It warns of nothing.
-conformal::Mesh ToMeshIfClosed(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
+conformal::Mesh ToMeshIfClosed(
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".

@@ -184,15 +184,18 @@ TEST(ConformalSOM, PolygonsInPiecesAreNotStartedFrom)
 
 TEST(ConformalSOM, WhatNobodySawIsMarkedOnAnyNumberOfRanks)
 {
-  auto cloud = clouds::WithoutTop(clouds::Ellipsoid(6000));
+  auto whole = clouds::Ellipsoid(6000), cloud = clouds::WithoutTop(whole);
+  auto start = clouds::Learned(whole); // goes on over what is missing
+  const Change change = [&](vtkConformalSOM* filter) { filter->SetStartData(start); };
   auto alone = MakeFilter(cloud);
+  change(alone);
   alone->SetController(nullptr);
   alone->Update();
   double range[2];
   alone->GetOutput()->GetPointData()->GetArray("Supported")->GetRange(range);
-  EXPECT_EQ(range[0], 0.0);
+  EXPECT_LT(range[0], 0.1);
   EXPECT_EQ(range[1], 1.0);
-  ExpectSameAsAlone(cloud, [](vtkConformalSOM*) {}); // all point arrays
+  ExpectSameAsAlone(cloud, change); // all point arrays
 }
 
 TEST(ConformalSOM, PiecesOfTheOutputMakeTheWhole)

@@ -217,9 +217,11 @@ ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
     return trainAdaptive(samples, options, nullptr, nullptr, run);
   }
   const Mesh own = normalized(*start, samples);
-  Steps steps(run, { 1.0, 60.0 });
-  const Run growing = steps.next();
   const bool isOfSamples = start->SpherePositions.rows() == 0;
+  Steps steps(run,
+    { isOfSamples ? WorkOfTree * static_cast<double>(own.Positions.rows()) : 0.0,
+      workOfLearning(options) });
+  const Run growing = steps.next();
   return trainAdaptive(
     samples, options, &own, isOfSamples ? treeOf(own, growing) : nullptr, steps.next());
 }
