@@ -31,7 +31,7 @@
  * than half a turn, though not by a whole one.
  *
  * @sa
- * vtkSphericalAlignment vtkSphericalResample vtkSphericalTextureMap
+ * vtkSphericalAlignment vtkConsistentRemesh vtkSphericalResample vtkSphericalTextureMap
  */
 
 #ifndef vtkSphericalMorph_h

@@ -7,6 +7,7 @@
 #include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYWriter.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkFreeSurferWriter.h"
 #include "vtkGIFTIWriter.h"
@@ -127,6 +128,10 @@ inline std::vector<Case> Filters()
     { "vtkConformalDistortion", Maker<vtkConformalDistortion>(), { s } },
     { "vtkConformalSOM",
       Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetFrequency(3); }), { s, s } },
+    { "vtkConsistentRemesh",
+      Maker<vtkConsistentRemesh>(
+        [](vtkConsistentRemesh* filter) { filter->SetNumberOfPoints(500); }),
+      { s } },
     { "vtkCurvedSeamlessSurface",
       Maker<vtkCurvedSeamlessSurface>(
         [](vtkCurvedSeamlessSurface* filter) { filter->SetDomeHeightToFitted(); }),

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
@@ -22,6 +23,7 @@
 #include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
@@ -198,6 +200,17 @@ Results Run(
       EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::POINT), 0);
       EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::ROW), 0);
       continue;
+    }
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output))
+    {
+      for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+      {
+        auto* block = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+        const std::string name = "Block" + std::to_string(i);
+        Gather(results, name, block->GetPoints()->GetData(), { name }, areas);
+        Gather(results, name + "p2s", block->GetFieldData()->GetArray("MeanSquarePointToSurface"),
+          lengths, areas);
+      }
     }
     if (auto* points = vtkPointSet::SafeDownCast(output))
     {
@@ -491,6 +504,23 @@ std::vector<Case> Cases()
         return Run(filter);
       } });
   }
+  cases.push_back({ "RemeshesAlike",
+    [](double scale)
+    {
+      const Surface other = Mesh(scale, 5);
+      for (vtkIdType i = 0; i < other->GetNumberOfPoints(); ++i)
+      {
+        double p[3];
+        other->GetPoint(i, p);
+        other->GetPoints()->SetPoint(i, p[0], p[1], 0.75 * p[2]);
+      }
+      vtkNew<vtkConsistentRemesh> filter;
+      filter->AddInputDataObject(Mesh(scale, 7));
+      filter->AddInputDataObject(other);
+      filter->SetLatticeToGeodesic();
+      filter->SetFrequency(6);
+      return Run(filter, { "ShapeMode1" });
+    } });
   cases.push_back({ "MeasuresDistortion",
     [](double scale)
     {

@@ -4,6 +4,7 @@
 #include "MeshFixtures.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroHull.h"
@@ -19,6 +20,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 
 #include <cmath>
@@ -160,6 +162,15 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   vtkNew<vtkSphericalAlignment> alignment;
   alignment->SetInputData(1, Scaled(1.0, 4));
   add("alignment", alignment, ofPoints("SpherePosition"));
+  vtkNew<vtkConsistentRemesh> remesh;
+  remesh->SetLatticeToGeodesic();
+  remesh->SetFrequency(5);
+  add("remesh", remesh,
+    [](vtkDataObject* output)
+    {
+      vtkDataObject* block = vtkMultiBlockDataSet::SafeDownCast(output)->GetBlock(0);
+      return Written(block->GetAttributesAsFieldData(vtkDataObject::POINT), "SpherePosition");
+    });
   vtkNew<vtkSphericalMorph> morph;
   morph->SetTargetData(Scaled(1.0, 4));
   morph->SetLatticeToGeodesic();

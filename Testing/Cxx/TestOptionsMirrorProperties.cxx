@@ -6,6 +6,7 @@
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
 #include "Register/ConsistentRemesh.h"
+#include "Register/ShapeModes.h"
 #include "Register/SphericalMorph.h"
 #include "Register/SphericalResample.h"
 #include "Sphere/AdaptiveSphere.h"
@@ -18,6 +19,7 @@
 #include "vtkAdaptiveSphere.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
@@ -103,6 +105,29 @@ TEST(OptionsMirrorProperties, ConformalPLYReader)
   const conformal::PLYOptions options;
   vtkNew<vtkConformalPLYReader> reader;
   EXPECT_EQ(reader->GetMaximumEdgeLength(), options.MaximumEdgeLength);
+}
+
+TEST(OptionsMirrorProperties, ConsistentRemesh)
+{
+  const conformal::ConsistentRemeshOptions remesh;
+  const conformal::ShapeModesOptions options;
+  vtkNew<vtkConsistentRemesh> filter;
+  EXPECT_EQ(filter->GetLattice(), static_cast<int>(remesh.Lattice));
+  EXPECT_EQ(filter->GetFrequency(), remesh.Frequency);
+  EXPECT_EQ(filter->GetNumberOfPoints(), remesh.NumberOfPoints);
+  EXPECT_EQ(filter->GetAlignment(), static_cast<int>(options.Alignment));
+  EXPECT_EQ(filter->GetNumberOfModes(), options.NumberOfModes);
+  EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
+  using Limits = conformal::AdaptiveSphereLimits;
+  EXPECT_EQ(filter->GetNumberOfPointsMinValue(), Limits::MinimumPoints);
+  EXPECT_EQ(filter->GetNumberOfPointsMaxValue(), Limits::MaximumPoints);
+  using conformal::RemeshLattice;
+  using conformal::ShapeAlignment;
+  EXPECT_EQ(vtkConsistentRemesh::GEODESIC, static_cast<int>(RemeshLattice::Geodesic));
+  EXPECT_EQ(vtkConsistentRemesh::ADAPTIVE, static_cast<int>(RemeshLattice::Adaptive));
+  EXPECT_EQ(vtkConsistentRemesh::NONE, static_cast<int>(ShapeAlignment::None));
+  EXPECT_EQ(vtkConsistentRemesh::RIGID, static_cast<int>(ShapeAlignment::Rigid));
+  EXPECT_EQ(vtkConsistentRemesh::SIMILARITY, static_cast<int>(ShapeAlignment::Similarity));
 }
 
 TEST(OptionsMirrorProperties, StanfordScansReader)

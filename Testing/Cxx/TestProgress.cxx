@@ -22,6 +22,7 @@
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
@@ -508,6 +509,29 @@ TEST(Progress, OfTheAdaptiveSphere)
         sphere->SetImageData(picture);
         wants(40000, Sphere::IMAGE)(sphere);
       }));
+}
+
+TEST(Progress, OfTheConsistentRemesh)
+{
+  using Remesh = vtkConsistentRemesh;
+  const auto of = [](std::vector<vtkSmartPointer<vtkPolyData>> others, int lattice)
+  {
+    return [=](Remesh* remesh)
+    {
+      for (vtkPolyData* other : others)
+      {
+        remesh->AddInputDataObject(other);
+      }
+      remesh->SetLattice(lattice);
+    };
+  };
+  const auto head = Colored(Head(50)), limbs = Colored(Limbs(60)), fine = Colored(Head(120));
+  for (const int lattice : { Remesh::GEODESIC, Remesh::ADAPTIVE })
+  {
+    const std::string name = "ConsistentRemesh " + std::to_string(lattice);
+    ExpectEven(name, Of<Remesh>(head, of({ limbs, head, limbs }, lattice)));
+    ExpectEven(name + ", fine meshes", Of<Remesh>(fine, of({ fine }, lattice)));
+  }
 }
 
 TEST(Progress, OfTheMorph)

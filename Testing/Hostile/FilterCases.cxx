@@ -4,6 +4,7 @@
 #include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
+#include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
@@ -493,6 +494,31 @@ std::vector<SetUp> Morphs()
       true } };
 }
 
+std::vector<SetUp> Remeshes()
+{
+  using F = vtkConsistentRemesh;
+  const auto with = [](int lattice)
+  {
+    return [=](F* f, vtkPolyData* good)
+    {
+      f->AddInputDataObject(good);
+      f->SetLattice(lattice);
+      f->SetFrequency(6);
+      f->SetNumberOfPoints(500);
+    };
+  };
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  SetUp geodesic = { "vtkConsistentRemesh", "Geodesic", true, On<F>(with(F::GEODESIC)), reads,
+    false, true };
+  geodesic.Properties = { Integer("Lattice", &F::SetLattice),
+    Integer("Frequency", &F::SetFrequency), Integer("Alignment", &F::SetAlignment),
+    Integer("NumberOfModes", &F::SetNumberOfModes) };
+  SetUp adaptive = { "vtkConsistentRemesh", "Adaptive", true, On<F>(with(F::ADAPTIVE)), reads,
+    false, true };
+  adaptive.Properties = { Integer("NumberOfPoints", &F::SetNumberOfPoints) };
+  return { geodesic, adaptive };
+}
+
 std::vector<SetUp> Resamplings()
 {
   using F = vtkSphericalResample;
@@ -615,7 +641,7 @@ std::vector<Case> FilterCases()
   std::vector<Case> all;
   for (const std::vector<SetUp>& setUps :
     { Learners(), Hulls(), Maps(), CurvedSurfaces(), AdaptiveSpheres(), TextureMaps(),
-      TextureImages(), Alignments(), Morphs(), Resamplings(), Measures(), { Blend() } })
+      TextureImages(), Alignments(), Morphs(), Remeshes(), Resamplings(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

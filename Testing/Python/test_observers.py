@@ -9,12 +9,12 @@ import unittest
 
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 import numpy as np
 
 import conformalsom
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
     vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
@@ -105,6 +105,7 @@ FILTERS = {
         vtkSphericalTextureImage, surface(), ArrayName="Normals", ImageSize=(200, 200)),
     "image of a source": lambda: with_inputs(
         vtkSphericalTextureImage, surface(), surface(20), ImageSize=(100, 100)),
+    "remesh": lambda: with_inputs(vtkConsistentRemesh, surface(), NumberOfPoints=1000),
     "morph": lambda: with_inputs(vtkSphericalMorph, surface(), surface(20, 0.3), NumberOfPoints=2000, Path=1),
     "resampling": lambda: with_inputs(vtkSphericalResample, surface(), surface(30), MaskArrayName="Weights"),
     "texture": lambda: with_inputs(vtkSphericalTextureMap, surface(60)),
@@ -116,8 +117,11 @@ FILTERS = {
 def arrays_of(algorithm):
     """All that the outputs hold, by name."""
     found = {}
-    for port in range(algorithm.GetNumberOfOutputPorts()):
-        data = algorithm.GetOutputDataObject(port)
+    outputs = [(port, algorithm.GetOutputDataObject(port))
+               for port in range(algorithm.GetNumberOfOutputPorts())]
+    outputs += [((port, block), data.GetBlock(block)) for port, data in outputs
+                if isinstance(data, vtkMultiBlockDataSet) for block in range(data.GetNumberOfBlocks())]
+    for port, data in outputs:
         groups = {"field": data.GetFieldData()}
         if isinstance(data, vtkDataSet):
             groups.update(points=data.GetPointData(), cells=data.GetCellData())

@@ -14,7 +14,7 @@ import conformalsom
 from helpers.builtin_figure import bear, figure_cloud
 from helpers.textures import checkerboard
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
@@ -106,7 +106,13 @@ def beside_the_chain(stages):
     morph.SetTargetConnection(stages["vtkConformalSOM"].GetOutputPort())
     morph.SetNumberOfPoints(1000)
     morph.Update()
-    return {filter_.GetClassName(): filter_ for filter_ in (check, blend, adaptive, morph, resample)}
+    remesh = vtkConsistentRemesh()
+    remesh.AddInputConnection(stages["vtkCurvedSeamlessSurface"].GetOutputPort())
+    remesh.AddInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    remesh.SetNumberOfPoints(1000)
+    remesh.Update()
+    filters = (check, blend, adaptive, morph, remesh, resample)
+    return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 
 PLY = """ply
@@ -228,6 +234,9 @@ NAMES_OF_FILES = {"confidence", "flags", "label", "Column5"}
 
 def arrays_of(output, port=0):
     """All arrays of an output: pairs of the place as Pipeline.md calls it, and the array."""
+    if output.IsA("vtkMultiBlockDataSet"):
+        return [pair for block in range(output.GetNumberOfBlocks())
+                for pair in arrays_of(output.GetBlock(block), port)]
     if output.IsA("vtkTable"):
         places = {f"port {port}": output.GetRowData()}
     elif output.IsA("vtkImageData"):
