@@ -272,6 +272,6 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
 double workOfMorph(double numberOfPoints, double numberOfShapes, MorphPath path)
 {
   return numberOfPoints *
-    (path == MorphPath::Rigid ? 7200.0 + 3000.0 * numberOfShapes : 20.0 * numberOfShapes);
+    (path == MorphPath::Rigid ? 3000.0 + 1500.0 * numberOfShapes : 20.0 * numberOfShapes);
 }
 }
