@@ -16,12 +16,15 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from conformalsom import vtkConformalDistortion, vtkConformalSOM, vtkSurfaceMismatch
+from conformalsom import (
+    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch)
 
 from helpers import builtin_figure, scan_files
 
 LATTICES = ("Geodesic", "Adaptive")
 COLUMNS = ("p2s", "s2p", "web %", "Hausdorff", "folds", "angle", "obtuse %", "K")
+CUTS = (2, 3, 4)
+OF_SURFACE = ("CSS p2s", "CSS s2p") + tuple(f"k = {k}" for k in CUTS)
 
 
 def triangulated(model):
@@ -108,7 +111,36 @@ def measured(mesh, model):
         fold_fraction(mesh), angle, 100.0 * obtuse, figure(distortion, "MeanQuasiConformalError"))))
 
 
-def compared(model, frequency=36, count=40000, noise=0.0):
+def surface_over(mesh, cuts=0):
+    """The curved seamless surface over a mesh: its default, or every triangle cut into cuts x cuts."""
+    surface = vtkCurvedSeamlessSurface()
+    surface.SetInputData(mesh)
+    if cuts:
+        surface.SetSamplingToNetwork()
+        surface.SetSubdivisions(cuts)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def distances(surface, model):
+    """p2s and s2p."""
+    mismatch = vtkSurfaceMismatch()
+    mismatch.SetInputData(0, surface)
+    mismatch.SetInputData(1, model)
+    mismatch.Update()
+    data = mismatch.GetOutput().GetFieldData()
+    return [data.GetArray(name).GetValue(0) for name in
+            ("MeanSquarePointToSurface", "MeanSquareSurfaceToPoint")]
+
+
+def measured_surfaces(mesh, model):
+    """The columns of the surfaces over a mesh by name."""
+    of_mesh = distances(mesh, model)[0]
+    return dict(zip(OF_SURFACE, distances(surface_over(mesh), model) + [
+        distances(surface_over(mesh, k), model)[0] / of_mesh for k in CUTS]))
+
+
+def compared(model, frequency=36, count=40000, noise=0.0, surfaces=False):
     """The columns of both lattices, and the ratio of the seconds of Adaptive and Geodesic."""
     model = triangulated(model)
     cloud = spread(model, count, noise)
@@ -116,6 +148,8 @@ def compared(model, frequency=36, count=40000, noise=0.0):
     for lattice in LATTICES:
         mesh, taken = learned(cloud, lattice, frequency)
         rows[lattice] = measured(mesh, model)
+        if surfaces:
+            rows[lattice].update(measured_surfaces(mesh, model))
         seconds.append(taken)
     return rows, seconds[1] / seconds[0]
 
@@ -131,6 +165,8 @@ def main():
     parser.add_argument("--noise", type=float, default=0.0,
                         help="of the points: standard deviation along each axis, as a share of the "
                              "model's largest radius; default 0")
+    parser.add_argument("--surfaces", action="store_true",
+                        help="also measure the curved seamless surface over each mesh")
     args = parser.parse_args()
     if not 0.0 <= args.noise < 1.0:
         parser.error("--noise must be at least 0 and less than 1")
@@ -139,10 +175,10 @@ def main():
         reader = scan_files.scan_reader(path)
         reader.Update()
         models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
-    columns = COLUMNS + (("of noise",) if args.noise > 0.0 else ())
+    columns = COLUMNS + (OF_SURFACE if args.surfaces else ()) + (("of noise",) if args.noise > 0.0 else ())
     print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in columns))
     for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():
-        rows, ratio = compared(model, args.frequency, args.points, args.noise)
+        rows, ratio = compared(model, args.frequency, args.points, args.noise, args.surfaces)
         for lattice, row in rows.items():
             if args.noise > 0.0:
                 row["of noise"] = np.sqrt(row["p2s"]) / args.noise
@@ -150,7 +186,8 @@ def main():
         print(f"{'':<24}Adaptive takes {ratio:.2f} of Geodesic's time")
     print("Lengths: the model's largest radius is 1. p2s, s2p: mean square distances of the model's\n"
           "vertices to the mesh, and of the mesh to the model. angle: mean smallest, in degrees. K: of\n"
-          "the conformal map, 1 if angles are kept. of noise: the root of p2s, as a share of the noise.")
+          "the conformal map, 1 if angles are kept. of noise: the root of p2s, as a share of the noise.\n"
+          "CSS: of the surface over the mesh; k: p2s over the mesh's, each triangle cut into k x k.")
 
 
 if __name__ == "__main__":

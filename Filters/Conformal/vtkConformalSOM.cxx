@@ -4,6 +4,7 @@
 #include "Learn/ConformalSOM.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Surface/VertexShift.h"
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
@@ -382,16 +383,21 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
-      // Reading, normals and mesh of the polygons, learning, errors, the output.
+      // Reading, normals and mesh of the polygons, learning, errors, the vertex shift, the
+      // output.
       const bool hasTriangles =
         vtkConformalConversions::HasTriangles(vtkPolyData::SafeDownCast(input));
       const double polygons = hasTriangles ? size : 0.0;
       const auto learningFrom = [&](double vertices)
       { return conformal::workOfConformalSOM(options) + 5000.0 * vertices; };
       const double ofErrors = measuresErrors ? 450.0 * size : 0.0, ofOutput = 10.0 * neurons;
+      const bool polished =
+        options.TrainingMode != conformal::TrainingMode::Online && options.NumberOfPolishRounds > 0;
+      const double ofShift =
+        polished ? conformal::workOfVertexShift(static_cast<conformal::Index>(neurons)) : 0.0;
       conformal::Steps steps(processes.run(),
         { 40.0 * size, 600.0 * polygons, 1000.0 * polygons, learningFrom(polygons), ofErrors,
-          ofOutput });
+          ofShift, ofOutput });
       conformal::TrainingSamples samples(points, priorities,
         vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
       steps.next();
@@ -427,7 +433,7 @@ int vtkConformalSOM::RequestData(
       }
       const bool hasMesh = mesh.Positions.rows() > 0;
       steps.replan({ learningFrom(start ? 0.0 : static_cast<double>(mesh.Positions.rows())),
-        ofErrors, ofOutput });
+        ofErrors, ofShift, ofOutput });
       const conformal::ConformalSOMResult result =
         conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
       if (processes.isFirst())
@@ -445,10 +451,14 @@ int vtkConformalSOM::RequestData(
         vtkConformalConversions::AddLengths(surface->GetPointData(), "QuantizationError",
           conformal::quantizationErrors(samples, result, measuring), frame);
       }
-      steps.next();
-      const bool polished =
-        options.TrainingMode != conformal::TrainingMode::Online && options.NumberOfPolishRounds > 0;
+      const conformal::Run shifting = steps.next();
       AddFigures(surface->GetFieldData(), samples, result, polished, frame);
+      if (polished)
+      {
+        vtkConformalConversions::AddNumber(surface->GetFieldData(), "VertexShift",
+          conformal::vertexShift(result, samples, shifting));
+      }
+      steps.next();
       vtkConformalConversions::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);
       FillHistory(history, processes.isFirst() ? result.History : Records());

@@ -38,6 +38,29 @@ int PolishedOf(vtkFieldData* data)
   return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
 }
 
+double VertexShiftOf(
+  const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkFieldData* data)
+{
+  if (!(properties.VertexShift < 0.0))
+  {
+    return properties.VertexShift;
+  }
+  vtkAbstractArray* array = data->GetAbstractArray("VertexShift");
+  if (!array)
+  {
+    return conformal::UsualVertexShift;
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  const double shift =
+    numbers && numbers->GetNumberOfTuples() > 0 ? numbers->GetComponent(0, 0) : -1.0;
+  if (!(shift >= 0.0 && shift <= conformal::MaximumVertexShift))
+  {
+    throw std::invalid_argument("the field array VertexShift of the surface holds no number from 0 "
+                                "to 2. Give it one, or remove it, or set VertexShift.");
+  }
+  return shift;
+}
+
 // With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
 bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& properties,
   vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
@@ -48,7 +71,7 @@ bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& propert
     polished = PolishedOf(surface->GetFieldData());
   }
   const bool isUsed = properties.Options.DomeHeight >= conformal::DomeHeight::Curvature &&
-    properties.Options.VertexShift > 0.0;
+    properties.VertexShift != 0.0;
   if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
     (conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()) ||
       conformal::hasEvenTriangles(mesh)))
@@ -91,10 +114,13 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   const bool isAlone = processes.size() == 1;
   Model model;
   model.Options = properties.Options;
-  if (isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank())
+  const bool tells =
+    isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank();
+  if (tells)
   {
     auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
     model.Options.Polished = IsPolished(properties, self, surface, mesh);
+    model.Options.VertexShift = VertexShiftOf(properties, surface->GetFieldData());
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Positions = std::move(mesh.Positions);
     model.Triangles = std::move(mesh.Triangles);
@@ -104,6 +130,9 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
     static_cast<conformal::MappedMesh&>(model) =
       vtkConformalConversions::GatherMesh(processes.reduce(), model);
     model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
+    const std::vector<double> own(tells ? 1 : 0, model.Options.VertexShift);
+    const std::vector<double> shift = conformal::gather(processes.reduce(), own);
+    model.Options.VertexShift = shift.empty() ? conformal::UsualVertexShift : shift.front();
   }
   return model;
 }
@@ -133,10 +162,10 @@ CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map)
   conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
   options.SeamMode = static_cast<conformal::SeamMode>(map->GetSeamMode());
   options.DomeHeight = static_cast<conformal::DomeHeight>(map->GetDomeHeight());
-  options.VertexShift = map->GetVertexShift();
   options.Fit.NumberOfFitRounds = map->GetNumberOfFitRounds();
   options.Fit.FitSmoothness = map->GetFitSmoothness();
   properties.Polished = map->GetPolished();
+  properties.VertexShift = map->GetVertexShift();
   return properties;
 }
 

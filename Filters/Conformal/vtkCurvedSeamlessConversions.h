@@ -19,8 +19,9 @@ class Processes;
 /// What a user has set of a map.
 struct CurvedSeamlessProperties
 {
-  conformal::CurvedSeamlessSurfaceOptions Options; ///< but Polished
+  conformal::CurvedSeamlessSurfaceOptions Options; ///< but Polished and VertexShift
   int Polished = 0;                                ///< vtkCurvedSeamlessMap::GetPolished()
+  double VertexShift = 0.0;                        ///< vtkCurvedSeamlessMap::GetVertexShift()
 };
 
 CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map);

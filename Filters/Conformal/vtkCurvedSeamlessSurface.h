@@ -185,8 +185,8 @@ public:
 
   ///@{
   /**
-   * How far the vertices of a mesh polished by least squares are moved, in [0, 1]. Default is 0.75:
-   * vtkCurvedSeamlessMap::SetVertexShift.
+   * How far the vertices of a mesh polished by least squares are moved, in [0, 2], or negative
+   * (default) to take what vtkConformalSOM found: vtkCurvedSeamlessMap::SetVertexShift.
    */
   void SetVertexShift(double shift);
   double GetVertexShift();

@@ -206,6 +206,7 @@ TEST(ConformalSOM, AdaptiveLatticeHasTheNeuronsWanted)
     contract::ExpectArray(mesh->GetPointData(), "QuantizationError", VTK_DOUBLE, 1, 345);
     EXPECT_EQ(mesh->GetFieldData()->GetArray("StartedFromHull")->GetTuple1(0), 1.0);
     EXPECT_EQ(mesh->GetFieldData()->GetArray("Polished")->GetTuple1(0), 1.0);
+    contract::ExpectArray(mesh->GetFieldData(), "VertexShift", VTK_DOUBLE, 1, 1);
     x.push_back(mesh->GetPointData()->GetArray("SpherePosition")->GetComponent(0, 0));
   }
   EXPECT_EQ(x[0], x[1]); // there is no other than the conformal map

@@ -351,6 +351,17 @@ TEST_F(CurvedSeamlessMap, ArraysThatDoNotFitTheirPointsAreRefused)
   this->ExpectError(this->Map->Build(surface), "Polished of the surface holds no number");
   polished->InsertNextValue(1);
   EXPECT_TRUE(this->Map->Build(surface));
+  vtkNew<vtkDoubleArray> shift;
+  shift->SetName("VertexShift");
+  surface->GetFieldData()->AddArray(shift);
+  const char* message = "VertexShift of the surface holds no number from 0 to 2";
+  this->ExpectError(this->Map->Build(surface), message);
+  shift->InsertNextValue(2.5);
+  this->ExpectError(this->Map->Build(surface), message);
+  shift->SetValue(0, std::nan(""));
+  this->ExpectError(this->Map->Build(surface), message);
+  this->Map->SetVertexShift(0.5); // nothing is asked of the array
+  EXPECT_TRUE(this->Map->Build(surface));
 }
 
 // One array for two purposes would be emptied or written twice.
@@ -376,8 +387,8 @@ TEST_F(CurvedSeamlessMap, PropertiesAreClampedAndPrinted)
   EXPECT_EQ(this->Map->GetDomeHeight(), vtkCurvedSeamlessMap::CURVATURE);
   this->Map->SetDomeHeight(17);
   EXPECT_EQ(this->Map->GetDomeHeight(), vtkCurvedSeamlessMap::FITTED);
-  this->Map->SetVertexShift(2.0);
-  EXPECT_EQ(this->Map->GetVertexShift(), 1.0);
+  this->Map->SetVertexShift(3.0);
+  EXPECT_EQ(this->Map->GetVertexShift(), 2.0);
   for (const char* property :
     { "SeamMode", "DomeHeight", "VertexShift", "NumberOfFitRounds", "FitSmoothness", "IsBuilt" })
   {

@@ -108,6 +108,7 @@ void Dress(vtkPolyData* surface)
   field->AddArray(Numbers("TextureScale", { 1.0, 1.0 }));
   field->AddArray(Numbers("TextureMargin", { 0.0 }));
   field->AddArray(Numbers("Polished", { 1.0 }));
+  field->AddArray(Numbers("VertexShift", { 1.0 }));
 }
 
 Surface Bare(const Positions& positions, const Polygons& polygons)
@@ -685,13 +686,15 @@ void AddFieldArrays(std::vector<Input>& all)
   add("TextureMargin", "1", { 1.0 });
   add("Polished", "NaN", { NaN });
   add("Polished", "of 3", { 1.0, 1.0, 1.0 });
+  add("VertexShift", "NaN", { NaN });
+  add("VertexShift", "huge", { 1e300 });
   all.push_back({ "field data of strings",
     []()
     {
       return Damaged(
         [](vtkPolyData* s)
         {
-          for (const char* name : { "SpherePole", "TextureProjection", "Polished" })
+          for (const char* name : { "SpherePole", "TextureProjection", "Polished", "VertexShift" })
           {
             s->GetFieldData()->AddArray(Words(name, 1));
           }

@@ -50,6 +50,18 @@ class TestExamples(unittest.TestCase):
         self.assertEqual(rows["CSS Fitted"][0], "1,442")
         self.assertLess(float(rows["CSS Curvature"][1]), float(rows["learned mesh"][1]))
 
+    def test_surfaces_are_judged_by_points_held_out(self):
+        completed = run("compare_surfaces.py", "--held-out", "--frequency", "8", "--surface-frequency", "20")
+        self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+        lines = completed.stdout.splitlines()
+        for lattice in ("Geodesic", "Adaptive"):
+            begin = next(i for i, line in enumerate(lines) if line.startswith(lattice))
+            self.assertEqual(lines[begin].count("/"), 3)
+            rows = {line[:16].rstrip(): line[16:].split() for line in lines[begin + 1:begin + 11]}
+            best = [min(float(rows[name][k]) for name in compare_surfaces.RIVALS) for k in range(3)]
+            for k, ratio in enumerate(rows["default / best"]):
+                self.assertAlmostEqual(float(ratio), float(rows["CSS Curvature"][k]) / best[k], delta=0.02)
+
     def test_missing_scan_ends_with_a_message(self):
         completed = run("compare_surfaces.py", "missing.ply")
         self.assertEqual(completed.returncode, 1)

@@ -41,6 +41,20 @@ class TestSurfaces(unittest.TestCase):
                 if name == "igea.ply":
                     self.assertLess(rows["CSS Curvature"][2], 2.0)
 
+    def test_no_other_surface_is_closer_to_points_held_out(self):
+        for name in ("igea.ply", "stanford-bunny-closed.ply"):
+            path = os.path.join(SCANS, name)
+            if not os.path.exists(path):
+                self.skipTest(f"{name} is not in CONFORMALSOM_SCAN_DIR")
+            reader = scan_files.scan_reader(path)
+            reader.Update()
+            for split, (cloud, judges) in compare_surfaces.held_out(reader.GetOutput()).items():
+                for lattice in compare_lattices.LATTICES:
+                    with self.subTest(f"{name}, {split}, {lattice}"):
+                        rows = compare_surfaces.compared(cloud, lattice=lattice, judges=judges)
+                        best = min(rows[rival][1] for rival in compare_surfaces.RIVALS)
+                        self.assertLess(rows["CSS Curvature"][1], 1.05 * best)
+
     def test_the_adaptive_lattice_fits_a_figure_closer(self):
         rows, _ = compare_lattices.compared(figure_surface(), 16, 20000)
         even, own = (rows[lattice] for lattice in compare_lattices.LATTICES)

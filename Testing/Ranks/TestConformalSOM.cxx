@@ -45,9 +45,10 @@ void ExpectSameAsAlone(vtkPolyData* cloud, const Change& change)
     vtkSMPTools::LocalScope(
       vtkSMPTools::Config(threads, "STDThread", false), [&]() { filter->Update(); });
     clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
-    for (const char* name : { "CloudDimension", "UnsupportedFraction", "UnmetFraction",
-           "InvertedFraction", "FoldedFraction", "AreaRatio", "NoiseLevel", "StartedFromHull",
-           "StartedFromMesh", "HullIndicator", "NormalsUsed", "NumberOfStarts", "Polished" })
+    for (const char* name :
+      { "CloudDimension", "UnsupportedFraction", "UnmetFraction", "InvertedFraction",
+        "FoldedFraction", "AreaRatio", "NoiseLevel", "StartedFromHull", "StartedFromMesh",
+        "HullIndicator", "NormalsUsed", "NumberOfStarts", "Polished", "VertexShift" })
     {
       clouds::ExpectSameBits(filter->GetOutput()->GetFieldData()->GetArray(name),
         alone->GetOutput()->GetFieldData()->GetArray(name));

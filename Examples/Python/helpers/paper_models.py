@@ -65,6 +65,14 @@ def closed(mesh):
     return run(source, clean, holes, normals)
 
 
+def decimated(mesh, triangles):
+    """The mesh thinned to so many triangles, its vertices put where they keep its shape best."""
+    decimation = vtkQuadricDecimation()
+    decimation.SetInputData(mesh)
+    decimation.SetTargetReduction(max(0.0, 1.0 - triangles / mesh.GetNumberOfPolys()))
+    return run(decimation)
+
+
 class Face:
     """Where a model has its face: what the middle of a painted one touches, seen from where."""
 
@@ -80,10 +88,7 @@ class Model:
     def __init__(self, name, more, mesh, face):
         self.name, self.more, self.mesh, self.face = name, more, mesh, face
         self.published = PUBLISHED.get(name, {})
-        decimation = vtkQuadricDecimation()
-        decimation.SetInputData(mesh)
-        decimation.SetTargetReduction(max(0.0, 1.0 - FEW / mesh.GetNumberOfPolys()))
-        self.few = run(decimation)
+        self.few = decimated(mesh, FEW)
 
 
 # What the paper prints, by the names of the rows below.

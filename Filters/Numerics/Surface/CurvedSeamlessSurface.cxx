@@ -118,9 +118,9 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
   {
     throw std::invalid_argument("the model needs one finite position for each sphere position");
   }
-  if (!(options.VertexShift >= 0.0 && options.VertexShift <= 1.0))
+  if (!(options.VertexShift >= 0.0 && options.VertexShift <= MaximumVertexShift))
   {
-    throw std::invalid_argument("VertexShift must lie in [0, 1]");
+    throw std::invalid_argument("VertexShift must lie in [0, 2]");
   }
   const Vector3 mean = this->Model.colwise().mean();
   Points centered = this->Model.rowwise() - mean.transpose();

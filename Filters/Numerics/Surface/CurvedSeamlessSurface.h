@@ -10,6 +10,7 @@
 #include "Surface/CurvedTriangleFit.h"
 #include "Surface/CurvedTriangles.h"
 #include "Surface/SphereDomes.h"
+#include "Surface/VertexShift.h"
 #include "TriangleMap/FlatMap.h"
 
 #include <algorithm>
@@ -32,8 +33,9 @@ struct CurvedSeamlessSurfaceOptions
 {
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  bool Polished = false;     ///< whether the model's flat triangles were fitted by least squares
-  double VertexShift = 0.75; ///< of a polished model, see lowerVertices(); in [0, 1]
+  bool Polished = false; ///< whether the model's flat triangles were fitted by least squares
+  double VertexShift = UsualVertexShift; ///< of a polished model, see lowerVertices(); in
+                                         ///< [0, MaximumVertexShift]
   CurvedTriangleFitOptions Fit;
 };
 
