@@ -487,7 +487,11 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
      << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")
      << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
-  os << indent << "ReferencePoint: " << (this->ReferencePoint == CONFORMAL ? "Conformal" : "Winner")
+  os << indent << "ReferencePoint: "
+     << (this->ReferencePoint == CONFORMAL   ? "Conformal"
+            : this->ReferencePoint == WINNER ? "Winner"
+            : this->ReferencePoint == AFFINE ? "Affine"
+                                             : "Automatic")
      << "\n";
   os << indent << "NumberOfEpochs: " << this->NumberOfEpochs << "\n";
   os << indent << "SamplesPerEpoch: " << this->SamplesPerEpoch << "\n";

@@ -132,7 +132,9 @@ public:
   enum ReferencePoints
   {
     CONFORMAL = 0,
-    WINNER = 1
+    WINNER = 1,
+    AFFINE = 2,
+    AUTOMATIC_REFERENCE = 3
   };
 
   /**
@@ -241,14 +243,20 @@ public:
 
   ///@{
   /**
-   * Online: which point r of the sphere a pattern stands for. CONFORMAL (default): the conformal
-   * image of its projection, Eqs. 4 and 5. WINNER: the winning neuron, r = n_c, which is the plain
-   * self-organizing map the paper compares with.
+   * Which point r of the sphere a pattern stands for. CONFORMAL: the conformal image of its
+   * projection, Eqs. 4 and 5. WINNER: a neuron, which is the plain self-organizing map the paper
+   * compares with; Online the winning one, r = n_c, in Batch the corner of the triangle that the
+   * pattern is projected on with the largest barycentric weight. AFFINE: the affine image of the
+   * projection. AUTOMATIC_REFERENCE (default): CONFORMAL in Online mode, AFFINE in Batch mode,
+   * which there comes as close in less time. In Batch mode it counts while a lattice is learned
+   * from the sphere, not in the polish and not from a hull or a mesh.
    */
-  vtkSetClampMacro(ReferencePoint, int, CONFORMAL, WINNER);
+  vtkSetClampMacro(ReferencePoint, int, CONFORMAL, AUTOMATIC_REFERENCE);
   vtkGetMacro(ReferencePoint, int);
   void SetReferencePointToConformal() { this->SetReferencePoint(CONFORMAL); }
   void SetReferencePointToWinner() { this->SetReferencePoint(WINNER); }
+  void SetReferencePointToAffine() { this->SetReferencePoint(AFFINE); }
+  void SetReferencePointToAutomatic() { this->SetReferencePoint(AUTOMATIC_REFERENCE); }
   ///@}
 
   ///@{
@@ -448,7 +456,7 @@ private:
   int TrainingMode = BATCH;
   char* PriorityArrayName = nullptr;
   int RandomSeed = 1;
-  int ReferencePoint = CONFORMAL;
+  int ReferencePoint = AUTOMATIC_REFERENCE;
   int NumberOfEpochs = 80;
   int SamplesPerEpoch = 8000;
   double InitialNeighborhoodRadius = 0.4;

@@ -81,6 +81,8 @@ TEST(OptionsMirrorProperties, ConformalSOM)
   EXPECT_EQ(vtkConformalSOM::BATCH, static_cast<int>(TrainingMode::Batch));
   EXPECT_EQ(vtkConformalSOM::CONFORMAL, static_cast<int>(ReferencePoint::Conformal));
   EXPECT_EQ(vtkConformalSOM::WINNER, static_cast<int>(ReferencePoint::Winner));
+  EXPECT_EQ(vtkConformalSOM::AFFINE, static_cast<int>(ReferencePoint::Affine));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_REFERENCE, static_cast<int>(ReferencePoint::Automatic));
   EXPECT_EQ(vtkConformalSOM::AUTOMATIC, static_cast<int>(StartingShape::Automatic));
   EXPECT_EQ(vtkConformalSOM::SPHERE, static_cast<int>(StartingShape::Sphere));
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   vtkNew<vtkConformalSOM> learner;
   learner->SetFrequency(1 + source.below(3));
   learner->SetTrainingMode(source.below(2));
-  learner->SetReferencePoint(source.below(2));
+  learner->SetReferencePoint(source.below(4));
   learner->SetStartingShape(source.below(4));
   learner->SetNumberOfEpochs(source.below(3));
   learner->SetSamplesPerEpoch(1 + source.below(40));

@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from unittest import mock
 
+import numpy as np
+
 import conformalsom
 import paper_figures
 import paper_tables
@@ -15,7 +17,7 @@ from baselines import require_display
 from helpers import paper_models
 
 HAS_GCM = hasattr(conformalsom, "vtkGlobalConformalMap")
-METHODS = ("online, as published", "online, plain SOM", "online", "batch", "batch, adaptive", "GCM Gu-Yau",
+METHODS = ("online, as published", "online, plain SOM", "online", "batch", "batch, conformal r", "batch, adaptive", "GCM Gu-Yau",
            "GCM robust")
 
 
@@ -24,7 +26,7 @@ def run(program, *arguments):
     text = io.StringIO()
     with mock.patch.object(sys, "argv", [program.__name__, *arguments]), \
             mock.patch.object(paper_models, "FEW", 3000), \
-            mock.patch.object(paper_models.learned, "__defaults__", ("Batch", "Conformal", "Geodesic", 10)), \
+            mock.patch.object(paper_models.learned, "__defaults__", ("Batch", "Automatic", "Geodesic", 10)), \
             mock.patch.object(paper_models.smooth, "__defaults__", (False, "Directions", 20)), \
             contextlib.redirect_stdout(text):
         program.main()
@@ -52,6 +54,19 @@ class TestPaper(unittest.TestCase):
         if HAS_GCM:
             conformal = paper_models.smooth(paper_models.mapped(bear.mesh), frequency=32)
             self.assertLess(paper_tables.checkerboard_deviation(conformal, *bear.view), 2.0)
+
+    def test_cracks_are_those_of_the_curves(self):
+        """Two parabolas over an edge, one of them drawn to one end; and a learned mesh."""
+        places = np.linspace(0.0, 1.0, 1001)
+        arc = places, 4.0 * places * (1.0 - places)
+        self.assertEqual(paper_tables.crack((arc, arc)), 0.0)
+        self.assertAlmostEqual(paper_tables.crack((arc, (places, 0.5 * arc[1]))), 0.5, delta=1e-9)
+        drawn = places**2, arc[1]  # 4 sqrt(x) (1 - sqrt(x)) at x
+        difference = np.abs(4.0 * np.sqrt(places) * (1.0 - np.sqrt(places)) - arc[1]).max()
+        self.assertAlmostEqual(paper_tables.crack((arc, drawn)), difference, delta=1e-3)
+        bear = paper_models.models("nowhere")[0]
+        mean, largest = paper_tables.cracks(paper_models.learned(bear.more, frequency=8), 50)
+        self.assertTrue(0.05 < mean < largest <= 1.0)
 
     def test_every_figure_is_drawn(self):
         figures = ("7", "8", "9", "10", "11") if HAS_GCM else ("9", "10")

@@ -118,7 +118,7 @@ def models(folder):
     return found
 
 
-def learned(points, mode="Batch", reference="Conformal", lattice="Geodesic", frequency=FREQUENCY):
+def learned(points, mode="Batch", reference="Automatic", lattice="Geodesic", frequency=FREQUENCY):
     """A mesh learned from points by CSM, or by the plain SOM where reference is Winner."""
     network = vtkConformalSOM()
     network.SetInputData(points)

@@ -13,6 +13,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
+#include "TriangleMap/NetworkShapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,49 @@ std::vector<double> massesOf(
   return masses;
 }
 
+/// How a pattern is shared out to the corners of the triangle that it is projected on: the
+/// barycentric weights of its reference point.
+class CornerShares
+{
+public:
+  /// @param[in] model  the weights, which may move
+  CornerShares(ReferencePoint reference, const Points& network, const Points& model,
+    const Triangles& triangles)
+    : Reference(reference)
+    , Model(model)
+    , Corners(triangles)
+  {
+    if (reference == ReferencePoint::Conformal)
+    {
+      this->Shapes = NetworkShapes(network, triangles);
+    }
+  }
+
+  Vector3 operator()(const FootPoint& foot) const
+  {
+    if (this->Reference == ReferencePoint::Winner)
+    {
+      int largest = 0;
+      foot.Barycentric.maxCoeff(&largest);
+      return Vector3::Unit(largest);
+    }
+    if (this->Reference == ReferencePoint::Conformal)
+    {
+      const auto ids = this->Corners.row(foot.Triangle);
+      const TriangleShape simplex(
+        this->Model.row(ids[0]), this->Model.row(ids[1]), this->Model.row(ids[2]));
+      return this->Shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+    }
+    return foot.Barycentric;
+  }
+
+private:
+  ReferencePoint Reference;
+  const Points& Model;
+  const Triangles& Corners;
+  NetworkShapes Shapes;
+};
+
 /// The work that is left after the last level, as a level's mesh and the patterns in each of its
 /// triangles make likely; or nothing, to stop at this level.
 using Forecast =
@@ -203,6 +247,7 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
     const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
     TriangleTree surface(result.Positions, triangles, preparing.next());
     std::vector<double> masses(triangles.rows(), 0.0);
+    const CornerShares sharesOf(options.ReferencePoint, positions, result.Positions, triangles);
 
     const Run level = steps.next();
     const double passes = options.PassesPerLevel;
@@ -220,9 +265,10 @@ ConformalSOMResult learnFromSphere(const TrainingSamples& samples,
           errors.add(0, foot.SquareDistance);
           typical.add(foot.SquareDistance);
           const double weight = samples.weight(rotation.id(i));
+          const Vector3 corners = sharesOf(foot);
           for (int k = 0; k < 3; ++k)
           {
-            const double share = weight * foot.Barycentric[k];
+            const double share = weight * corners[k];
             const Index neuron = 4 * Index(triangles(foot.Triangle, k));
             sums.add(neuron, share);
             for (int c = 0; c < 3; ++c)

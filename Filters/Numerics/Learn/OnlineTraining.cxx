@@ -7,6 +7,7 @@
 #include "TriangleMap/NetworkShapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -78,6 +79,17 @@ private:
   std::vector<std::int64_t> Cumulative; ///< of this process's patterns
   Share OfAll;                          ///< of what they add up to
 };
+
+bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
+{
+  const auto sorted = [&](int r)
+  {
+    std::array<int, 3> ids = { triangles(r, 0), triangles(r, 1), triangles(r, 2) };
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  };
+  return sorted(triangle) < sorted(than);
+}
 }
 
 ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& network,
@@ -88,19 +100,23 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& netwo
   const NetworkShapes shapes(network.Positions, network.Triangles);
   Sampler sampler(samples, options.RandomSeed);
 
-  // Step 3: the simplex around the winner that x is projected on.
+  // Step 3: the simplex around the winner that x is projected on. Of those that share the
+  // projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
   const auto project = [&](const Vector3& x, int winner)
   {
+    constexpr double rounding = 4e-15; // of coordinates
     FootPoint best;
     for (const int* r = around.begin(winner); r != around.end(winner); ++r)
     {
       const auto ids = network.Triangles.row(*r);
-      const FootPoint foot = closestPointOfTriangle(
+      FootPoint foot = closestPointOfTriangle(
         x, neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
-      if (foot.SquareDistance < best.SquareDistance)
+      foot.Triangle = *r;
+      const double nearer = foot.SquareDistance - best.SquareDistance;
+      const bool shared = std::abs(nearer) <= rounding * std::sqrt(foot.SquareDistance);
+      if (shared ? hasLowerNeurons(network.Triangles, *r, best.Triangle) : nearer < 0.0)
       {
         best = foot;
-        best.Triangle = *r;
       }
     }
     return best;
@@ -138,12 +154,16 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& netwo
       record.MeanSquareError += foot.SquareDistance / options.SamplesPerEpoch;
 
       Vector3 r = network.Positions.row(winner);
-      if (options.ReferencePoint == ReferencePoint::Conformal)
+      if (options.ReferencePoint != ReferencePoint::Winner)
       {
         const auto ids = network.Triangles.row(foot.Triangle);
-        const TriangleShape simplex(
-          neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
-        const Vector3 image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+        Vector3 image = foot.Barycentric;
+        if (options.ReferencePoint != ReferencePoint::Affine)
+        {
+          const TriangleShape simplex(
+            neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
+          image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+        }
         r = image[0] * Vector3(network.Positions.row(ids[0])) +
           image[1] * Vector3(network.Positions.row(ids[1])) +
           image[2] * Vector3(network.Positions.row(ids[2]));

@@ -21,7 +21,10 @@ enum class TrainingMode
 enum class ReferencePoint
 {
   Conformal, ///< the conformal image of its projection, Eqs. 4 and 5: the conformal map (CSM)
-  Winner     ///< the winning neuron, r = n_c: the plain self-organizing map (SOM)
+  Winner,    ///< a neuron, r = n_c: the plain self-organizing map (SOM). Online the winning one, in
+             ///< Batch that of the largest barycentric weight in its projection
+  Affine,    ///< the affine image of its projection
+  Automatic  ///< Conformal in Online mode, Affine in Batch mode
 };
 
 /// Where batch learning may start. Automatic takes a mesh that is given.
@@ -62,8 +65,10 @@ struct ConformalSOMOptions
   conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
   unsigned int RandomSeed = 1; ///< the only source of randomness
 
+  /// In Batch mode of what is learned from the sphere, before the polish.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
+
   // Online training; t counts epochs from 0.
-  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Conformal;
   int NumberOfEpochs = 80;
   int SamplesPerEpoch = 8000;
   double InitialNeighborhoodRadius = 0.4; ///< sigma_0; sigma(t) = sigma_0 exp(-t / tau_1)

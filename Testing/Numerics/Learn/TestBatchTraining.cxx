@@ -14,6 +14,7 @@ using conformal::Index;
 using conformal::makeGeodesicSphere;
 using conformal::Points;
 using conformal::PointView;
+using conformal::ReferencePoint;
 using conformal::StartingShape;
 using conformal::trainBatch;
 using conformal::trainBatchFrom;
@@ -65,6 +66,39 @@ TEST(BatchTraining, GoesFromCoarseToFine)
   }
   EXPECT_LT(result.History.back().MeanSquareError, 1e-4);
   EXPECT_FALSE(result.Hulled);
+}
+
+// Eqs. 4 and 5 in Batch mode. In the first pass the triangles are still those of the network, whose
+// conformal images are affine; after it they are not.
+TEST(BatchTraining, SharesPatternsByTheirReferencePoints)
+{
+  const Points cloud = ellipsoidCloud(8000);
+  ConformalSOMOptions options = fast(StartingShape::Sphere);
+  options.Frequency = 4;
+  options.NumberOfPolishRounds = 0;
+  const auto learned = [&](ReferencePoint reference, int passes)
+  {
+    options.ReferencePoint = reference;
+    options.PassesPerLevel = passes;
+    return trainBatch(TrainingSamples{ PointView(cloud) }, options, {}).Positions;
+  };
+  const auto difference = [](const Points& a, const Points& b)
+  { return (a - b).rowwise().norm().maxCoeff(); };
+  for (const int passes : { 1, 5 })
+  {
+    const Points conformal = learned(ReferencePoint::Conformal, passes);
+    const Points affine = learned(ReferencePoint::Affine, passes);
+    EXPECT_EQ(learned(ReferencePoint::Automatic, passes), affine);
+    EXPECT_GT(difference(learned(ReferencePoint::Winner, passes), affine), 1e-3);
+    if (passes == 1)
+    {
+      EXPECT_LT(difference(conformal, affine), 1e-8);
+    }
+    else
+    {
+      EXPECT_GT(difference(conformal, affine), 1e-4);
+    }
+  }
 }
 
 TEST(BatchTraining, StartsFromTheHullWhereTold)

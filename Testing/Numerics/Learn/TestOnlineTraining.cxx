@@ -3,6 +3,7 @@
 #include "../../Benchmarks/BruteForceTraining.h"
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Mesh/MeshTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -234,6 +235,55 @@ TEST(OnlineTraining, StepsGoToTheConformalImage)
   EXPECT_GE(tried, 2);
   EXPECT_GT(closestAffine, 1e-3);
   EXPECT_GT(closestWinner, 1e-3);
+}
+
+// A projection on an edge is that of both triangles, each of which has another image of it: which
+// is taken does not depend on their order, nor on that of their corners.
+TEST(OnlineTraining, ProjectionsOnEdgesAreOfTheLowestNeurons)
+{
+  ConformalSOMOptions options = few(1, 1);
+  options.InitialNeighborhoodRadius = 0.1;
+  options.InitialLearningRate = 0.5;
+  const Mesh network = makeGeodesicSphere(options.Frequency);
+  Points start = network.Positions;
+  start.col(0) *= 0.6;
+  start.col(1) *= 0.8;
+  Mesh other = network;
+  for (Index r = 0; r < other.Triangles.rows(); ++r)
+  {
+    const auto ids = network.Triangles.row(network.Triangles.rows() - 1 - r);
+    other.Triangles.row(r) << ids[1 + r % 2], ids[(2 + r % 2) % 3], ids[r % 2];
+  }
+  const auto normal = [&](Index r)
+  {
+    const Vector3 a = start.row(network.Triangles(r, 0)), b = start.row(network.Triangles(r, 1)),
+                  c = start.row(network.Triangles(r, 2));
+    return Vector3((b - a).cross(c - a).normalized());
+  };
+  const conformal::Triangles neighbors =
+    conformal::triangleNeighbors(network.Triangles, network.Positions.rows());
+  Points cloud(3 * network.Triangles.rows(), 3);
+  for (Index r = 0; r < network.Triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 a = start.row(network.Triangles(r, k)),
+                    b = start.row(network.Triangles(r, (k + 1) % 3));
+      cloud.row(3 * r + k) = 0.7 * a + 0.3 * b + 0.05 * (normal(r) + normal(neighbors(r, k)));
+    }
+  }
+  const TrainingSamples samples{ PointView(cloud) };
+  for (Index i = 0; i < start.rows(); ++i)
+  {
+    start.row(i) = samples.normalize(start.row(i));
+  }
+  for (options.RandomSeed = 1; options.RandomSeed <= 40; ++options.RandomSeed)
+  {
+    const Points one = trainOnline(samples, network, start, options, {}).Positions;
+    const Points two = trainOnline(samples, other, start, options, {}).Positions;
+    ASSERT_GT((one - start).rowwise().norm().maxCoeff(), 0.01);
+    EXPECT_LT((one - two).rowwise().norm().maxCoeff(), 1e-8) << options.RandomSeed;
+  }
 }
 
 TEST(OnlineTraining, SchedulesFall)
