@@ -224,7 +224,8 @@ public:
   ///@{
   /**
    * Name of a point array of the input with 1 component, the priority of each point: how often it
-   * is drawn (Online) or how much it weighs (Batch). The paper gives priority to extrusive parts.
+   * is drawn (Online, in the second half of the epochs) or how much it weighs (Batch). The paper
+   * gives priority to extrusive parts.
    * Negative and non-finite values count as 0, with a warning. Default is none, which an empty name
    * means too: equal priority.
    */

@@ -17,8 +17,8 @@ namespace conformal
 {
 namespace
 {
-/// Step 2: every pattern with equal probability, or in proportion to its priority. All processes
-/// draw the same patterns, whichever of them has them.
+/// Step 2: every pattern with equal probability, or from a time on in proportion to its priority.
+/// All processes draw the same patterns, whichever of them has them.
 class Sampler
 {
 public:
@@ -38,6 +38,9 @@ public:
       this->OfAll = shareOf(samples.reduce(), sum);
     }
   }
+
+  /// From here on.
+  void drawByPriority() { this->ByPriority = this->Samples.weighted(); }
 
   /// The next patterns, #count by 3.
   Points next(Index count)
@@ -62,7 +65,7 @@ private:
   /// Id of a pattern if it is this process's, else one out of range.
   Index draw()
   {
-    if (!this->Samples.weighted())
+    if (!this->ByPriority)
     {
       return this->Numbers.index(this->Samples.totalSize()) - this->Samples.firstOfTotal();
     }
@@ -76,6 +79,7 @@ private:
   static constexpr double Unit = 0x1p32;
   const TrainingSamples& Samples;
   Random Numbers;
+  bool ByPriority = false;
   std::vector<std::int64_t> Cumulative; ///< of this process's patterns
   Share OfAll;                          ///< of what they add up to
 };
@@ -135,6 +139,10 @@ ConformalSOMResult trainOnline(const TrainingSamples& samples, const Mesh& netwo
       options.InitialNeighborhoodRadius * std::exp(-t / options.NeighborhoodTimeConstant);
     record.LearningRate =
       options.InitialLearningRate * std::exp(-t / options.LearningRateTimeConstant);
+    if (2 * (t + 1) > options.NumberOfEpochs)
+    {
+      sampler.drawByPriority();
+    }
     Points patterns;
     for (int step = 0; step < options.SamplesPerEpoch; ++step)
     {

@@ -310,6 +310,30 @@ TEST(OnlineTraining, WithoutEpochsIsTheStart)
 
 // Patterns are drawn in proportion to their priority: three on the axes draw the network by so
 // many steps each.
+// Patterns without a weight are drawn like all others in the first half of the epochs, and not at
+// all in the second.
+TEST(OnlineTraining, PrioritiesCountInTheSecondHalf)
+{
+  Points cloud(3, 3);
+  cloud << 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  const std::vector<double> weights = { 1.0, 0.0, 0.0 };
+  const TrainingSamples samples{ PointView(cloud), weights };
+  const auto drift = [&](int epochs)
+  {
+    ConformalSOMOptions options = few(epochs, 6000);
+    options.InitialLearningRate = 1e-6;
+    options.LearningRateTimeConstant = options.NeighborhoodTimeConstant = 1e6;
+    options.InitialNeighborhoodRadius = 100.0; // all neurons move alike
+    const Points start = makeGeodesicSphere(options.Frequency).Positions;
+    return Vector3((trained(samples, options).Positions - start).colwise().mean() / (6000 * 1e-6));
+  };
+  const Vector3 even = (samples[0] + samples[1] + samples[2]) / 3.0, first = samples[0];
+  const double rounding = 0.05 * first.norm();
+  EXPECT_LT((drift(1) - first).norm(), rounding);
+  EXPECT_LT((drift(2) - (even + first)).norm(), 2.0 * rounding);
+  EXPECT_LT((drift(4) - (2.0 * even + 2.0 * first)).norm(), 4.0 * rounding);
+}
+
 TEST(OnlineTraining, DrawsByPriority)
 {
   Points cloud(3, 3);
