@@ -3,9 +3,10 @@
 
     paper_variants.py [--data DIR] reference | rates | priority
 
-DIR has igea.ply, stanford-bunny.obj and, for rates, spot.ply. reference: batch learning from the sphere by each
-ReferencePoint. rates: online learning by other learning rates alpha_0. priority: online learning with points of
-the bunny's ears that weigh more, always, more and more, less and less, or in the second half, which is what PriorityArrayName does. PYTHONPATH is that of the build.
+DIR has igea.ply, stanford-bunny.obj and, for rates, spot.ply. reference: batch learning from the sphere by
+each ReferencePoint. rates: online learning by other learning rates alpha_0. priority: online learning with
+points of the bunny's ears that weigh more, always, more and more, less and less, or in the second half, which
+is what PriorityArrayName does. PYTHONPATH is that of the build.
 """
 import argparse
 import math

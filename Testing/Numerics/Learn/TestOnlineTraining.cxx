@@ -316,7 +316,7 @@ TEST(OnlineTraining, PrioritiesCountInTheSecondHalf)
 {
   Points cloud(3, 3);
   cloud << 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  const std::vector<double> weights = { 1.0, 0.0, 0.0 };
+  const std::vector<double> weights = { 4.0, 1.0, 1.0 };
   const TrainingSamples samples{ PointView(cloud), weights };
   const auto drift = [&](int epochs)
   {
@@ -327,11 +327,13 @@ TEST(OnlineTraining, PrioritiesCountInTheSecondHalf)
     const Points start = makeGeodesicSphere(options.Frequency).Positions;
     return Vector3((trained(samples, options).Positions - start).colwise().mean() / (6000 * 1e-6));
   };
-  const Vector3 even = (samples[0] + samples[1] + samples[2]) / 3.0, first = samples[0];
-  const double rounding = 0.05 * first.norm();
-  EXPECT_LT((drift(1) - first).norm(), rounding);
-  EXPECT_LT((drift(2) - (even + first)).norm(), 2.0 * rounding);
-  EXPECT_LT((drift(4) - (2.0 * even + 2.0 * first)).norm(), 4.0 * rounding);
+  const Vector3 even = (samples[0] + samples[1] + samples[2]) / 3.0;
+  const Vector3 weighted = (4.0 * samples[0] + samples[1] + samples[2]) / 6.0;
+  const double rounding = 0.1 * (even - weighted).norm();
+  ASSERT_GT(rounding, 0.01);
+  EXPECT_LT((drift(1) - weighted).norm(), rounding);
+  EXPECT_LT((drift(2) - (even + weighted)).norm(), rounding);
+  EXPECT_LT((drift(4) - 2.0 * (even + weighted)).norm(), 2.0 * rounding);
 }
 
 TEST(OnlineTraining, DrawsByPriority)
