@@ -12,12 +12,68 @@ namespace
 {
 constexpr int NumberOfNeighbors = 8;
 
-// The area that each point has for itself, from how far its neighbors are.
-std::vector<double> areasOfPoints(const Points& points, const Run& run)
+double middleOf(std::vector<double> numbers)
+{
+  const auto middle = numbers.begin() + static_cast<Index>(numbers.size()) / 2;
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
+// How much larger than usual the area is that a point has for itself; 1 in even clouds.
+Eigen::VectorXd weightsOf(const Points& points, const Run& run)
+{
+  constexpr double usual = 2.0;
+  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
+  const double typical = areas.empty() ? 0.0 : usual * middleOf(areas);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
+  for (Index i = 0; i < points.rows() && typical > 0.0; ++i)
+  {
+    weights[i] = std::max(1.0, areas[i] / typical);
+  }
+  return weights;
+}
+}
+
+//------------------------------------------------------------------------------
+Points orient(const WindingNumbers& cloud, const OrientationOptions& options, const Run& run)
+{
+  const Index size = cloud.size();
+  const Eigen::VectorXd weights = weightsOf(cloud.points(), run);
+  Points areas = Points::Zero(size, 3);
+  for (int i = 0; i < options.NumberOfIterations; ++i)
+  {
+    const double way = i / std::max(1.0, options.NumberOfIterations - 1.0);
+    const double width = options.FirstWidth + way * (options.LastWidth - options.FirstWidth);
+    const Eigen::VectorXd missing =
+      Eigen::VectorXd::Constant(size, 0.5) - cloud.atPoints(areas, width, run);
+    const Points gradient = cloud.transposed(weights.cwiseProduct(missing), width, run);
+    const Points step = weights.asDiagonal() * gradient;
+    const double rise = cloud.atPoints(step, width, run).cwiseAbs2().dot(weights);
+    if (!(rise > 0.0))
+    {
+      break; // nothing is missing, or nothing can be done about it
+    }
+    areas += gradient.cwiseProduct(step).sum() / rise * step;
+    const Points descent = cloud.descentAtPoints(areas, width, run);
+    for (Index k = 0; k < size; ++k)
+    {
+      const double steepness = descent.row(k).norm();
+      if (steepness > 0.0)
+      {
+        areas.row(k) = areas.row(k).norm() / steepness * descent.row(k);
+      }
+    }
+    run.report((i + 1.0) / options.NumberOfIterations);
+  }
+  return areas;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> areasOfPoints(const Points& points, int numberOfNeighbors, const Run& run)
 {
   constexpr Index blockSize = 256;
   std::vector<double> areas(points.rows(), 0.0);
-  const Index neighbors = std::min<Index>(NumberOfNeighbors, points.rows() - 1);
+  const Index neighbors = std::min<Index>(numberOfNeighbors, points.rows() - 1);
   if (neighbors < 1)
   {
     return areas;
@@ -37,50 +93,10 @@ std::vector<double> areasOfPoints(const Points& points, const Run& run)
   return areas;
 }
 
-double middleOf(std::vector<double> numbers)
-{
-  const auto middle = numbers.begin() + static_cast<Index>(numbers.size()) / 2;
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
-}
-
-//------------------------------------------------------------------------------
-Points orient(const WindingNumbers& cloud, const OrientationOptions& options, const Run& run)
-{
-  const Index size = cloud.size();
-  Points areas = Points::Zero(size, 3);
-  for (int i = 0; i < options.NumberOfIterations; ++i)
-  {
-    const double way = i / std::max(1.0, options.NumberOfIterations - 1.0);
-    const double width = options.FirstWidth + way * (options.LastWidth - options.FirstWidth);
-    const Eigen::VectorXd missing =
-      Eigen::VectorXd::Constant(size, 0.5) - cloud.atPoints(areas, width, run);
-    const Points gradient = cloud.transposed(missing, width, run);
-    const double rise = cloud.atPoints(gradient, width, run).squaredNorm();
-    if (!(rise > 0.0))
-    {
-      break; // nothing is missing, or nothing can be done about it
-    }
-    areas += gradient.squaredNorm() / rise * gradient;
-    const Points descent = cloud.descentAtPoints(areas, width, run);
-    for (Index k = 0; k < size; ++k)
-    {
-      const double steepness = descent.row(k).norm();
-      if (steepness > 0.0)
-      {
-        areas.row(k) = areas.row(k).norm() / steepness * descent.row(k);
-      }
-    }
-    run.report((i + 1.0) / options.NumberOfIterations);
-  }
-  return areas;
-}
-
 //------------------------------------------------------------------------------
 Points areaVectors(const Points& points, const Points& normals, const Run& run)
 {
-  const std::vector<double> areas = areasOfPoints(points, run);
+  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run);
   return Eigen::Map<const Eigen::VectorXd>(areas.data(), points.rows()).asDiagonal() * normals;
 }
 
@@ -164,6 +180,6 @@ double typicalSpacing(const Points& points, const Run& run)
   {
     return 0.0;
   }
-  return std::sqrt(middleOf(areasOfPoints(points, run)));
+  return std::sqrt(middleOf(areasOfPoints(points, NumberOfNeighbors, run)));
 }
 }

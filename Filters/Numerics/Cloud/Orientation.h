@@ -7,6 +7,8 @@
 #include "Base/Types.h"
 #include "Cloud/WindingNumbers.h"
 
+#include <vector>
+
 namespace conformal
 {
 struct OrientationOptions
@@ -31,8 +33,12 @@ struct OrientationOptions
 Points orient(
   const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
-/// Area vectors of points whose normals are known: the areas are those of circles that hold eight
-/// neighbors. Zero where the normal is.
+/// The area that each point has for itself: its share of a circle that holds so many neighbors.
+/// @return #P
+std::vector<double> areasOfPoints(
+  const Points& points, int numberOfNeighbors = 8, const Run& run = {});
+
+/// Area vectors of points whose normals are known, areasOfPoints() long. Zero where the normal is.
 /// @param[in] normals  #P by 3, unit vectors or zero
 Points areaVectors(const Points& points, const Points& normals, const Run& run = {});
 

@@ -10,9 +10,89 @@
 
 namespace conformal
 {
+namespace
+{
+constexpr int Neighbors = 8;
+
+/// Whether a point lies in the plane of its nearest others, and these in one.
+bool isFlat(const Points& points, Index i, const PointTree& tree)
+{
+  constexpr double thickness = 0.1; // its square, of that of the second axis
+  const Vector3 x = points.row(i);
+  std::vector<Neighbor> nearest;
+  for (const int count : { Neighbors, 2 * Neighbors })
+  {
+    tree.nearest(x, count + 1, nearest);
+    const auto others = static_cast<Index>(nearest.size()) - 1;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> around(3, others);
+    for (Index k = 0; k < others; ++k)
+    {
+      around.col(k) = points.row(nearest[k + 1].Id).transpose() - x;
+    }
+    const Vector3 middle = around.rowwise().mean();
+    around.colwise() -= middle;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+    axes.computeDirect(around * around.transpose() / static_cast<double>(others));
+    const double offset = axes.eigenvectors().col(0).dot(middle);
+    const double most = thickness * axes.eigenvalues()[1];
+    if (axes.eigenvalues()[0] < most && offset * offset < most)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Sparse parts of a surface are no outliers: where a quarter of the suspects around a suspect lie
+/// flat, which few points scattered in space do by chance, it is free.
+void acquitSurfaces(const Points& points, const PointTree& tree,
+  std::vector<std::uint8_t>& suspects, const Run& run)
+{
+  constexpr int jury = 32;
+  constexpr double share = 0.25;
+  constexpr Index BlockSize = 64;
+  std::vector<int> ids;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    if (suspects[i])
+    {
+      ids.push_back(static_cast<int>(i));
+    }
+  }
+  const auto size = static_cast<Index>(ids.size());
+  Points places(size, 3);
+  std::vector<std::uint8_t> flat(size), guilty(size);
+  forBlocksReporting(run.part(0.0, 0.5), size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        places.row(k) = points.row(ids[k]);
+        flat[k] = isFlat(points, ids[k], tree);
+      }
+    });
+  const PointTree others(places, run.unwatched());
+  forBlocksReporting(run.part(0.5, 1.0), size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      for (Index k = begin; k < end; ++k)
+      {
+        others.nearest(places.row(k), jury, nearest);
+        const auto count = std::count_if(nearest.begin(), nearest.end(),
+          [&](const Neighbor& neighbor) { return flat[neighbor.Id] != 0; });
+        guilty[k] = static_cast<double>(count) < share * static_cast<double>(nearest.size());
+      }
+    });
+  for (Index k = 0; k < size; ++k)
+  {
+    suspects[ids[k]] = guilty[k];
+  }
+}
+}
+
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 {
-  constexpr int Neighbors = 8;
   constexpr double Steepness = 0.8;
   constexpr Index BlockSize = 256;
   std::vector<std::uint8_t> stray(points.rows(), 0);
@@ -48,10 +128,9 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
   return stray;
 }
 
-std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run)
+std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, const Run& run)
 {
-  constexpr int Neighbors = 8;
-  constexpr double FromNeighbors = 3.0, FromAll = 8.0;
+  constexpr double FromNeighbors = 3.0;
   constexpr Index BlockSize = 256;
   const Index size = points.rows();
   std::vector<std::uint8_t> isolated(size, 0);
@@ -59,7 +138,7 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run)
   {
     return isolated;
   }
-  Steps steps(run, { 160.0, 1400.0, 60.0 }); // for each point
+  Steps steps(run, { 160.0, 1400.0, 60.0, 20.0 }); // for each point
   const PointTree tree(points, steps.next());
   std::vector<double> squares(size);
   std::vector<std::array<int, Neighbors>> around(size);
@@ -90,9 +169,10 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run)
           [&](int neighbor) { return squares[neighbor]; });
         std::nth_element(theirs.begin(), theirs.begin() + Neighbors / 2, theirs.end());
         isolated[i] = squares[i] > FromNeighbors * FromNeighbors * theirs[Neighbors / 2] ||
-          squares[i] > FromAll * FromAll * typical;
+          squares[i] > farthest * farthest * typical;
       }
     });
+  acquitSurfaces(points, tree, isolated, steps.next());
   return isolated;
 }
 }

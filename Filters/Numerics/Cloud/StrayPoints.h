@@ -21,13 +21,16 @@ namespace conformal
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {});
 
 /// Mark points that are far from all others: whose eighth neighbor is more than 3 times as far as
-/// those of its eight neighbors typically are, or more than 8 times as far as the typical point's.
-/// Noise is kept, and so is every part of a cloud whose density changes slowly.
+/// those of its eight neighbors typically are, or more than `farthest` times as far as the typical
+/// point's.
+/// Noise is kept, and so are sparse parts of a surface: where a quarter of the points that would be
+/// marked lie flat, in a plane with their neighbors, they are none of them.
 ///
 /// @param[in] points  #P by 3, finite
 /// @return #P, 1 for an isolated point, else 0; all 0 for up to eight points
 /// @throws Aborted
-std::vector<std::uint8_t> isolatedPoints(const Points& points, const Run& run = {});
+std::vector<std::uint8_t> isolatedPoints(
+  const Points& points, double farthest = 8.0, const Run& run = {});
 }
 
 #endif

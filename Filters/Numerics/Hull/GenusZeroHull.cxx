@@ -1,6 +1,7 @@
 #include "Hull/GenusZeroHull.h"
 
 #include "Base/Steps.h"
+#include "Cloud/Orientation.h"
 #include "Hull/CloudDistance.h"
 #include "Hull/GridSolid.h"
 #include "Hull/IndicatorSolid.h"
@@ -188,28 +189,29 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   return result;
 }
 
-// Nodes at most so many steps from the surface of a solid, on both sides.
-std::vector<std::uint8_t> nodesAlongSurface(
-  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int layers)
+// Of each node its number of steps to the surface of a solid, from 1, on both sides; 0 for those
+// that are farther than so many.
+std::vector<std::uint8_t> stepsToSurface(
+  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int most)
 {
   const std::array<int, 14> steps = grid.neighborSteps();
-  std::vector<std::uint8_t> near(inside.size(), 0);
+  std::vector<std::uint8_t> reached(inside.size(), 0);
   std::vector<int> front, next;
   forInnerRows(grid, {},
     [&](int first, int last)
     {
       for (int node = first; node < last; ++node)
       {
-        near[node] = std::any_of(steps.begin(), steps.end(),
+        reached[node] = std::any_of(steps.begin(), steps.end(),
           [&](int step) { return inside[node + step] != inside[node]; });
-        if (near[node])
+        if (reached[node])
         {
           front.push_back(node);
         }
       }
     });
-  const auto size = static_cast<int>(near.size());
-  for (int layer = 1; layer < layers; ++layer)
+  const auto size = static_cast<int>(reached.size());
+  for (int layer = 2; layer <= most; ++layer)
   {
     next.clear();
     for (const int node : front)
@@ -217,16 +219,49 @@ std::vector<std::uint8_t> nodesAlongSurface(
       for (const int step : steps)
       {
         const int other = node + step;
-        if (other >= 0 && other < size && !near[other])
+        if (other >= 0 && other < size && !reached[other])
         {
-          near[other] = 1;
+          reached[other] = static_cast<std::uint8_t>(layer);
           next.push_back(other);
         }
       }
     }
     front.swap(next);
   }
-  return near;
+  return reached;
+}
+
+// Nodes so near to the surface that samples there are data, and those of samples of sparse parts,
+// where the surface may be off them by the distance of neighbors.
+std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
+{
+  // Noise goes as far as the width that was needed for it.
+  constexpr double reach = 1.5, farthest = 24.0;
+  const FreudenthalGrid& grid = solid.Grid;
+  const double layers = std::max(1.0, std::floor(reach * solid.Width / grid.Spacing));
+  const std::vector<double> areas = areasOfPoints(solid.Cloud);
+  const double largest =
+    areas.empty() ? 0.0 : std::sqrt(*std::max_element(areas.begin(), areas.end()));
+  const std::vector<std::uint8_t> steps = stepsToSurface(grid, solid.Inside,
+    static_cast<int>(std::min(farthest, std::max(layers, largest / grid.Spacing))));
+  std::vector<std::uint8_t> data(steps.size());
+  for (std::size_t node = 0; node < data.size(); ++node)
+  {
+    data[node] = steps[node] > 0 && steps[node] <= layers;
+  }
+  for (Index i = 0; i < solid.Cloud.rows(); ++i)
+  {
+    const Eigen::Vector3i low =
+      grid.toGrid(solid.Cloud.row(i)).array().floor().cast<int>().matrix();
+    const int lowest = grid.node(low[0], low[1], low[2]);
+    for (const int corner : grid.cornerSteps())
+    {
+      const int node = lowest + corner;
+      data[node] = data[node] ||
+        (steps[node] > 0 && steps[node] * grid.Spacing <= std::sqrt(areas[i]));
+    }
+  }
+  return data;
 }
 
 // No triangles where winding numbers do not tell inside from outside.
@@ -255,11 +290,8 @@ GenusZeroHullResult makeHullByWindingNumbers(
   result.NumberOfCutNodes = solid.Repair.NumberOfCutNodes + solid.Repair.NumberOfFilledNodes;
   result.NumberOfCutInsideNodes = solid.Repair.NumberOfDefiniteNodes;
 
-  // Noise goes as far as the width that was needed for it.
-  constexpr double reach = 1.5;
-  const int layers = std::max(1, static_cast<int>(reach * solid.Width / options.Spacing));
   const Run counting = steps.next();
-  std::vector<std::uint8_t> near = nodesAlongSurface(solid.Grid, solid.Inside, layers);
+  std::vector<std::uint8_t> near = nodesOfData(solid);
   result.Data = HullData(solid.Grid, near);
   const Index atSurface = countSamples(samples, result.Data, counting.part(0.0, 0.5));
   for (std::size_t node = 0; node < near.size(); ++node)

@@ -101,7 +101,8 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   Steps steps(run,
     { WorkOfIsolated * selected, WorkOfThinning * selected,
       workOfIndicatorSolid(samples, spacing) - (WorkOfIsolated + WorkOfThinning) * selected });
-  cloud = without(cloud, isolatedPoints(cloud.Positions, steps.next()));
+  constexpr double farthest = 8.0;
+  cloud = without(cloud, isolatedPoints(cloud.Positions, farthest, steps.next()));
   cloud = thin(cloud, ThinnedPoints, steps.next());
   if (cloud.Positions.rows() < MinimumPoints)
   {
@@ -187,6 +188,7 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   {
     solid.Inside.clear();
   }
+  solid.Cloud.swap(cloud.Positions);
   return solid;
 }
 }

@@ -20,6 +20,7 @@ struct IndicatorSolid
   FreudenthalGrid Grid;
   Indicator Field;                  ///< at the nodes
   std::vector<std::uint8_t> Inside; ///< 1 for the nodes of the solid, else 0; empty for no solid
+  Points Cloud;                     ///< what it was made from: the samples, thinned
   double Width = 0.0;               ///< of the winding numbers
   double Noise = 0.0;               ///< of the thinned points, its standard deviation
   bool NormalsUsed = false;         ///< whether normals were given, and of use

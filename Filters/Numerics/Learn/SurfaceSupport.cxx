@@ -14,6 +14,66 @@ namespace
 {
 constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
 
+/// Patterns as seen from places on the surface between them.
+class Rows
+{
+public:
+  Rows(const Points& patterns, const PointTree& tree)
+    : Patterns(patterns)
+    , Tree(tree)
+  {
+  }
+
+  /// Whether a place is no farther from a pattern than rows of patterns are from each other there:
+  /// behind the pattern there is as little as before it, and the surface is flat around both. So it
+  /// is between scan lines, and in the middle of faces whose vertices crowd at their edges.
+  bool areAround(const Vector3& place)
+  {
+    const Vector3 x = this->Patterns.row(this->Tree.nearest(place).Id);
+    if (this->goOn(place, x))
+    {
+      return true;
+    }
+    const Vector3 across = this->Patterns.row(this->Tree.nearest(2.0 * place - x).Id);
+    return across != x && this->goOn(place, across);
+  }
+
+private:
+  bool goOn(const Vector3& place, const Vector3& x)
+  {
+    constexpr int most = 256;    // rows have no more patterns than these within reach
+    constexpr double reach = 2.5; // distances
+    constexpr double cone = 0.7, tangential = 0.5, thickness = 0.3, asNear = 0.9;
+    const Vector3 apart = place - x;
+    const double distance = apart.norm();
+    this->Tree.nearest(x, most, this->Around);
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Neighbor& neighbor : this->Around)
+    {
+      if (neighbor.SquareDistance > reach * reach * distance * distance)
+      {
+        break;
+      }
+      const Vector3 d = Vector3(this->Patterns.row(neighbor.Id)) - x;
+      spread += d * d.transpose();
+      const double length = d.norm();
+      if (length < asNear * distance && -d.dot(apart) > cone * distance * length)
+      {
+        return false; // as dense behind as ever
+      }
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+    axes.computeDirect(spread);
+    const double flatness = thickness * thickness * axes.eigenvalues()[2];
+    return axes.eigenvalues()[0] < flatness &&
+      std::abs(axes.eigenvectors().col(0).dot(apart)) < tangential * distance;
+  }
+
+  const Points& Patterns;
+  const PointTree& Tree;
+  std::vector<Neighbor> Around;
+};
+
 /// So many of the patterns, evenly spaced, the same on all processes.
 Points selection(const TrainingSamples& samples, Index wanted)
 {
@@ -135,6 +195,7 @@ std::vector<bool> farFromPatterns(
   constexpr int NeighborsOfPattern = 6;
   constexpr double Far = 2.0;
   const PointTree tree(patterns);
+  Rows rows(patterns, tree);
   std::vector<bool> far(marked.size(), false);
   std::vector<Neighbor> around;
   for (std::size_t i = 0; i < marked.size(); ++i)
@@ -144,7 +205,8 @@ std::vector<bool> farFromPatterns(
       const Vector3 place = positions.row(static_cast<Index>(i));
       const Neighbor nearest = tree.nearest(place);
       tree.nearest(patterns.row(nearest.Id), NeighborsOfPattern + 1, around);
-      far[i] = nearest.SquareDistance > Far * Far * around.back().SquareDistance;
+      far[i] = nearest.SquareDistance > Far * Far * around.back().SquareDistance &&
+        !rows.areAround(place);
     }
   }
   return far;

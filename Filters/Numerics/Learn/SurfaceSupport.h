@@ -37,6 +37,7 @@ std::vector<bool> bareVertices(const Points& positions, const Triangles& triangl
 
 /// Of the vertices marked, those twice as far from the nearest pattern as its sixth neighbor is
 /// from that: where patterns are only sparser than elsewhere, the surface has them all the same.
+/// So it has between rows of patterns, such as scan lines, that are far apart but evenly so.
 /// @param[in] marked    #V
 /// @param[in] patterns  all of them, or a fair selection; not empty
 std::vector<bool> farFromPatterns(

@@ -3,6 +3,7 @@
 #include "Base/Steps.h"
 #include "Cloud/CloudThinning.h"
 #include "Cloud/Orientation.h"
+#include "Cloud/StrayPoints.h"
 #include "Cloud/WindingNumbers.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
@@ -19,11 +20,10 @@ namespace
 {
 constexpr double AskedSamples = 10000.0;
 constexpr Index MinimumSamples = 20; // of which anything can be told
-constexpr int NumberOfNeighbors = 8;
 constexpr Index BlockSize = 256;
 
 // In nanoseconds as in Steps: for each vertex, for each sample asked.
-constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 8000.0;
+constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 14000.0;
 
 // Wide enough for the sides of a surface that lie on the same samples to cancel.
 constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
@@ -81,30 +81,35 @@ Feet feetOf(
   return feet;
 }
 
-// Whether samples are far from all others.
-class Company
+// How much of the object each sample stands for: those of sparse parts for more than those of dense
+// ones, and outliers for none. What counts is how much its neighbors have around them, so that a few
+// points by themselves are not taken for a large part.
+std::vector<double> weightsOf(const Points& points, const Run& run)
 {
-public:
-  Company(const Points& points, double spacing)
-    : Cloud(points)
-    , Tree(points)
-    , Spacing(spacing)
+  constexpr double far = 2.5;
+  constexpr int few = 4, neighbors = 8, lowest = 2;
+  const std::vector<double> areas = areasOfPoints(points, few, run);
+  const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
+  const PointTree tree(points, run);
+  std::vector<double> weights(areas.size(), 0.0), around;
+  std::vector<Neighbor> nearest;
+  for (std::size_t i = 0; i < weights.size(); ++i)
   {
+    if (isolated[i])
+    {
+      continue;
+    }
+    tree.nearest(points.row(static_cast<Index>(i)), neighbors, nearest);
+    around.clear();
+    for (const Neighbor& neighbor : nearest)
+    {
+      around.push_back(areas[neighbor.Id]);
+    }
+    std::nth_element(around.begin(), around.begin() + lowest, around.end());
+    weights[i] = around[lowest];
   }
-
-  bool lacks(Index i)
-  {
-    constexpr double far = 4.0; // spacings; eight neighbors are 1.6 spacings away
-    this->Tree.nearest(this->Cloud.row(i), NumberOfNeighbors + 1, this->Around);
-    return this->Around.back().SquareDistance > far * far * this->Spacing * this->Spacing;
-  }
-
-private:
-  const Points& Cloud;
-  PointTree Tree;
-  double Spacing;
-  std::vector<Neighbor> Around;
-};
+  return weights;
+}
 
 // Directions in which the surface should face at the points.
 Points outwardDirections(
@@ -154,26 +159,25 @@ SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positi
   const Points outward = outwardDirections(
     asked, feet.Normals, std::max(WidthOfSpacing * spacing, WidthOfNoise * noise), run.unwatched());
   const double near = std::max(distanceOfSpacing * spacingOfAll, distanceOfNoise * noise);
-  Company company(asked.Positions, spacing);
-  Index unmet = 0, inverted = 0, strays = 0;
+  const std::vector<double> weights = weightsOf(asked.Positions, run.unwatched());
+  double counted = 0.0, unmet = 0.0, inverted = 0.0;
   for (Index i = 0; i < size; ++i)
   {
-    if (feet.Distances[i] <= near)
+    counted += weights[i];
+    if (feet.Distances[i] > near)
     {
-      inverted += feet.Normals.row(i).dot(outward.row(i)) < 0.0;
+      unmet += weights[i];
     }
-    else if (company.lacks(i))
+    else if (feet.Normals.row(i).dot(outward.row(i)) < 0.0)
     {
-      ++strays;
-    }
-    else
-    {
-      ++unmet;
+      inverted += weights[i];
     }
   }
-  const auto counted = static_cast<double>(std::max<Index>(1, size - strays));
-  verdict.UnmetFraction = static_cast<double>(unmet) / counted;
-  verdict.InvertedFraction = static_cast<double>(inverted) / counted;
+  if (counted > 0.0)
+  {
+    verdict.UnmetFraction = unmet / counted;
+    verdict.InvertedFraction = inverted / counted;
+  }
   return verdict;
 }
 
