@@ -208,7 +208,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   const conformal::TrainingSamples& samples)
 {
   // Where noise is as large, the hull has handles by chance.
-  constexpr double muchNoise = 0.01;
+  constexpr double muchNoise = 0.01, manyUnresolved = 0.05;
   const vtkIdType size = samples.totalSize();
   if (result.HullLeaks)
   {
@@ -227,7 +227,22 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                                     << " % of the largest radius, which the mesh does not follow; "
                                        "nor does it follow details that are as small");
   }
-  else if (result.CutFraction > 0.0)
+  else if (result.Verdict.UnresolvedFraction > manyUnresolved)
+  {
+    vtkWarningWithObjectMacro(self, << 100.0 * result.Verdict.UnresolvedFraction
+                                    << " % of the points lie farther than 2 % of the largest "
+                                       "radius from the plane of their neighbors: they are too "
+                                       "few for the object's details, and the mesh between them "
+                                       "is a guess. Add points");
+  }
+  if (result.Verdict.LayerDistance > 0.0)
+  {
+    vtkWarningWithObjectMacro(self, << "the points lie on two layers, "
+                                    << 100.0 * result.Verdict.LayerDistance
+                                    << " % of the largest radius apart, and the mesh lies between "
+                                       "them. Register the scans anew");
+  }
+  if (result.Noise <= muchNoise && result.CutFraction > 0.0)
   {
     vtkConformalConversions::WarnOfCutHandles(self, result.CutFraction);
   }
@@ -266,8 +281,11 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "InvertedFraction", result.Verdict.InvertedFraction);
   AddNumber(data, "FoldedFraction", result.Verdict.FoldedFraction);
   AddNumber(data, "AreaRatio", result.AreaRatio);
+  AddNumber(data, "UnresolvedFraction", result.Verdict.UnresolvedFraction);
   vtkConformalConversions::AddLengths(
     data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
+  vtkConformalConversions::AddLengths(
+    data, "LayerDistance", { result.Verdict.LayerDistance * samples.scale() }, frame);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
   AddNumber(data, "StartedFromMesh", static_cast<long long>(result.FromMesh));
   AddNumber(data, "HullIndicator", static_cast<long long>(result.Indicator));

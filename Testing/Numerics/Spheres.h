@@ -19,6 +19,24 @@ inline conformal::Points geodesicWhere(
   return clouds::where(conformal::makeGeodesicSphere(frequency).Positions, test);
 }
 
+/// Thrown at random, as densely everywhere, or a hundredth as densely where x is below 0.
+inline conformal::Points random(conformal::Index size, bool sparseHalf = false)
+{
+  conformal::Random random(5);
+  conformal::Points points(size, 3);
+  for (conformal::Index i = 0; i < size;)
+  {
+    const double z = 2.0 * random.uniform() - 1.0, turn = 2.0 * conformal::Pi * random.uniform();
+    const double r = std::sqrt(1.0 - z * z), x = r * std::cos(turn);
+    const bool taken = !sparseHalf || x > 0.0 || random.uniform() < 0.01;
+    if (taken)
+    {
+      points.row(i++) << x, r * std::sin(turn), z;
+    }
+  }
+  return points;
+}
+
 /// Spread evenly along a spiral.
 inline conformal::Points spiral(conformal::Index size)
 {

@@ -15,27 +15,14 @@ namespace
 constexpr int Neighbors = 8;
 
 /// Whether a point lies in the plane of its nearest others, and these in one.
-bool isFlat(const Points& points, Index i, const PointTree& tree)
+bool isFlat(const Points& points, const Vector3& point, const PointTree& tree)
 {
   constexpr double thickness = 0.1; // its square, of that of the second axis
-  const Vector3 x = points.row(i);
-  std::vector<Neighbor> nearest;
   for (const int count : { Neighbors, 2 * Neighbors })
   {
-    tree.nearest(x, count + 1, nearest);
-    const auto others = static_cast<Index>(nearest.size()) - 1;
-    Eigen::Matrix<double, 3, Eigen::Dynamic> around(3, others);
-    for (Index k = 0; k < others; ++k)
-    {
-      around.col(k) = points.row(nearest[k + 1].Id).transpose() - x;
-    }
-    const Vector3 middle = around.rowwise().mean();
-    around.colwise() -= middle;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-    axes.computeDirect(around * around.transpose() / static_cast<double>(others));
-    const double offset = axes.eigenvectors().col(0).dot(middle);
-    const double most = thickness * axes.eigenvalues()[1];
-    if (axes.eigenvalues()[0] < most && offset * offset < most)
+    const NearestPlane plane = planeNear(points, tree, point, count);
+    const double most = thickness * plane.SquareWidths[1];
+    if (plane.SquareWidths[0] < most && plane.Offset * plane.Offset < most)
     {
       return true;
     }
@@ -45,8 +32,8 @@ bool isFlat(const Points& points, Index i, const PointTree& tree)
 
 /// Sparse parts of a surface are no outliers: where a quarter of the suspects around a suspect lie
 /// flat, which few points scattered in space do by chance, it is free.
-void acquitSurfaces(const Points& points, const PointTree& tree,
-  std::vector<std::uint8_t>& suspects, const Run& run)
+void acquitSurfaces(
+  const Points& points, const PointTree& tree, std::vector<std::uint8_t>& suspects, const Run& run)
 {
   constexpr int jury = 32;
   constexpr double share = 0.25;
@@ -68,7 +55,7 @@ void acquitSurfaces(const Points& points, const PointTree& tree,
       for (Index k = begin; k < end; ++k)
       {
         places.row(k) = points.row(ids[k]);
-        flat[k] = isFlat(points, ids[k], tree);
+        flat[k] = isFlat(points, points.row(ids[k]), tree);
       }
     });
   const PointTree others(places, run.unwatched());
@@ -91,6 +78,28 @@ void acquitSurfaces(const Points& points, const PointTree& tree,
 }
 }
 
+NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector3& place, int count)
+{
+  std::vector<Neighbor> nearest;
+  tree.nearest(place, count + 1, nearest);
+  // The first is the point itself, or one at the same place.
+  const auto others = static_cast<Index>(nearest.size()) - 1;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> around(3, others);
+  for (Index k = 0; k < others; ++k)
+  {
+    around.col(k) = points.row(nearest[k + 1].Id).transpose() - place;
+  }
+  const Vector3 middle = around.rowwise().mean();
+  around.colwise() -= middle;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(around * around.transpose() / static_cast<double>(others));
+  NearestPlane plane;
+  plane.Normal = axes.eigenvectors().col(0);
+  plane.Offset = plane.Normal.dot(middle);
+  plane.SquareWidths = axes.eigenvalues();
+  return plane;
+}
+
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 {
   constexpr double Steepness = 0.8;
@@ -105,24 +114,11 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
   forBlocksReporting(steps.next(), points.rows(), BlockSize,
     [&](Index begin, Index end)
     {
-      std::vector<Neighbor> nearest;
-      Eigen::Matrix<double, 3, Neighbors> around;
       for (Index i = begin; i < end; ++i)
       {
-        const Vector3 x = points.row(i);
-        tree.nearest(x, Neighbors + 1, nearest);
-        for (int k = 0; k < Neighbors; ++k)
-        {
-          // The first is the point itself, or one at the same place.
-          around.col(k) = points.row(nearest[k + 1].Id).transpose() - x;
-        }
-        const Vector3 middle = around.rowwise().mean();
-        around.colwise() -= middle;
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-        axes.computeDirect(around * around.transpose() / Neighbors);
-        const double width = axes.eigenvalues()[1] + axes.eigenvalues()[2]; // ascending
-        const double offset = axes.eigenvectors().col(0).dot(middle);
-        stray[i] = offset * offset > Steepness * Steepness * width;
+        const NearestPlane plane = planeNear(points, tree, points.row(i), Neighbors);
+        const double width = plane.SquareWidths[1] + plane.SquareWidths[2];
+        stray[i] = plane.Offset * plane.Offset > Steepness * Steepness * width;
       }
     });
   return stray;

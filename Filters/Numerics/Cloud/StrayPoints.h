@@ -5,12 +5,25 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
+#include "Search/PointTree.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace conformal
 {
+/// The plane through the points that are nearest to a place, one at the place itself left out.
+struct NearestPlane
+{
+  Vector3 Normal;       ///< unit length
+  double Offset = 0.0;  ///< of the plane from the place, along the normal
+  Vector3 SquareWidths; ///< mean squares along the principal axes, ascending
+};
+
+/// @param[in] tree  of the points, more than `count`
+NearestPlane planeNear(
+  const Points& points, const PointTree& tree, const Vector3& place, int count);
+
 /// Mark points that lie off the surface which the points around them make up: farther from the
 /// plane through the eight nearest other points, along its normal, than 0.8 times the root mean
 /// square width of these in it. Points at sharp tips and some of a very noisy cloud are marked too.

@@ -257,8 +257,8 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
     for (const int corner : grid.cornerSteps())
     {
       const int node = lowest + corner;
-      data[node] = data[node] ||
-        (steps[node] > 0 && steps[node] * grid.Spacing <= std::sqrt(areas[i]));
+      data[node] =
+        data[node] || (steps[node] > 0 && steps[node] * grid.Spacing <= std::sqrt(areas[i]));
     }
   }
   return data;

@@ -24,8 +24,8 @@ public:
   {
   }
 
-  /// Whether a place is no farther from a pattern than rows of patterns are from each other there:
-  /// behind the pattern there is as little as before it, and the surface is flat around both. So it
+  /// Whether a place is between rows of patterns as far apart as they are there: behind the nearest
+  /// pattern there is as little as before it, and the surface is flat around both. So it
   /// is between scan lines, and in the middle of faces whose vertices crowd at their edges.
   bool areAround(const Vector3& place)
   {
@@ -41,9 +41,9 @@ public:
 private:
   bool goOn(const Vector3& place, const Vector3& x)
   {
-    constexpr int most = 256;    // rows have no more patterns than these within reach
+    constexpr int most = 256;     // rows have no more patterns than these within reach
     constexpr double reach = 2.5; // distances
-    constexpr double cone = 0.7, tangential = 0.5, thickness = 0.3, asNear = 0.9;
+    constexpr double cone = 0.7, tangential = 0.5, thickness = 0.3, asNear = 1.5;
     const Vector3 apart = place - x;
     const double distance = apart.norm();
     this->Tree.nearest(x, most, this->Around);
@@ -65,8 +65,10 @@ private:
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
     axes.computeDirect(spread);
     const double flatness = thickness * thickness * axes.eigenvalues()[2];
-    return axes.eigenvalues()[0] < flatness &&
-      std::abs(axes.eigenvectors().col(0).dot(apart)) < tangential * distance;
+    const bool oneRow = axes.eigenvalues()[1] < flatness; // which tells of no plane
+    return oneRow ||
+      (axes.eigenvalues()[0] < flatness &&
+        std::abs(axes.eigenvectors().col(0).dot(apart)) < tangential * distance);
   }
 
   const Points& Patterns;
@@ -205,8 +207,8 @@ std::vector<bool> farFromPatterns(
       const Vector3 place = positions.row(static_cast<Index>(i));
       const Neighbor nearest = tree.nearest(place);
       tree.nearest(patterns.row(nearest.Id), NeighborsOfPattern + 1, around);
-      far[i] = nearest.SquareDistance > Far * Far * around.back().SquareDistance &&
-        !rows.areAround(place);
+      far[i] =
+        nearest.SquareDistance > Far * Far * around.back().SquareDistance && !rows.areAround(place);
     }
   }
   return far;

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace conformal
@@ -23,7 +25,7 @@ constexpr Index MinimumSamples = 20; // of which anything can be told
 constexpr Index BlockSize = 256;
 
 // In nanoseconds as in Steps: for each vertex, for each sample asked.
-constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 14000.0;
+constexpr double WorkOfTree = 1300.0, WorkOfFoot = 1500.0, WorkOfNumbers = 20000.0;
 
 // Wide enough for the sides of a surface that lie on the same samples to cancel.
 constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
@@ -52,8 +54,8 @@ double foldedFraction(const Points& positions, const Triangles& triangles)
 // Where samples meet the surface.
 struct Feet
 {
-  Points Normals; // #P by 3, of its triangles
-  std::vector<double> Distances;
+  Points Normals;              // #P by 3, of its triangles
+  std::vector<double> Offsets; // along the normals, outward
 };
 
 Feet feetOf(
@@ -65,7 +67,7 @@ Feet feetOf(
   const TriangleTree tree(positions, triangles, steps.next());
   Feet feet;
   feet.Normals.resize(points.rows(), 3);
-  feet.Distances.resize(points.rows());
+  feet.Offsets.resize(points.rows());
   forBlocksReporting(steps.next(), points.rows(), BlockSize,
     [&](Index begin, Index end)
     {
@@ -75,20 +77,28 @@ Feet feetOf(
         const FootPoint foot = tree.closestPoint(points.row(i), hint);
         hint = foot.Triangle;
         feet.Normals.row(i) = areaVector(positions, triangles, hint).stableNormalized();
-        feet.Distances[i] = std::sqrt(foot.SquareDistance);
+        const Vector3 corner = positions.row(triangles(hint, 0));
+        feet.Offsets[i] = std::copysign(
+          std::sqrt(foot.SquareDistance), feet.Normals.row(i).dot(Vector3(points.row(i)) - corner));
       }
     });
   return feet;
 }
 
 // How much of the object each sample stands for: those of sparse parts for more than those of dense
-// ones, and outliers for none. What counts is how much its neighbors have around them, so that a few
-// points by themselves are not taken for a large part.
+// ones, and outliers for none. What counts is how much its neighbors have around them, so that a
+// few points by themselves are not taken for a large part.
 std::vector<double> weightsOf(const Points& points, const Run& run)
 {
   constexpr double far = 2.5;
   constexpr int few = 4, neighbors = 8, lowest = 2;
-  const std::vector<double> areas = areasOfPoints(points, few, run);
+  constexpr double atMost = 2.5; // times as much as among fewer neighbors
+  std::vector<double> areas = areasOfPoints(points, neighbors, run);
+  const std::vector<double> ofFew = areasOfPoints(points, few, run);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    areas[i] = std::min(areas[i], atMost * ofFew[i]);
+  }
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
   const PointTree tree(points, run);
   std::vector<double> weights(areas.size(), 0.0), around;
@@ -109,6 +119,99 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
     weights[i] = around[lowest];
   }
   return weights;
+}
+
+// The share of the samples, by weight, that lie off the plane of the nearest others.
+double unresolvedFraction(const Points& asked, const std::vector<double>& weights,
+  const TrainingSamples& samples, const Run& run)
+{
+  constexpr double most = 50000.0, distance = 0.02;
+  constexpr int neighbors = 8;
+  const Points cloud = selectSamples(samples, most).Positions;
+  if (cloud.rows() <= neighbors)
+  {
+    return 0.0;
+  }
+  const PointTree tree(cloud, run);
+  std::vector<std::uint8_t> off(asked.rows(), 0);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        off[i] = std::abs(planeNear(cloud, tree, asked.row(i), neighbors).Offset) > distance;
+      }
+    });
+  double all = 0.0, unresolved = 0.0;
+  for (std::size_t i = 0; i < off.size(); ++i)
+  {
+    all += weights[i];
+    unresolved += off[i] ? weights[i] : 0.0;
+  }
+  return all > 0.0 ? unresolved / all : 0.0;
+}
+
+// How far apart two layers of samples are, or 0 where there is one.
+double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
+{
+  constexpr int neighbors = 24;
+  constexpr double least = 0.004, mostKurtosis = 2.15, sameSide = 0.5;
+  if (asked.rows() < neighbors)
+  {
+    return 0.0;
+  }
+  const PointTree tree(asked, run);
+  struct Moments
+  {
+    double Second = 0.0, SquareOfSecond = 0.0, Fourth = 0.0;
+  };
+  const Index blocks = (asked.rows() + BlockSize - 1) / BlockSize;
+  std::vector<Moments> sums(blocks);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<Neighbor> nearest;
+      std::vector<double> offsets;
+      Moments& sum = sums[begin / BlockSize];
+      for (Index i = begin; i < end; ++i)
+      {
+        tree.nearest(asked.row(i), neighbors, nearest);
+        offsets.clear();
+        for (const Neighbor& neighbor : nearest)
+        {
+          if (std::abs(feet.Offsets[neighbor.Id]) <= near &&
+            feet.Normals.row(i).dot(feet.Normals.row(neighbor.Id)) > sameSide)
+          {
+            offsets.push_back(feet.Offsets[neighbor.Id]);
+          }
+        }
+        if (2 * offsets.size() < neighbors)
+        {
+          continue;
+        }
+        const auto count = static_cast<double>(offsets.size());
+        const double mean = std::accumulate(offsets.begin(), offsets.end(), 0.0) / count;
+        double second = 0.0, fourth = 0.0;
+        for (const double offset : offsets)
+        {
+          const double square = (offset - mean) * (offset - mean);
+          second += square / count;
+          fourth += square * square / count;
+        }
+        sum.Second += second;
+        sum.SquareOfSecond += second * second;
+        sum.Fourth += fourth;
+      }
+    });
+  Moments all;
+  for (const Moments& sum : sums)
+  {
+    all.Second += sum.Second;
+    all.SquareOfSecond += sum.SquareOfSecond;
+    all.Fourth += sum.Fourth;
+  }
+  const double apart = all.Second > 0.0 ? 2.0 * std::sqrt(all.SquareOfSecond / all.Second) : 0.0;
+  return apart > least && all.Fourth < mostKurtosis * all.SquareOfSecond ? apart : 0.0;
 }
 
 // Directions in which the surface should face at the points.
@@ -164,7 +267,7 @@ SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positi
   for (Index i = 0; i < size; ++i)
   {
     counted += weights[i];
-    if (feet.Distances[i] > near)
+    if (std::abs(feet.Offsets[i]) > near)
     {
       unmet += weights[i];
     }
@@ -173,6 +276,9 @@ SurfaceVerdict judgeSurface(const TrainingSamples& samples, const Points& positi
       inverted += weights[i];
     }
   }
+  verdict.UnresolvedFraction =
+    unresolvedFraction(asked.Positions, weights, samples, run.unwatched());
+  verdict.LayerDistance = layerDistance(asked.Positions, feet, near, run.unwatched());
   if (counted > 0.0)
   {
     verdict.UnmetFraction = unmet / counted;

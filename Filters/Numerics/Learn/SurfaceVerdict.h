@@ -11,9 +11,15 @@ namespace conformal
 {
 struct SurfaceVerdict
 {
-  double UnmetFraction = 0.0;    ///< of the samples: the surface does not come near them
-  double InvertedFraction = 0.0; ///< of the samples: the surface faces the wrong way there
-  double FoldedFraction = 0.0;   ///< of the edges: bent by more than 150 degrees
+  // Of the samples, each counted by the area that it stands for.
+  double UnmetFraction = 0.0;    ///< the surface does not come near them
+  double InvertedFraction = 0.0; ///< the surface faces the wrong way there
+
+  double FoldedFraction = 0.0; ///< of the edges: bent by more than 150 degrees
+
+  // Of the samples alone, which no other surface would mend.
+  double UnresolvedFraction = 0.0; ///< of them, off the plane of their neighbors by 0.02 or more
+  double LayerDistance = 0.0;      ///< of two layers that they lie on, or 0
 };
 
 /// What is tolerated of each; closed scans that were learned well have less than half of it.
@@ -31,6 +37,11 @@ struct ToleratedVerdict
 ///   are known, or where they do not agree on what is inside, the samples get those of the surface:
 ///   where it is right, their winding number (WindingNumbers.h) falls along it. It does not where
 ///   two sides of the surface lie on the same samples, or where it has been turned inside out.
+/// - Samples are too few where they lie off the plane of their neighbors by more than 0.02: what is
+///   between them is guessed.
+/// - Samples lie on two layers, as those of scans that are not registered well, where their offsets
+///   from the surface have, among neighbors, two values: a kurtosis nearer to 1 than to the 3 of
+///   noise.
 ///
 /// Some 10,000 of the samples are asked, the same on all processes.
 ///

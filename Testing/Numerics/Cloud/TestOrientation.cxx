@@ -182,3 +182,27 @@ TEST(Orientation, KnowsAThinWallFromNoise)
   areas << outer, -outer;
   EXPECT_LT(conformal::noiseOf(points, areas).Deviation, 0.001);
 }
+
+// Half of the sphere has a hundredth of the points of the other, each of which stands for a hundred
+// times the area: the winding number is as near to 1 behind it.
+TEST(Orientation, WeighsPointsOfSparseParts)
+{
+  const Points points = spheres::random(8000, true);
+  const WindingNumbers numbers(points);
+  const Points areas = orient(numbers, widths(0.08, 0.02));
+  const Points within = 0.75 * sphere();
+  const Eigen::VectorXd found = numbers.at(within, numbers.sources(areas), 0.02);
+  double sum[2] = { 0.0, 0.0 };
+  int count[2] = { 0, 0 };
+  for (Index i = 0; i < within.rows(); ++i)
+  {
+    const bool sparse = within(i, 0) < -0.25;
+    if (sparse || within(i, 0) > 0.25)
+    {
+      sum[sparse] += found[i];
+      ++count[sparse];
+    }
+  }
+  EXPECT_NEAR(sum[0] / count[0], 1.0, 0.1);
+  EXPECT_NEAR(sum[1] / count[1], 1.0, 0.1);
+}

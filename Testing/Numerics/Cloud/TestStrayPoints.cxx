@@ -1,6 +1,8 @@
 #include "Cloud/StrayPoints.h"
 
+#include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -79,4 +81,21 @@ TEST(IsolatedPoints, AreNotAmongFew)
 {
   const Points points = conformal::makeGeodesicSphere(1).Positions.topRows(8);
   EXPECT_EQ(isolatedPoints(points), std::vector<std::uint8_t>(8, 0));
+}
+
+// A hundredth as dense at once, and thrown at random: most lie flat among their neighbors, which
+// points scattered in space do not.
+TEST(IsolatedPoints, AreNotThoseOfASparseHalfButThoseOfSpace)
+{
+  const Points uneven = spheres::random(20000, true);
+  const auto sparse = (uneven.col(0).array() < 0.0).count();
+  std::vector<std::uint8_t> marks = isolatedPoints(uneven);
+  ASSERT_GT(sparse, 150);
+  EXPECT_LE(std::count(marks.begin(), marks.end(), 1), sparse / 20);
+
+  Points scattered(20500, 3);
+  scattered << spheres::random(20000), 3.0 * clouds::inUnitCube(500, 3).array() - 1.5;
+  marks = isolatedPoints(scattered);
+  EXPECT_EQ(std::count(marks.begin(), marks.begin() + 20000, 1), 0);
+  EXPECT_GT(std::count(marks.begin() + 20000, marks.end(), 1), 400);
 }

@@ -176,3 +176,62 @@ TEST(SurfaceSupport, FallsOverWhatNobodySaw)
   }
   supportAround(scan, 2.0);
 }
+
+// Points of a ring every 0.1 of its height, on a cylinder: no vertex between rings is far from
+// them, though rings are thirty times as far apart as the points on them. Where a ring is missing,
+// what lies in its place is.
+TEST(SurfaceSupport, RowsSupportWhatLiesBetweenThem)
+{
+  const auto ringsWithout = [](int missing)
+  {
+    constexpr int rings = 11, around = 1800;
+    conformal::Points points(rings * around, 3);
+    Index size = 0;
+    for (int ring = 0; ring < rings; ++ring)
+    {
+      for (int k = 0; k < around && ring != missing; ++k)
+      {
+        const double turn = 2.0 * conformal::Pi * k / around;
+        points.row(size++) << std::cos(turn), std::sin(turn), 0.1 * ring;
+      }
+    }
+    return conformal::Points(points.topRows(size));
+  };
+  conformal::Points vertices(81, 3);
+  for (Index i = 0; i < vertices.rows(); ++i)
+  {
+    vertices.row(i) << 1.0, 0.0, 0.1 + 0.01 * static_cast<double>(i);
+  }
+  const std::vector<bool> marked(vertices.rows(), true);
+  const std::vector<bool> even = conformal::farFromPatterns(vertices, marked, ringsWithout(-1));
+  EXPECT_EQ(std::count(even.begin(), even.end(), true), 0);
+  const std::vector<bool> gap = conformal::farFromPatterns(vertices, marked, ringsWithout(5));
+  EXPECT_GT(std::count(gap.begin(), gap.end(), true), 0);
+  EXPECT_TRUE(gap[40]);
+}
+
+// A web between two rods: there is more behind the nearest pattern than the web is wide.
+TEST(SurfaceSupport, RodsDoNotSupportAWeb)
+{
+  conformal::Points points(2 * 100 * 200, 3);
+  Index size = 0;
+  for (const double side : { -1.0, 1.0 })
+  {
+    for (int k = 0; k < 100; ++k)
+    {
+      const double turn = 2.0 * conformal::Pi * k / 100;
+      for (int j = 0; j < 200; ++j)
+      {
+        points.row(size++) << side * 0.5 + 0.1 * std::cos(turn), 0.1 * std::sin(turn), 0.006 * j;
+      }
+    }
+  }
+  conformal::Points web(20, 3);
+  for (Index i = 0; i < web.rows(); ++i)
+  {
+    web.row(i) << -0.3 + 0.03 * static_cast<double>(i), 0.0, 0.6;
+  }
+  const std::vector<bool> far =
+    conformal::farFromPatterns(web, std::vector<bool>(web.rows(), true), points);
+  EXPECT_EQ(std::count(far.begin(), far.end(), true), web.rows());
+}

@@ -1,5 +1,6 @@
 #include "Learn/SurfaceVerdict.h"
 
+#include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
 #include "Runs.h"
@@ -127,11 +128,11 @@ TEST(SurfaceVerdict, HoldsTheSurfaceAgainstNormals)
   expectGood(verdictOn(sphere(), samples));
 }
 
-// A twentieth of the points lie on a small sphere beside the surface.
+// A twentieth of the points, as dense as the others, lie on a small sphere beside the surface.
 TEST(SurfaceVerdict, CountsPointsThatTheSurfaceDoesNotReach)
 {
   Points points = spheres::spiral(20000);
-  points.bottomRows(1000) = 0.2 * spheres::spiral(1000);
+  points.bottomRows(1000) = std::sqrt(1.0 / 20.0) * spheres::spiral(1000);
   points.bottomRows(1000).col(0).array() += 1.4;
   EXPECT_NEAR(verdictOn(sphere(), points).UnmetFraction, 0.05, 0.005);
 }
@@ -204,4 +205,43 @@ TEST(SurfaceVerdict, SameOnAnyThreadsAndRanks)
       const Points own = points.middleRows(first, last - first);
       expectSame(verdictOn(bag(), TrainingSamples(own, {}, {}, reduce)));
     });
+}
+
+// A tenth as dense in spacing, a third of the sphere: what is missing is a third, not the hundredth
+// of the points.
+TEST(SurfaceVerdict, CountsPointsForWhatTheyStandFor)
+{
+  const Points points = spheres::random(20000, true);
+  Mesh flat = makeGeodesicSphere(48);
+  for (Index i = 0; i < flat.Positions.rows(); ++i)
+  {
+    flat.Positions(i, 0) = std::max(flat.Positions(i, 0), -0.3);
+  }
+  EXPECT_NEAR(verdictOn(flat, points).UnmetFraction, 0.35, 0.1);
+  EXPECT_LT(verdictOn(makeGeodesicSphere(48), points).UnmetFraction, 0.02);
+}
+
+TEST(SurfaceVerdict, SaysWherePointsAreTooFewForTheShape)
+{
+  EXPECT_EQ(verdictOn(sphere(), spheres::random(10000)).UnresolvedFraction, 0.0);
+  EXPECT_GT(verdictOn(sphere(), spheres::random(100)).UnresolvedFraction, 0.2);
+}
+
+TEST(SurfaceVerdict, FindsTheDistanceOfTwoLayersAndNoneInNoise)
+{
+  Points layers = spheres::random(20000), noisy = layers;
+  conformal::Random random(7);
+  const auto normal = [&] // after Box and Muller
+  {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+    return radius * std::cos(2.0 * Pi * random.uniform());
+  };
+  for (Index i = 0; i < layers.rows(); ++i)
+  {
+    layers.row(i) *= 1.0 + (random.uniform() < 0.5 ? 0.006 : -0.006) + normal() * 0.001;
+    noisy.row(i) *= 1.0 + 0.006 * normal();
+  }
+  EXPECT_NEAR(verdictOn(makeGeodesicSphere(48), layers).LayerDistance, 0.012, 0.001);
+  EXPECT_EQ(verdictOn(makeGeodesicSphere(48), noisy).LayerDistance, 0.0);
+  EXPECT_EQ(verdictOn(makeGeodesicSphere(48), spheres::random(20000)).LayerDistance, 0.0);
 }
