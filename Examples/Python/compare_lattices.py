@@ -6,20 +6,17 @@ by code), learns each with both lattices, of as many neurons, and prints how wel
 model and how good their triangles are. The conformal map of both is measured.
 """
 import argparse
-import os
 import sys
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch)
 
-from helpers import builtin_figure, scan_files
+from helpers import builtin_figure, clouds, scan_files
 
 LATTICES = ("Geodesic", "Adaptive")
 COLUMNS = ("p2s", "s2p", "web %", "Hausdorff", "folds", "angle", "obtuse %", "K")
@@ -45,11 +42,7 @@ def spread(model, count, noise=0.0):
     if noise > 0.0:
         radius = np.linalg.norm(vertices - vertices.mean(axis=0), axis=1).max()
         points = points + noise * radius * random.standard_normal(points.shape)
-    coordinates = vtkPoints()
-    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    cloud = vtkPolyData()
-    cloud.SetPoints(coordinates)
-    return cloud
+    return clouds.cloud_of(points)
 
 
 def learned(cloud, lattice, frequency):
@@ -170,11 +163,7 @@ def main():
     args = parser.parse_args()
     if not 0.0 <= args.noise < 1.0:
         parser.error("--noise must be at least 0 and less than 1")
-    models = {}
-    for path in args.model:
-        reader = scan_files.scan_reader(path)
-        reader.Update()
-        models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
+    models = scan_files.read_models(args.model)
     columns = COLUMNS + (OF_SURFACE if args.surfaces else ()) + (("of noise",) if args.noise > 0.0 else ())
     print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in columns))
     for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():

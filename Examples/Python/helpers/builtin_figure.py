@@ -7,9 +7,10 @@ what a scanner hands over: points without triangles. One piece, no holes, no han
 """
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+from . import clouds
 
 LOW, HIGH = np.array([-0.9, -1.0, -0.75]), np.array([0.9, 1.25, 0.8])  # a box around the bear
 SPACING = 0.03
@@ -139,7 +140,4 @@ def figure_cloud(number_of_points=60000, noise=0.001, random_seed=1, figure=bear
     points = project(even_samples(zero_set(figure), number_of_points, random), figure)
     height = np.ptp(points[:, 1])
     points = points + noise * height * random.standard_normal(points.shape)
-    cloud, vtk_points = vtkPolyData(), vtkPoints()
-    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    cloud.SetPoints(vtk_points)
-    return cloud
+    return clouds.cloud_of(points)

@@ -41,6 +41,16 @@ def scan_reader(path):
     return opened(path, reader_class, [*extensions, *VTK_READERS])
 
 
+def read_models(paths):
+    """What is in the files, by their names without folders and extensions."""
+    models = {}
+    for path in paths:
+        reader = scan_reader(path)
+        reader.Update()
+        models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
+    return models
+
+
 def texture_reader(path):
     """The reader for a picture, with the file name set."""
     return opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
