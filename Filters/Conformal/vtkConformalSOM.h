@@ -26,12 +26,13 @@
  *   some are due; a lid over a hole in the scan, or a web between limbs. 0 in Online mode.
  * - field data "UnmetFraction" (1 value): share of the points that lie apart from the mesh, but not
  *   from each other: the mesh does not reach them. A point counts by the area that it stands for.
- * - field data "InvertedFraction" (1 value): share of the points, by area too, at which the mesh faces the wrong
- *   way, by their normals or by winding numbers; or where two of its sides lie on the same points.
+ * - field data "InvertedFraction" (1 value): share of the points, by area too, at which the mesh
+ * faces the wrong way, by their normals or by winding numbers; or where two of its sides lie on the
+ * same points.
  * - field data "FoldedFraction" (1 value): share of the mesh's edges that are bent by more than 150
  *   degrees.
- * - field data "UnresolvedFraction" (1 value): share of the points, by area, farther than 2 % of the
- *   largest radius from the plane of their eight nearest others: they are too few for the shape.
+ * - field data "UnresolvedFraction" (1 value): share of the points, by area, farther than 2 % of
+ * the largest radius from the plane of their eight nearest others: they are too few for the shape.
  * - field data "LayerDistance" (1 value): how far apart two layers are that the points lie on, such
  *   as scans that are not registered well, in the points' unit; 0 for one layer.
  * - field data "AreaRatio" (1 value): area of the mesh, over that of the surface that was polished

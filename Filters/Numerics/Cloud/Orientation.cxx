@@ -1,6 +1,7 @@
 #include "Cloud/Orientation.h"
 
 #include "Base/Steps.h"
+#include "Cloud/StrayPoints.h"
 #include "Search/PointTree.h"
 
 #include <algorithm>
@@ -19,16 +20,18 @@ double middleOf(std::vector<double> numbers)
   return *middle;
 }
 
-// How much larger than usual the area is that a point has for itself; 1 in even clouds.
+// How much larger than usual the area is that a point has for itself; 1 in even clouds, and for
+// points that seem to be outliers.
 Eigen::VectorXd weightsOf(const Points& points, const Run& run)
 {
-  constexpr double usual = 2.0;
+  constexpr double usual = 2.0, far = 2.5;
   const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
+  const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run.unwatched());
   const double typical = areas.empty() ? 0.0 : usual * middleOf(areas);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
   for (Index i = 0; i < points.rows() && typical > 0.0; ++i)
   {
-    weights[i] = std::max(1.0, areas[i] / typical);
+    weights[i] = isolated[i] ? 1.0 : std::max(1.0, areas[i] / typical);
   }
   return weights;
 }

@@ -18,10 +18,6 @@ constexpr double NodeCost = 0.02;
 constexpr double TinyPiece = 0.0005;  ///< of all nodes inside
 constexpr double ReachOfPiece = 1.0;  ///< in units of the side of a cube of as many nodes
 constexpr double FarthestReach = 0.1; ///< in units of the largest radius
-
-// Limbs that a hole in the data has taken off their body are farther away.
-constexpr double LargePiece = 0.015; ///< of all nodes inside
-constexpr double ReachOfLargePiece = 3.0, FarthestReachOfLargePiece = 0.7;
 constexpr int NumberOfRounds = 3;
 constexpr double Definite = 0.25; ///< off the level
 
@@ -224,10 +220,8 @@ Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
       {
         open += inside[node] == outside;
       }
-      const auto nodes = static_cast<double>(piece.size());
-      const bool large = nodes >= LargePiece * static_cast<double>(total);
-      const double reach = std::min((large ? ReachOfLargePiece : ReachOfPiece) * std::cbrt(nodes),
-        (large ? FarthestReachOfLargePiece : FarthestReach) / grid.Spacing);
+      const double reach = std::min(
+        ReachOfPiece * std::cbrt(static_cast<double>(piece.size())), FarthestReach / grid.Spacing);
       if (static_cast<double>(open) > reach)
       {
         mark(piece, outside);

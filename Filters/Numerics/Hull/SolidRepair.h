@@ -13,10 +13,9 @@
 namespace conformal
 {
 /// Join the pieces of a solid to the largest one, by the ways along which the indicator is missing
-/// least to its level. So limbs come back that are too thin for the points to hold together, or that
-/// a hole in the data has taken off. What is tiny is no part of the object and left out, and so is
-/// what is farther away than it is wide, or than a tenth of the largest radius; a piece of 1.5 % of
-/// the solid may be three times as far as it is wide, or 0.7 of the largest radius.
+/// least to its level. So limbs come back that are too thin for the points to hold together. What
+/// is tiny, farther away than it is wide, or farther than a tenth of the largest radius, is no part
+/// of the object and left out.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the grid's faces
 /// @return the number of nodes on the ways

@@ -187,7 +187,7 @@ TEST(Orientation, KnowsAThinWallFromNoise)
 // times the area: the winding number is as near to 1 behind it.
 TEST(Orientation, WeighsPointsOfSparseParts)
 {
-  const Points points = spheres::random(8000, true);
+  const Points points = spheres::random(20000, true);
   const WindingNumbers numbers(points);
   const Points areas = orient(numbers, widths(0.08, 0.02));
   const Points within = 0.75 * sphere();
@@ -203,6 +203,6 @@ TEST(Orientation, WeighsPointsOfSparseParts)
       ++count[sparse];
     }
   }
-  EXPECT_NEAR(sum[0] / count[0], 1.0, 0.1);
-  EXPECT_NEAR(sum[1] / count[1], 1.0, 0.1);
+  EXPECT_NEAR(sum[0] / count[0], 1.0, 0.2);
+  EXPECT_NEAR(sum[1] / count[1], 1.0, 0.2); // 0.4 where all count alike
 }

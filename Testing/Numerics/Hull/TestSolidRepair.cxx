@@ -99,20 +99,6 @@ TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
   }
 }
 
-// What is left of a limb is a tenth of the whole and nearly three times as far off as it is wide.
-TEST(SolidRepair, JoinsLargePiecesOverHolesInTheData)
-{
-  const FreudenthalGrid grid = cube(61);
-  const auto body = [](const Vector3& x) { return (x - Vector3(-16, 0, 0)).norm() < 10.0; };
-  const auto limb = [](const Vector3& x) { return (x - Vector3(20, 0, 0)).norm() < 5.0; };
-  Marks inside = where(grid, [&](const Vector3& x) { return body(x) || limb(x); });
-  ASSERT_EQ(numberOfPieces(grid, inside), 2);
-  EXPECT_GT(joinPieces(grid, indicatorOf(inside), inside), 0);
-  EXPECT_EQ(numberOfPieces(grid, inside), 1);
-  EXPECT_EQ(eulerNumber(grid, inside), 1);
-  EXPECT_EQ(inside[grid.node(50, 30, 30)], 1);
-}
-
 TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
 {
   const FreudenthalGrid grid = cube(41);
