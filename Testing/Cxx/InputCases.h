@@ -18,6 +18,7 @@
 #include "vtkGuMeshWriter.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -161,6 +162,10 @@ inline std::vector<Case> Filters()
       { s, s } },
     { "vtkSphericalMorph",
       Maker<vtkSphericalMorph>([](vtkSphericalMorph* filter) { filter->SetNumberOfPoints(500); }),
+      { s, s } },
+    { "vtkSphericalRegistration",
+      Maker<vtkSphericalRegistration>(
+        [](vtkSphericalRegistration* filter) { filter->SetFrequency(8); }),
       { s, s } },
     { "vtkSphericalResample", Maker<vtkSphericalResample>(), { s, s } },
     { "vtkSphericalResample, barycentric",

@@ -12,6 +12,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -520,6 +521,15 @@ std::vector<Case> Cases()
       filter->SetLatticeToGeodesic();
       filter->SetFrequency(6);
       return Run(filter, { "ShapeMode1" });
+    } });
+  cases.push_back({ "Registers",
+    [](double scale)
+    {
+      vtkNew<vtkSphericalRegistration> filter;
+      filter->SetInputData(Mesh(scale, 7));
+      filter->SetFixedData(Mesh(scale, 5));
+      filter->SetFrequency(8);
+      return Run(filter);
     } });
   cases.push_back({ "MeasuresDistortion",
     [](double scale)

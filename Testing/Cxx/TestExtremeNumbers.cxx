@@ -11,6 +11,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -176,6 +177,10 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   morph->SetLatticeToGeodesic();
   morph->SetFrequency(5);
   add("morph", morph, ofPoints("SpherePosition"));
+  vtkNew<vtkSphericalRegistration> registration;
+  registration->SetFixedData(Scaled(1.0, 4));
+  registration->SetFrequency(8);
+  add("registration", registration, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalResample> resample;
   const auto source = Scaled(1.0, 6);
   source->GetPointData()->GetNormals()->SetName("Carried");

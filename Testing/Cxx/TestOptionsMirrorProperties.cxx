@@ -8,6 +8,7 @@
 #include "Register/ConsistentRemesh.h"
 #include "Register/ShapeModes.h"
 #include "Register/SphericalMorph.h"
+#include "Register/SphericalRegistration.h"
 #include "Register/SphericalResample.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
@@ -25,6 +26,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
@@ -231,6 +233,21 @@ TEST(OptionsMirrorProperties, SphericalMorph)
   EXPECT_EQ(vtkSphericalMorph::RIGID, static_cast<int>(MorphPath::Rigid));
   EXPECT_EQ(vtkSphericalMorph::GEODESIC, static_cast<int>(RemeshLattice::Geodesic));
   EXPECT_EQ(vtkSphericalMorph::ADAPTIVE, static_cast<int>(RemeshLattice::Adaptive));
+}
+
+TEST(OptionsMirrorProperties, SphericalRegistration)
+{
+  const conformal::SphericalRegistrationOptions options;
+  vtkNew<vtkSphericalRegistration> filter;
+  EXPECT_EQ(filter->GetSpaceOfTransforms(), static_cast<int>(options.Space));
+  EXPECT_EQ(filter->GetShapeWeight(), options.ShapeWeight);
+  EXPECT_EQ(filter->GetStretchWeight(), options.StretchWeight);
+  EXPECT_EQ(filter->GetFrequency(), options.Frequency);
+  using Filter = vtkSphericalRegistration;
+  using conformal::SpaceOfTransforms;
+  EXPECT_EQ(Filter::ROTATION, static_cast<int>(SpaceOfTransforms::Rotation));
+  EXPECT_EQ(Filter::MOEBIUS, static_cast<int>(SpaceOfTransforms::Moebius));
+  EXPECT_EQ(Filter::DIFFEOMORPHIC, static_cast<int>(SpaceOfTransforms::Diffeomorphic));
 }
 
 TEST(OptionsMirrorProperties, SphericalResample)

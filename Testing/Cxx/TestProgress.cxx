@@ -31,6 +31,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -559,6 +560,21 @@ TEST(Progress, OfTheMorph)
       ExpectEven(name + ", fine meshes", Of<Morph>(fine, to(fine, lattice, path)));
     }
   }
+}
+
+TEST(Progress, OfTheRegistration)
+{
+  using Registration = vtkSphericalRegistration;
+  const auto head = Head(40), limbs = Limbs(40);
+  ExpectEven("SphericalRegistration",
+    Of<Registration>(head, [=](Registration* registration) { registration->SetFixedData(limbs); }));
+  ExpectEven("SphericalRegistration, Rotation",
+    Of<Registration>(head,
+      [=](Registration* registration)
+      {
+        registration->SetFixedData(limbs);
+        registration->SetSpaceOfTransformsToRotation();
+      }));
 }
 
 TEST(Progress, OfTheResampling)

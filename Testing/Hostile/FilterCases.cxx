@@ -13,6 +13,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
+#include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
@@ -519,6 +520,55 @@ std::vector<SetUp> Remeshes()
   return { geodesic, adaptive };
 }
 
+std::vector<SetUp> Registrations()
+{
+  using F = vtkSphericalRegistration;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  const auto with = [](int space, bool hasLandmarks)
+  {
+    return [=](F* f, vtkPolyData* good)
+    {
+      f->SetSpaceOfTransforms(space);
+      f->SetFrequency(8);
+      f->SetFixedData(good);
+      for (int i = 0; hasLandmarks && i < 4; ++i)
+      {
+        f->AddLandmark(30 * i, 31 * i);
+      }
+    };
+  };
+  Property landmarks = { "landmark", {} };
+  for (const vtkIdType id : { vtkIdType(-1), vtkIdType(162), vtkIdType(0),
+         std::numeric_limits<vtkIdType>::max(), std::numeric_limits<vtkIdType>::min() })
+  {
+    landmarks.Values.emplace_back(std::to_string(id),
+      [=](vtkAlgorithm* filter) { static_cast<F*>(filter)->AddLandmark(id, 3); });
+  }
+  Property positions = { "landmark position", {} }, features = { "feature", {} };
+  for (const double value : { 0.0, -1.0, 1e308, std::numeric_limits<double>::infinity(),
+         std::numeric_limits<double>::quiet_NaN() })
+  {
+    positions.Values.emplace_back(std::to_string(value).substr(0, 8),
+      [=](vtkAlgorithm* filter)
+      { static_cast<F*>(filter)->AddLandmarkPosition(value, 0.0, 0.0, 1.0, value, 0.0); });
+    features.Values.emplace_back(std::to_string(value).substr(0, 8),
+      [=](vtkAlgorithm* filter) { static_cast<F*>(filter)->AddFeature("Weights", value); });
+  }
+  SetUp free = { "vtkSphericalRegistration", "Diffeomorphic", true,
+    On<F>(with(F::DIFFEOMORPHIC, false)), reads, true, true };
+  free.Properties = { Integer("SpaceOfTransforms", &F::SetSpaceOfTransforms),
+    Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
+    landmarks, positions, features };
+  SetUp rotation = { "vtkSphericalRegistration", "Rotation, landmarks", true,
+    On<F>(with(F::ROTATION, true)), reads, true, true };
+  rotation.Properties = { Integer("Frequency", &F::SetFrequency) };
+  return { free, rotation,
+    { "vtkSphericalRegistration", "landmarks", true, On<F>(with(F::DIFFEOMORPHIC, true)), BadMap,
+      true, true },
+    { "vtkSphericalRegistration", "fixed", true, OnPort<F>(1, [](F* f) { f->SetFrequency(8); }),
+      reads, true, true } };
+}
+
 std::vector<SetUp> Resamplings()
 {
   using F = vtkSphericalResample;
@@ -639,9 +689,9 @@ std::vector<Case> FilterCases()
     inputs.insert(inputs.end(), more.begin(), more.end());
   }
   std::vector<Case> all;
-  for (const std::vector<SetUp>& setUps :
-    { Learners(), Hulls(), Maps(), CurvedSurfaces(), AdaptiveSpheres(), TextureMaps(),
-      TextureImages(), Alignments(), Morphs(), Remeshes(), Resamplings(), Measures(), { Blend() } })
+  for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
+         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Morphs(), Registrations(),
+         Remeshes(), Resamplings(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

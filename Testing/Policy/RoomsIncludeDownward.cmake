@@ -16,7 +16,7 @@ set(below_Surface Base Mesh TriangleMap Search Cloud Linear Sphere)
 set(below_Learn Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull)
 set(below_Texture Base Mesh Search Sphere)
 set(below_Measure Base Mesh Search Sphere)
-set(below_Register Base Mesh Search Linear Sphere Measure)
+set(below_Register Base Mesh Search Linear Sphere SphereMap Measure)
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 check_rooms("${SOURCE_DIR}/Filters/Numerics")

@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
-    vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
            "gii": "GIFTI", "white": "FreeSurfer"}
@@ -107,6 +107,7 @@ FILTERS = {
         vtkSphericalTextureImage, surface(), surface(20), ImageSize=(100, 100)),
     "remesh": lambda: with_inputs(vtkConsistentRemesh, surface(), NumberOfPoints=1000),
     "morph": lambda: with_inputs(vtkSphericalMorph, surface(), surface(20, 0.3), NumberOfPoints=2000, Path=1),
+    "registration": lambda: with_inputs(vtkSphericalRegistration, surface(), surface(20, 0.3), Frequency=8),
     "resampling": lambda: with_inputs(vtkSphericalResample, surface(), surface(30), MaskArrayName="Weights"),
     "texture": lambda: with_inputs(vtkSphericalTextureMap, surface(60)),
     "texture, split": lambda: with_inputs(vtkSphericalTextureMap, surface(), SplitSeam=True),

@@ -16,7 +16,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -106,12 +106,17 @@ def beside_the_chain(stages):
     morph.SetTargetConnection(stages["vtkConformalSOM"].GetOutputPort())
     morph.SetNumberOfPoints(1000)
     morph.Update()
+    registration = vtkSphericalRegistration()
+    registration.SetInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
+    registration.SetFixedConnection(stages["vtkConformalSOM"].GetOutputPort())
+    registration.SetFrequency(8)
+    registration.Update()
     remesh = vtkConsistentRemesh()
     remesh.AddInputConnection(stages["vtkCurvedSeamlessSurface"].GetOutputPort())
     remesh.AddInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     remesh.SetNumberOfPoints(1000)
     remesh.Update()
-    filters = (check, blend, adaptive, morph, remesh, resample)
+    filters = (check, blend, adaptive, morph, registration, remesh, resample)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

@@ -1,0 +1,158 @@
+#include "Register/RotationSearch.h"
+
+#include "Linear/EdgeWeights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conformal
+{
+namespace
+{
+constexpr int NumberOfAxes = 120, NumberOfAngles = 14; // 23 degrees apart or so
+constexpr int NumberImproved = 60, ImprovingSteps = 8;
+constexpr double Apart = Pi / 6.0;
+
+// Axes spread evenly over the sphere along a spiral.
+Vector3 axisOf(int i)
+{
+  const double z = 1.0 - (2.0 * i + 1.0) / NumberOfAxes, golden = Pi * (3.0 - std::sqrt(5.0));
+  const double radius = std::sqrt(1.0 - z * z);
+  return { radius * std::cos(golden * i), radius * std::sin(golden * i), z };
+}
+
+class Search
+{
+public:
+  Search(
+    const SampledSurface& moving, const SampledSurface& fixed, const std::vector<double>& weights)
+    : Moving(moving)
+    , Fixed(fixed)
+    , Weights(Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size())))
+    , Shares(vertexAreas(moving.Values.leftCols<3>(), moving.Grid.mesh().Triangles))
+  {
+    this->Shares /= this->Shares.sum();
+  }
+
+  // The difference, and one Gauss-Newton step of the rotation.
+  double difference(const Eigen::Matrix3d& rotation, Eigen::Matrix3d* improved = nullptr) const
+  {
+    const Index count = this->Weights.size();
+    double sum = 0.0;
+    Eigen::Matrix3d matrix = 1e-6 * Eigen::Matrix3d::Identity();
+    Vector3 slope = Vector3::Zero();
+    int hint = -1;
+    for (Index i = 0; i < this->Moving.Grid.size(); ++i)
+    {
+      const Vector3 place = rotation * this->Moving.Grid.mesh().Positions.row(i).transpose();
+      const SphereWeights at = this->Fixed.Grid.weightsAt(place, hint);
+      hint = at.Triangle;
+      for (Index k = 0; k < count; ++k)
+      {
+        const Vector3 corners = { this->Fixed.Values(at.Ids[0], 3 + k),
+          this->Fixed.Values(at.Ids[1], 3 + k), this->Fixed.Values(at.Ids[2], 3 + k) };
+        const double off = corners.dot(at.Weights) - this->Moving.Values(i, 3 + k);
+        const double weight = this->Weights[k] * this->Shares[i];
+        sum += weight * off * off;
+        if (improved)
+        {
+          // A turn by w moves the place by w x place.
+          const Vector3 turn = place.cross(at.Slopes.transpose() * corners);
+          slope += weight * off * turn;
+          matrix += weight * turn * turn.transpose();
+        }
+      }
+    }
+    if (improved)
+    {
+      const Vector3 turn = -matrix.ldlt().solve(slope);
+      const double angle = turn.norm();
+      *improved = angle > 0.0
+        ? Eigen::Matrix3d(Eigen::AngleAxisd(std::min(angle, 0.2), turn / angle) * rotation)
+        : rotation;
+    }
+    return sum;
+  }
+
+  void improve(FoundRotation& found) const
+  {
+    Eigen::Matrix3d trial = found.Rotation;
+    for (int step = 0; step < ImprovingSteps; ++step)
+    {
+      Eigen::Matrix3d after;
+      const double difference = this->difference(trial, &after);
+      if (step > 0 && difference > found.Difference)
+      {
+        break;
+      }
+      found = { trial, difference };
+      trial = after;
+    }
+  }
+
+private:
+  const SampledSurface& Moving;
+  const SampledSurface& Fixed;
+  Eigen::VectorXd Weights, Shares;
+};
+
+bool isBetter(const FoundRotation& a, const FoundRotation& b)
+{
+  return a.Difference < b.Difference;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
+  const SampledSurface& fixed, const std::vector<double>& weights, int count, const Run& run)
+{
+  const Search search(moving, fixed, weights);
+  std::vector<FoundRotation> all(NumberOfAxes * NumberOfAngles);
+  // The first axis goes to each of the others, after a turn about itself.
+  forBlocksReporting(run, static_cast<Index>(all.size()), 16,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const Eigen::Matrix3d rotation = (Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(),
+                                            axisOf(static_cast<int>(i) / NumberOfAngles)) *
+          Eigen::AngleAxisd(
+            2.0 * Pi * static_cast<double>(i % NumberOfAngles) / NumberOfAngles, Vector3::UnitZ()))
+                                           .toRotationMatrix();
+        all[i] = { rotation, search.difference(rotation) };
+      }
+    });
+  std::stable_sort(all.begin(), all.end(), isBetter);
+  // Distinct starts for the improvement, or all of it would go to one valley.
+  std::vector<FoundRotation> starts;
+  const auto isNew =
+    [](const std::vector<FoundRotation>& list, const FoundRotation& one, double apart)
+  {
+    return std::all_of(list.begin(), list.end(),
+      [&](const FoundRotation& other)
+      {
+        return Eigen::AngleAxisd(Eigen::Matrix3d(one.Rotation.transpose() * other.Rotation))
+                 .angle() > apart;
+      });
+  };
+  for (const FoundRotation& one : all)
+  {
+    if (static_cast<int>(starts.size()) < NumberImproved && isNew(starts, one, 0.8 * Apart))
+    {
+      starts.push_back(one);
+    }
+  }
+  forBlocks(run, static_cast<Index>(starts.size()), 1,
+    [&](Index begin, Index) { search.improve(starts[begin]); });
+  std::stable_sort(starts.begin(), starts.end(), isBetter);
+  std::vector<FoundRotation> result;
+  for (const FoundRotation& one : starts)
+  {
+    if (static_cast<int>(result.size()) < count && isNew(result, one, Apart))
+    {
+      result.push_back(one);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,447 @@
+#include "Register/SphericalRegistration.h"
+
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Measure/SphericalAlignment.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Register/LandmarkFlow.h"
+#include "Register/RotationSearch.h"
+#include "Register/SphereFeatures.h"
+#include "Sphere/SphereCoverage.h"
+#include "Sphere/SphereOrientation.h"
+#include "SphereMap/FlipRepair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+constexpr int CoarsestFrequency = 8, FeatureFrequency = 24;
+constexpr int NumberOfStarts = 8, NumberKept = 6;
+constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
+constexpr double Tolerance = 2e-3; // of the energy's fall in a step
+constexpr double LandmarkWeight = 200.0;
+constexpr double SphereWeight = 0.2; // of the sphere's metric in the surfaces'
+// Of the mean distance, the areas around and the curvature, against a stretch of 1.
+constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2 };
+const std::vector<double> AreaRadii = { 0.17, 0.35 };
+constexpr double CurvatureScale = 0.21;
+constexpr double Saturation = 8.5; // curvatures far above that of a sphere say little more
+
+// A surface of the unit sphere's area, its map turned right side out, with all features.
+class PreparedSurface
+{
+public:
+  PreparedSurface(
+    const RegisteredSurface& input, bool withShape, const std::string& name, const Run& run)
+    : Surface(input.Surface)
+  {
+    SphereCoverage coverage =
+      measureSphereCoverage(this->Surface.SpherePositions, this->Surface.Triangles);
+    if (coverage.Degree == -1)
+    {
+      this->Mirrored = true;
+      this->Surface.SpherePositions.col(0) *= -1.0;
+      coverage = measureSphereCoverage(this->Surface.SpherePositions, this->Surface.Triangles);
+    }
+    const Index folds =
+      countFlippedTriangles(this->Surface.SpherePositions, this->Surface.Triangles);
+    if (coverage.Degree != 1 || folds > 0)
+    {
+      throw std::invalid_argument("the map of the " + name + " surface to the sphere covers it " +
+        std::to_string(coverage.Degree) + " times with " + std::to_string(folds) +
+        " folded triangles, but must cover it once without folds");
+    }
+    const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
+    const double area = areas.sum() / 6.0; // each triangle twice at three corners
+    const Eigen::RowVector3d center = areas.transpose() * this->Surface.Positions / areas.sum();
+    this->Surface.Positions.rowwise() -= center;
+    this->Surface.Positions *= std::sqrt(4.0 * Pi / area);
+    this->Own = SphereGrid(Mesh{ this->Surface.SpherePositions, this->Surface.Triangles });
+    this->Given = input.Features;
+    normalizeFeatures(this->Given, areas);
+    if (withShape)
+    {
+      this->computeShape(run);
+    }
+  }
+
+  // In the directions of a geodesic sphere.
+  SampledSurface sampled(int frequency) const
+  {
+    SampledSurface result;
+    result.Grid = SphereGrid(makeGeodesicSphere(frequency));
+    const Points& directions = result.Grid.mesh().Positions;
+    const Index shape = this->Shape.cols();
+    result.Values.resize(result.Grid.size(), 3 + shape + this->Given.cols());
+    result.Values.leftCols<3>() = sampleAt(this->Own, this->Surface.Positions, directions);
+    if (shape > 0)
+    {
+      result.Values.middleCols(3, shape) = sampleAt(this->ShapeGrid, this->Shape, directions);
+    }
+    if (this->Given.cols() > 0)
+    {
+      result.Values.rightCols(this->Given.cols()) = this->averagedOn(result.Grid);
+    }
+    return result;
+  }
+
+  MappedMesh Surface;
+  SphereGrid Own;
+  bool Mirrored = false;
+
+private:
+  void computeShape(const Run& run)
+  {
+    this->ShapeGrid = SphereGrid(makeGeodesicSphere(FeatureFrequency));
+    const Mesh even = { sampleAt(
+                          this->Own, this->Surface.Positions, this->ShapeGrid.mesh().Positions),
+      this->ShapeGrid.mesh().Triangles };
+    GeodesicFeatureOptions options;
+    options.Radii = AreaRadii;
+    const Rows distances = geodesicFeatures(even, options, run);
+    this->Shape.resize(distances.rows(), distances.cols() + 1);
+    this->Shape << distances,
+      (smoothMeanCurvature(even, CurvatureScale).array() / Saturation).atan().matrix();
+    normalizeFeatures(this->Shape, vertexAreas(even.Positions, even.Triangles));
+  }
+
+  // Means of the given features around a grid's vertices, so that details that it cannot show do
+  // not turn up as others.
+  Rows averagedOn(const SphereGrid& grid) const
+  {
+    const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
+    constexpr double few = 1e-6; // of the area: where no vertex is near
+    const double least = few * areas.sum() / static_cast<double>(grid.size());
+    Rows sums = least * sampleAt(this->Own, this->Given, grid.mesh().Positions);
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), least);
+    int hint = -1;
+    for (Index v = 0; v < areas.size(); ++v)
+    {
+      const SphereWeights at = grid.weightsAt(this->Surface.SpherePositions.row(v), hint);
+      hint = at.Triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        const double weight = at.Weights[k] * areas[v];
+        sums.row(at.Ids[k]) += weight * this->Given.row(v);
+        weights[at.Ids[k]] += weight;
+      }
+    }
+    return weights.cwiseInverse().asDiagonal() * sums;
+  }
+
+  Rows Given, Shape;
+  SphereGrid ShapeGrid;
+};
+
+Points carried(const SphereGrid& grid, const Points& places, const Points& directions)
+{
+  Points result = sampleAt(grid, places, directions);
+  result.rowwise().normalize();
+  return result;
+}
+
+// A deformation of the moving surface's sphere, from coarse to fine.
+class Registration
+{
+public:
+  Registration(const PreparedSurface& moving, const PreparedSurface& fixed,
+    const std::vector<SpherePair>& pairs, std::vector<double> features, double stretch)
+    : Moving(moving)
+    , Fixed(fixed)
+    , Pairs(pairs)
+  {
+    this->Options.Tolerance = Tolerance;
+    this->Options.Weights.Stretch = stretch;
+    this->Options.Weights.Sphere = SphereWeight;
+    this->Options.Weights.Features = std::move(features);
+    this->Options.Weights.Landmarks = LandmarkWeight;
+  }
+
+  RegistrationEnergy run(int finest, const Run& run)
+  {
+    std::vector<int> frequencies;
+    std::vector<double> work = { 3.0, 10.0 };
+    for (int frequency = CoarsestFrequency; frequency < finest;)
+    {
+      frequency = std::min(finest, 2 * frequency);
+      frequencies.push_back(frequency);
+      work.push_back(0.03 * frequency * frequency);
+    }
+    Steps steps(run, work);
+    const std::vector<Eigen::Matrix3d> rotations = this->rotations(steps.next());
+    this->Grid = this->Moving.sampled(CoarsestFrequency);
+    const SampledSurface target = this->Fixed.sampled(2 * CoarsestFrequency);
+    const RegistrationEnergy before =
+      this->descendAt(target, 0, this->Before = this->Grid.Grid.mesh().Positions);
+    RegistrationEnergy energy = this->chooseStart(rotations, target, steps.next());
+    for (const int frequency : frequencies)
+    {
+      const Run part = steps.next();
+      SampledSurface finer = this->Moving.sampled(frequency);
+      this->Places = carried(this->Grid.Grid, this->Places, finer.Grid.mesh().Positions);
+      this->Grid = std::move(finer);
+      energy = this->descendAt(this->Fixed.sampled(2 * frequency), FineSteps, this->Places, part);
+    }
+    this->DifferenceBefore = before.Features;
+    return energy;
+  }
+
+  Points places(const Points& directions) const
+  {
+    return carried(this->Grid.Grid, this->Places, directions);
+  }
+
+  // Part of the way from the rotation that is closest to the deformation, of all of it.
+  Points placesAt(double fraction, const Points& directions) const
+  {
+    const Points& rest = this->Grid.Grid.mesh().Positions;
+    const Eigen::Matrix3d rotation =
+      closestRotation(rest, this->Places, Eigen::VectorXd::Ones(rest.rows()));
+    if (fraction == 0.0)
+    {
+      return directions * rotation.transpose();
+    }
+    Points between = fraction * this->Places + (1.0 - fraction) * (rest * rotation.transpose());
+    between.rowwise().normalize();
+    return carried(this->Grid.Grid, between, directions);
+  }
+
+  SampledSurface Grid;
+  Points Places;
+  double DifferenceBefore = 0.0;
+
+private:
+  std::vector<Eigen::Matrix3d> rotations(const Run& run) const
+  {
+    if (this->Pairs.size() >= 2)
+    {
+      const auto count = static_cast<Index>(this->Pairs.size());
+      Points from(count, 3), to(count, 3);
+      for (Index i = 0; i < count; ++i)
+      {
+        from.row(i) = this->Pairs[i].From;
+        to.row(i) = this->Pairs[i].To;
+      }
+      return { closestRotation(from, to, Eigen::VectorXd::Ones(count)) };
+    }
+    std::vector<Eigen::Matrix3d> result;
+    const std::vector<double>& weights = this->Options.Weights.Features;
+    if (std::any_of(weights.begin(), weights.end(), [](double w) { return w > 0.0; }))
+    {
+      for (const FoundRotation& found : searchRotations(this->Moving.sampled(CoarsestFrequency),
+             this->Fixed.sampled(CoarsestFrequency), weights, NumberOfStarts, run))
+      {
+        result.push_back(found.Rotation);
+      }
+    }
+    return result.empty() ? std::vector<Eigen::Matrix3d>{ Eigen::Matrix3d::Identity() } : result;
+  }
+
+  RegistrationEnergy descendAt(
+    const SampledSurface& target, int numberOfSteps, Points& places, const Run& run = {}) const
+  {
+    DescentOptions options = this->Options;
+    options.MaximumNumberOfSteps = numberOfSteps;
+    return descend(this->Grid, target, this->Pairs, options, places, run);
+  }
+
+  // A few steps from each rotation, then all from the best ones: which one ends lowest.
+  RegistrationEnergy chooseStart(
+    const std::vector<Eigen::Matrix3d>& rotations, const SampledSurface& target, const Run& run)
+  {
+    struct Candidate
+    {
+      Points Places;
+      RegistrationEnergy Energy;
+    };
+    std::vector<Candidate> candidates(rotations.size());
+    const auto all = [&](int numberOfSteps, const Run& part)
+    {
+      forBlocksReporting(part, static_cast<Index>(candidates.size()), 1,
+        [&](Index i, Index)
+        { candidates[i].Energy = this->descendAt(target, numberOfSteps, candidates[i].Places); });
+      std::stable_sort(candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return a.Energy.Total < b.Energy.Total; });
+    };
+    for (std::size_t i = 0; i < rotations.size(); ++i)
+    {
+      candidates[i].Places = this->Grid.Grid.mesh().Positions * rotations[i].transpose();
+    }
+    all(FirstSteps, run.part(0.0, 0.5));
+    candidates.resize(std::min<std::size_t>(candidates.size(), NumberKept));
+    all(CoarseSteps, run.part(0.5, 1.0));
+    this->Places = candidates.front().Places;
+    return candidates.front().Energy;
+  }
+
+  const PreparedSurface& Moving;
+  const PreparedSurface& Fixed;
+  const std::vector<SpherePair>& Pairs;
+  DescentOptions Options;
+  Points Before;
+};
+
+// Takes out what flips of the places of a mesh.
+class FoldRepair
+{
+public:
+  explicit FoldRepair(const Mesh& mesh)
+    : Surface(mesh)
+    , Strings(harmonicStrings(mesh.Positions, mesh.Triangles).Strings)
+    , Rings(mesh.Triangles, mesh.Positions.rows())
+    , Shapes(mesh.Positions, mesh.Triangles)
+  {
+  }
+
+  // Whether none is flipped any more.
+  bool operator()(Points& places) const
+  {
+    std::vector<Vector3> positions(places.rows());
+    for (Index v = 0; v < places.rows(); ++v)
+    {
+      positions[v] = places.row(v);
+    }
+    repairFlips(positions, this->Surface.Positions, this->Surface.Triangles, this->Strings,
+      this->Rings, this->Shapes);
+    for (Index v = 0; v < places.rows(); ++v)
+    {
+      places.row(v) = positions[v];
+    }
+    return countFlippedTriangles(places, this->Surface.Triangles) == 0;
+  }
+
+private:
+  const Mesh& Surface;
+  EdgeWeights Strings;
+  VertexRings Rings;
+  SurfaceShapes Shapes;
+};
+
+// The moving surface's vertices along with the deformation, or with as much of it as leaves no
+// triangle flipped.
+Points carriedWithoutFolds(
+  const PreparedSurface& moving, const Registration& registration, const FoldRepair& repair)
+{
+  const MappedMesh& mesh = moving.Surface;
+  for (double fraction = 1.0; fraction > 0.1; fraction *= 0.7)
+  {
+    Points places = fraction == 1.0 ? registration.places(mesh.SpherePositions)
+                                    : registration.placesAt(fraction, mesh.SpherePositions);
+    if (countFlippedTriangles(places, mesh.Triangles) == 0)
+    {
+      return places;
+    }
+    if (repair(places))
+    {
+      return places;
+    }
+  }
+  const Points turned = registration.placesAt(0.0, mesh.SpherePositions);
+  // Where not even that leaves them as they are, triangles are as small as rounding.
+  return countFlippedTriangles(turned, mesh.Triangles) == 0 ? turned : mesh.SpherePositions;
+}
+}
+
+//------------------------------------------------------------------------------
+SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
+  const RegisteredSurface& fixed, const std::vector<std::pair<int, int>>& landmarks,
+  const std::vector<double>& featureWeights, const SphericalRegistrationOptions& options,
+  const Run& run)
+{
+  const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
+  const bool withShape = options.ShapeWeight > 0.0;
+  const auto size = static_cast<double>(moving.Surface.Positions.rows());
+  const auto fixedSize = static_cast<double>(fixed.Surface.Positions.rows());
+  Steps steps(run,
+    { 3e8 + 2e3 * size, 3e8 + 2e3 * fixedSize, 1e9, 2e3 * size,
+      200.0 * size * static_cast<double>(landmarks.size()) });
+  const PreparedSurface from(moving, withShape, "moving", steps.next());
+  const PreparedSurface to(fixed, withShape, "fixed", steps.next());
+  const auto count = static_cast<Index>(landmarks.size());
+  std::vector<SpherePair> pairs;
+  std::vector<int> ids;
+  Points sources(count, 3), targets(count, 3);
+  for (Index i = 0; i < count; ++i)
+  {
+    ids.push_back(landmarks[i].first);
+    sources.row(i) = from.Surface.SpherePositions.row(landmarks[i].first);
+    targets.row(i) = to.Surface.SpherePositions.row(landmarks[i].second);
+    pairs.push_back({ sources.row(i), targets.row(i) });
+  }
+  std::vector<double> weights;
+  for (const double weight : ShapeWeights)
+  {
+    if (withShape)
+    {
+      weights.push_back(options.ShapeWeight * weight);
+    }
+  }
+  weights.insert(weights.end(), featureWeights.begin(), featureWeights.end());
+  const double sum = [&]()
+  {
+    double total = 0.0;
+    for (const double weight : weights)
+    {
+      total += weight;
+    }
+    return total;
+  }();
+
+  const AlignmentKind kind =
+    options.Space == SpaceOfTransforms::Moebius ? AlignmentKind::Moebius : AlignmentKind::Rotation;
+  Registration registration(from, to, pairs, weights, options.StretchWeight);
+  const bool byLandmarks = !diffeomorphic && count > 0;
+  const MoebiusTransform given = byLandmarks
+    ? alignSpheres(sources, targets, Eigen::VectorXd::Ones(count), kind).Transform
+    : MoebiusTransform();
+  RegistrationEnergy energy =
+    registration.run(diffeomorphic ? options.Frequency : CoarsestFrequency, steps.next());
+  SphericalRegistrationResult result;
+  const Run carrying = steps.next();
+  if (diffeomorphic)
+  {
+    const FoldRepair repair(from.Surface);
+    result.SpherePositions = carriedWithoutFolds(from, registration, repair);
+    LandmarkFlowOptions flowing;
+    flowing.Repair = repair;
+    const LandmarkFlowResult flow = flowToLandmarks(
+      from.Surface.Triangles, ids, targets, result.SpherePositions, flowing, steps.next());
+    result.NumberOfUnmetLandmarks = flow.NumberOfUnmet;
+  }
+  else
+  {
+    const SampledSurface& grid = registration.Grid;
+    const MoebiusTransform transform = byLandmarks
+      ? given
+      : alignSpheres(grid.Grid.mesh().Positions, registration.Places,
+          vertexAreas(grid.Values.leftCols<3>(), grid.Grid.mesh().Triangles), kind, carrying)
+          .Transform;
+    result.SpherePositions = from.Surface.SpherePositions;
+    transform.applyTo(result.SpherePositions);
+  }
+  result.Stretch = energy.Stretch;
+  if (sum > 0.0)
+  {
+    // Of features of mean 0 and variance 1.
+    result.AgreementBefore = 1.0 - 0.5 * registration.DifferenceBefore / sum;
+    result.AgreementAfter = 1.0 - 0.5 * energy.Features / sum;
+  }
+  for (Index i = 0; i < count; ++i)
+  {
+    result.LandmarkError =
+      std::max(result.LandmarkError, (result.SpherePositions.row(ids[i]) - targets.row(i)).norm());
+  }
+  result.NumberOfFolds = countFlippedTriangles(result.SpherePositions, from.Surface.Triangles);
+  if (to.Mirrored)
+  {
+    result.SpherePositions.col(0) *= -1.0;
+  }
+  run.report(1.0);
+  return result;
+}
+}

@@ -1,0 +1,182 @@
+#include "Register/SphericalRegistration.h"
+
+#include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
+#include "Sphere/SphereOrientation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+using conformal::Index;
+using conformal::Pi;
+using conformal::Points;
+using conformal::RegisteredSurface;
+using conformal::registerSpheres;
+using conformal::Rows;
+using conformal::SpaceOfTransforms;
+using conformal::SphericalRegistrationOptions;
+using conformal::Vector3;
+
+namespace
+{
+// A head with a nose, an ear and a tail: no turn and no mirror leaves it as it is.
+RegisteredSurface head(int frequency)
+{
+  RegisteredSurface result;
+  const auto sphere = conformal::makeGeodesicSphere(frequency);
+  result.Surface.Triangles = sphere.Triangles;
+  result.Surface.SpherePositions = sphere.Positions;
+  result.Surface.Positions.resize(sphere.Positions.rows(), 3);
+  const auto bump = [](const Vector3& n, const Vector3& at, double width)
+  { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
+  for (Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    const Vector3 n = sphere.Positions.row(i);
+    const double radius = 1.0 + 0.7 * bump(n, { 1, 0.1, 0.2 }, 0.3) +
+      0.4 * bump(n, { -0.2, 1, 0.6 }, 0.35) + 0.9 * bump(n, { -0.8, -0.3, -0.6 }, 0.25);
+    result.Surface.Positions.row(i) = radius * n.cwiseProduct(Vector3(1.2, 0.9, 1.0)).transpose();
+  }
+  result.Features.resize(sphere.Positions.rows(), 0);
+  return result;
+}
+
+// A smooth deformation of the sphere, then a turn.
+Vector3 warped(const Vector3& n, double angle)
+{
+  const Vector3 bent =
+    n + 0.12 * Vector3(n[1] * n[2], std::sin(2.0 * n[0]) * n[2], -n[0] * n[1] * n[1]);
+  return Eigen::AngleAxisd(angle, Vector3(0.2, -0.7, 0.5).normalized()) * bent.normalized();
+}
+
+RegisteredSurface withWarpedMap(RegisteredSurface surface, double angle)
+{
+  for (Index i = 0; i < surface.Surface.SpherePositions.rows(); ++i)
+  {
+    surface.Surface.SpherePositions.row(i) = warped(surface.Surface.SpherePositions.row(i), angle);
+  }
+  return surface;
+}
+
+double meanAngle(const Points& a, const Points& b)
+{
+  return (a - b).rowwise().norm().mean() * 180.0 / Pi;
+}
+}
+
+TEST(SphericalRegistration, EqualSurfacesStay)
+{
+  const RegisteredSurface surface = head(12);
+  const auto result = registerSpheres(surface, surface, {}, {});
+  EXPECT_LT(
+    (result.SpherePositions - surface.Surface.SpherePositions).rowwise().norm().maxCoeff(), 0.01);
+  EXPECT_NEAR(result.Stretch, 1.0, 1e-3);
+  EXPECT_NEAR(result.AgreementBefore, 1.0, 1e-9);
+  EXPECT_GT(result.AgreementAfter, 0.999);
+  EXPECT_EQ(result.NumberOfFolds, 0);
+}
+
+// A surface with itself under a known warp of its map.
+TEST(SphericalRegistration, FindsAKnownWarp)
+{
+  const RegisteredSurface fixed = head(20), moving = withWarpedMap(fixed, 1.9);
+  ASSERT_EQ(
+    conformal::countFlippedTriangles(moving.Surface.SpherePositions, moving.Surface.Triangles), 0);
+  SphericalRegistrationOptions options;
+  options.Frequency = 32;
+  const auto result = registerSpheres(moving, fixed, {}, {}, options);
+  EXPECT_LT(meanAngle(result.SpherePositions, fixed.Surface.SpherePositions), 1.0);
+  EXPECT_EQ(result.NumberOfFolds, 0);
+  EXPECT_LT(result.AgreementBefore, 0.5);
+  EXPECT_GT(result.AgreementAfter, 0.99);
+}
+
+TEST(SphericalRegistration, ARotationIsFoundWithAndWithoutLandmarks)
+{
+  const RegisteredSurface fixed = head(12);
+  RegisteredSurface moving = fixed;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0, Vector3::UnitY()).toRotationMatrix();
+  moving.Surface.SpherePositions = (fixed.Surface.SpherePositions * turn.transpose()).eval();
+  SphericalRegistrationOptions options;
+  for (const auto space : { SpaceOfTransforms::Rotation, SpaceOfTransforms::Moebius })
+  {
+    options.Space = space;
+    const auto free = registerSpheres(moving, fixed, {}, {}, options);
+    EXPECT_LT(meanAngle(free.SpherePositions, fixed.Surface.SpherePositions), 0.5);
+    const auto held =
+      registerSpheres(moving, fixed, { { 0, 0 }, { 5, 5 }, { 300, 300 } }, {}, options);
+    EXPECT_LT(meanAngle(held.SpherePositions, fixed.Surface.SpherePositions), 1e-4);
+    EXPECT_LT(held.LandmarkError, 1e-5);
+  }
+}
+
+TEST(SphericalRegistration, LandmarksAreMet)
+{
+  const RegisteredSurface fixed = head(16), moving = withWarpedMap(head(14), 0.8);
+  std::vector<std::pair<int, int>> landmarks;
+  for (int i = 0; i < 12; ++i)
+  {
+    landmarks.emplace_back(i, i); // the icosahedron's, the same in both
+  }
+  const auto result = registerSpheres(moving, fixed, landmarks, {});
+  EXPECT_LT(result.LandmarkError, 1e-6);
+  EXPECT_EQ(result.NumberOfUnmetLandmarks, 0);
+  EXPECT_EQ(result.NumberOfFolds, 0);
+  EXPECT_EQ(conformal::countFlippedTriangles(result.SpherePositions, moving.Surface.Triangles), 0);
+}
+
+// Landmarks that would turn a triangle over are left, and nothing folds.
+TEST(SphericalRegistration, LandmarksThatFoldAreNotMet)
+{
+  const RegisteredSurface surface = head(10);
+  const auto triangle = surface.Surface.Triangles.row(200);
+  const auto result = registerSpheres(surface, surface,
+    { { triangle[0], triangle[1] }, { triangle[1], triangle[0] }, { triangle[2], triangle[2] } },
+    {});
+  EXPECT_GT(result.NumberOfUnmetLandmarks, 0);
+  EXPECT_EQ(result.NumberOfFolds, 0);
+}
+
+TEST(SphericalRegistration, SameBitsOnAnyThreads)
+{
+  const RegisteredSurface fixed = head(10), moving = withWarpedMap(head(9), 0.5);
+  const std::vector<std::pair<int, int>> landmarks = { { 4, 4 }, { 7, 7 } };
+  EXPECT_EQ(registerSpheres(moving, fixed, {}, {}).SpherePositions,
+    registerSpheres(moving, fixed, {}, {}, {}, runs::backwards()).SpherePositions);
+  EXPECT_EQ(registerSpheres(moving, fixed, landmarks, {}).SpherePositions,
+    registerSpheres(moving, fixed, landmarks, {}, {}, runs::backwards()).SpherePositions);
+}
+
+TEST(SphericalRegistration, ReportsAndStops)
+{
+  const RegisteredSurface surface = head(8);
+  runs::Watch watch;
+  registerSpheres(surface, surface, {}, {}, {}, watch.run());
+  EXPECT_EQ(watch.last(), 1.0);
+  EXPECT_GT(watch.calls(), 20);
+  EXPECT_THROW(
+    registerSpheres(surface, surface, {}, {}, {}, runs::stoppingAt(0.5)), conformal::Aborted);
+}
+
+TEST(SphericalRegistration, RefusesMapsThatFold)
+{
+  const RegisteredSurface good = head(8);
+  RegisteredSurface bad = good;
+  bad.Surface.SpherePositions.row(30) *= -1.0;
+  for (const bool isMoving : { true, false })
+  {
+    try
+    {
+      registerSpheres(isMoving ? bad : good, isMoving ? good : bad, {}, {});
+      FAIL();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      const std::string expected =
+        isMoving ? "the map of the moving surface" : "the map of the fixed surface";
+      EXPECT_EQ(std::string(error.what()).rfind(expected, 0), 0U) << error.what();
+    }
+  }
+}
