@@ -12,15 +12,13 @@ import argparse
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter, vtkLoopSubdivisionFilter
 
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch
 
 from compare_lattices import LATTICES, triangulated
 from helpers import builtin_figure, paper_models, scan_files
+from helpers.clouds import cloud_of, only_points_of, points_of
 
 DOME_HEIGHTS = ("None", "Published", "Scaled", "Curvature", "Fitted")
 RIVALS = ("CSS None", "Loop", "butterfly", "PN triangles")
@@ -79,19 +77,8 @@ def compared(cloud, frequency=36, surface_frequency=80, lattice="Geodesic", judg
             for name, (surface, jump) in surfaces.items()}
 
 
-def cloud_of(points):
-    coordinates = vtkPoints()
-    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    cloud = vtkPolyData()
-    cloud.SetPoints(coordinates)
-    return cloud
-
-
 def held_out(scan):
     """By name: the points to learn, and those to judge by."""
-    def points_of(data):
-        return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-
     scan = triangulated(scan)
     points = np.random.RandomState(1).permutation(points_of(scan))
     middle, count, splits = len(points) // 2, len(points) // 4, {}
@@ -140,7 +127,7 @@ def main():
     if args.held_out:
         print_held_out(cloud, args.frequency, args.surface_frequency)
         return
-    rows = compared(cloud, args.frequency, args.surface_frequency)
+    rows = compared(only_points_of(cloud), args.frequency, args.surface_frequency)
     butterfly = rows["butterfly"][1]
     print(f"{'':<16}{'points':>10}{'p2s':>11}{'/ butterfly':>13}{'normals jump':>14}")
     for name, (points, p2s, jump) in rows.items():

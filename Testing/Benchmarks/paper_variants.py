@@ -19,8 +19,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
-from compare_surfaces import cloud_of  # pylint: disable=wrong-import-position
 from helpers import paper_models  # pylint: disable=wrong-import-position
+from helpers.clouds import cloud_of, only_points_of  # pylint: disable=wrong-import-position
 from conformalsom import (  # pylint: disable=wrong-import-position
     vtkConformalDistortion, vtkConformalSOM, vtkSurfaceMismatch)
 
@@ -53,7 +53,7 @@ def reference_points(folder):
         seconds = {}
         for reference in ("Affine", "Conformal", "Winner"):
             network = vtkConformalSOM()
-            network.SetInputData(model.more)
+            network.SetInputData(only_points_of(model.more))
             network.SetLatticeToGeodesic()
             network.SetStartingShapeToSphere()
             getattr(network, "SetReferencePointTo" + reference)()

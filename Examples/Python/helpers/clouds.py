@@ -1,6 +1,6 @@
 """Points as VTK's filters take them."""
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -21,3 +21,13 @@ def cloud_of(points, normals=None):
         array.SetName("Normals")
         cloud.GetPointData().SetNormals(array)
     return cloud
+
+
+def points_of(data):
+    """The positions of its points, n by 3."""
+    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def only_points_of(data):
+    """Its points without what joins them, from which vtkConformalSOM would start."""
+    return cloud_of(points_of(data))

@@ -14,7 +14,7 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 import conformalsom
 from conformalsom import vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface
-from . import builtin_figure
+from . import builtin_figure, clouds
 from .steps import StepFailed
 
 DATA = os.environ.get("CONFORMALSOM_SCAN_DIR", os.curdir)
@@ -121,7 +121,7 @@ def models(folder):
 def learned(points, mode="Batch", reference="Automatic", lattice="Geodesic", frequency=FREQUENCY):
     """A mesh learned from points by CSM, or by the plain SOM where reference is Winner."""
     network = vtkConformalSOM()
-    network.SetInputData(points)
+    network.SetInputData(clouds.only_points_of(points))
     getattr(network, f"SetLatticeTo{lattice}")()
     network.SetFrequency(frequency)
     getattr(network, f"SetTrainingModeTo{mode}")()

@@ -24,14 +24,17 @@ double middleOf(std::vector<double> numbers)
 // points that seem to be outliers.
 Eigen::VectorXd weightsOf(const Points& points, const Run& run)
 {
-  constexpr double usual = 2.0, far = 2.5;
+  constexpr double notEven = 4.0, far = 2.5;
   const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run.unwatched());
-  const double typical = areas.empty() ? 0.0 : usual * middleOf(areas);
+  const double typical = areas.empty() ? 0.0 : middleOf(areas);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
   for (Index i = 0; i < points.rows() && typical > 0.0; ++i)
   {
-    weights[i] = isolated[i] ? 1.0 : std::max(1.0, areas[i] / typical);
+    if (!isolated[i] && areas[i] > notEven * typical)
+    {
+      weights[i] = areas[i] / typical;
+    }
   }
   return weights;
 }

@@ -45,7 +45,8 @@ struct StringConstants
 };
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
-/// The areas around each vertex, three times; all one if the surface has none.
+/// Twice the area of the triangles around each vertex, six times its share; all one if the surface
+/// has none.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
 /// The energy of places on the sphere, or anywhere: half the sum of weight times squared length.
