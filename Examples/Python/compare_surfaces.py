@@ -62,7 +62,7 @@ def compared(cloud, frequency=36, surface_frequency=80, lattice="Geodesic", judg
     other points than those learned where there are judges."""
     judges = judges or cloud
     network = vtkConformalSOM()
-    network.SetInputData(cloud)
+    network.SetInputData(only_points_of(cloud))
     getattr(network, "SetLatticeTo" + lattice)()
     network.SetFrequency(frequency)
     network.Update()
@@ -127,7 +127,7 @@ def main():
     if args.held_out:
         print_held_out(cloud, args.frequency, args.surface_frequency)
         return
-    rows = compared(only_points_of(cloud), args.frequency, args.surface_frequency)
+    rows = compared(cloud, args.frequency, args.surface_frequency)
     butterfly = rows["butterfly"][1]
     print(f"{'':<16}{'points':>10}{'p2s':>11}{'/ butterfly':>13}{'normals jump':>14}")
     for name, (points, p2s, jump) in rows.items():
