@@ -19,32 +19,13 @@ double middleOf(std::vector<double> numbers)
   std::nth_element(numbers.begin(), middle, numbers.end());
   return *middle;
 }
-
-// How much larger than usual the area is that a point has for itself; 1 in even clouds, and for
-// points that seem to be outliers.
-Eigen::VectorXd weightsOf(const Points& points, const Run& run)
-{
-  constexpr double notEven = 4.0, far = 2.5;
-  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
-  const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run.unwatched());
-  const double typical = areas.empty() ? 0.0 : middleOf(areas);
-  Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
-  for (Index i = 0; i < points.rows() && typical > 0.0; ++i)
-  {
-    if (!isolated[i] && areas[i] > notEven * typical)
-    {
-      weights[i] = areas[i] / typical;
-    }
-  }
-  return weights;
-}
 }
 
 //------------------------------------------------------------------------------
 Points orient(const WindingNumbers& cloud, const OrientationOptions& options, const Run& run)
 {
   const Index size = cloud.size();
-  const Eigen::VectorXd weights = weightsOf(cloud.points(), run);
+  const Eigen::VectorXd weights = sparsityOf(cloud.points(), run);
   Points areas = Points::Zero(size, 3);
   for (int i = 0; i < options.NumberOfIterations; ++i)
   {
@@ -97,6 +78,24 @@ std::vector<double> areasOfPoints(const Points& points, int numberOfNeighbors, c
       }
     });
   return areas;
+}
+
+//------------------------------------------------------------------------------
+Eigen::VectorXd sparsityOf(const Points& points, const Run& run)
+{
+  constexpr double notEven = 4.0, far = 2.5;
+  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
+  const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run.unwatched());
+  const double typical = areas.empty() ? 0.0 : middleOf(areas);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
+  for (Index i = 0; i < points.rows() && typical > 0.0; ++i)
+  {
+    if (!isolated[i] && areas[i] > notEven * typical)
+    {
+      weights[i] = areas[i] / typical;
+    }
+  }
+  return weights;
 }
 
 //------------------------------------------------------------------------------

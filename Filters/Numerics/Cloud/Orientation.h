@@ -38,6 +38,11 @@ Points orient(
 std::vector<double> areasOfPoints(
   const Points& points, int numberOfNeighbors = 8, const Run& run = {});
 
+/// How much larger than usual the area is that a point has for itself: 1 where that is less than
+/// four times, and for points that seem to be outliers.
+/// @return #P, at least 1
+Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
+
 /// Area vectors of points whose normals are known, areasOfPoints() long. Zero where the normal is.
 /// @param[in] normals  #P by 3, unit vectors or zero
 Points areaVectors(const Points& points, const Points& normals, const Run& run = {});

@@ -249,8 +249,13 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   {
     data[node] = steps[node] > 0 && steps[node] <= layers;
   }
+  const Eigen::VectorXd sparsity = sparsityOf(solid.Cloud);
   for (Index i = 0; i < solid.Cloud.rows(); ++i)
   {
+    if (sparsity[i] == 1.0)
+    {
+      continue;
+    }
     const Eigen::Vector3i low =
       grid.toGrid(solid.Cloud.row(i)).array().floor().cast<int>().matrix();
     const int lowest = grid.node(low[0], low[1], low[2]);

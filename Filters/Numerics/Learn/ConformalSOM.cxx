@@ -218,9 +218,10 @@ ConformalSOMResult trainAdaptiveFrom(const TrainingSamples& samples,
   }
   const Mesh own = normalized(*start, samples);
   const bool isOfSamples = start->SpherePositions.rows() == 0;
+  constexpr double workOfRemeshing = 4800.0; // for each vertex, down to the network's
+  const auto size = static_cast<double>(own.Positions.rows());
   Steps steps(run,
-    { isOfSamples ? WorkOfTree * static_cast<double>(own.Positions.rows()) : 0.0,
-      workOfLearning(options) });
+    { isOfSamples ? WorkOfTree * size : 0.0, workOfLearning(options) + workOfRemeshing * size });
   const Run growing = steps.next();
   return trainAdaptive(
     samples, options, &own, isOfSamples ? treeOf(own, growing) : nullptr, steps.next());
