@@ -554,19 +554,20 @@ std::vector<SetUp> Registrations()
     features.Values.emplace_back(std::to_string(value).substr(0, 8),
       [=](vtkAlgorithm* filter) { static_cast<F*>(filter)->AddFeature("Weights", value); });
   }
+  // The output has the moving surface's own polygons, as they are turned.
   SetUp free = { "vtkSphericalRegistration", "Diffeomorphic", true,
-    On<F>(with(F::DIFFEOMORPHIC, false)), reads, true, true };
+    On<F>(with(F::DIFFEOMORPHIC, false)), reads, false, true };
   free.Properties = { Integer("SpaceOfTransforms", &F::SetSpaceOfTransforms),
     Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
     landmarks, positions, features };
   SetUp rotation = { "vtkSphericalRegistration", "Rotation, landmarks", true,
-    On<F>(with(F::ROTATION, true)), reads, true, true };
+    On<F>(with(F::ROTATION, true)), reads, false, true };
   rotation.Properties = { Integer("Frequency", &F::SetFrequency) };
   return { free, rotation,
     { "vtkSphericalRegistration", "landmarks", true, On<F>(with(F::DIFFEOMORPHIC, true)), BadMap,
-      true, true },
+      false, true },
     { "vtkSphericalRegistration", "fixed", true, OnPort<F>(1, [](F* f) { f->SetFrequency(8); }),
-      reads, true, true } };
+      reads, false, true } };
 }
 
 std::vector<SetUp> Resamplings()
