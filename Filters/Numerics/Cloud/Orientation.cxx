@@ -56,11 +56,11 @@ Points orient(const WindingNumbers& cloud, const OrientationOptions& options, co
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> areasOfPoints(const Points& points, int numberOfNeighbors, const Run& run)
+std::vector<double> areasOfPoints(const Points& points, const Run& run)
 {
   constexpr Index blockSize = 256;
   std::vector<double> areas(points.rows(), 0.0);
-  const Index neighbors = std::min<Index>(numberOfNeighbors, points.rows() - 1);
+  const Index neighbors = std::min<Index>(NumberOfNeighbors, points.rows() - 1);
   if (neighbors < 1)
   {
     return areas;
@@ -84,7 +84,7 @@ std::vector<double> areasOfPoints(const Points& points, int numberOfNeighbors, c
 Eigen::VectorXd sparsityOf(const Points& points, const Run& run)
 {
   constexpr double notEven = 4.0, far = 2.5;
-  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run.unwatched());
+  const std::vector<double> areas = areasOfPoints(points, run.unwatched());
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run.unwatched());
   const double typical = areas.empty() ? 0.0 : middleOf(areas);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.rows());
@@ -101,7 +101,7 @@ Eigen::VectorXd sparsityOf(const Points& points, const Run& run)
 //------------------------------------------------------------------------------
 Points areaVectors(const Points& points, const Points& normals, const Run& run)
 {
-  const std::vector<double> areas = areasOfPoints(points, NumberOfNeighbors, run);
+  const std::vector<double> areas = areasOfPoints(points, run);
   return Eigen::Map<const Eigen::VectorXd>(areas.data(), points.rows()).asDiagonal() * normals;
 }
 
@@ -185,6 +185,6 @@ double typicalSpacing(const Points& points, const Run& run)
   {
     return 0.0;
   }
-  return std::sqrt(middleOf(areasOfPoints(points, NumberOfNeighbors, run)));
+  return std::sqrt(middleOf(areasOfPoints(points, run)));
 }
 }

@@ -33,10 +33,9 @@ struct OrientationOptions
 Points orient(
   const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
-/// The area that each point has for itself: its share of a circle that holds so many neighbors.
+/// The area that each point has for itself: its share of a circle that holds eight neighbors.
 /// @return #P
-std::vector<double> areasOfPoints(
-  const Points& points, int numberOfNeighbors = 8, const Run& run = {});
+std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
 /// How much larger than usual the area is that a point has for itself: 1 where that is less than
 /// four times, and for points that seem to be outliers.

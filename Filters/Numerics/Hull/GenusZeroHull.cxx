@@ -191,11 +191,11 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
 
 // Of each node its number of steps to the surface of a solid, from 1, on both sides; 0 for those
 // that are farther than so many.
-std::vector<std::uint8_t> stepsToSurface(
+std::vector<std::uint16_t> stepsToSurface(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int most)
 {
   const std::array<int, 14> steps = grid.neighborSteps();
-  std::vector<std::uint8_t> reached(inside.size(), 0);
+  std::vector<std::uint16_t> reached(inside.size(), 0);
   std::vector<int> front, next;
   forInnerRows(grid, {},
     [&](int first, int last)
@@ -221,7 +221,7 @@ std::vector<std::uint8_t> stepsToSurface(
         const int other = node + step;
         if (other >= 0 && other < size && !reached[other])
         {
-          reached[other] = static_cast<std::uint8_t>(layer);
+          reached[other] = static_cast<std::uint16_t>(layer);
           next.push_back(other);
         }
       }
@@ -242,8 +242,8 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   const std::vector<double> areas = areasOfPoints(solid.Cloud);
   const double largest =
     areas.empty() ? 0.0 : std::sqrt(*std::max_element(areas.begin(), areas.end()));
-  const std::vector<std::uint8_t> steps = stepsToSurface(grid, solid.Inside,
-    static_cast<int>(std::min(farthest, std::max(layers, largest / grid.Spacing))));
+  const std::vector<std::uint16_t> steps = stepsToSurface(grid, solid.Inside,
+    static_cast<int>(std::max(layers, std::min(farthest, largest / grid.Spacing))));
   std::vector<std::uint8_t> data(steps.size());
   for (std::size_t node = 0; node < data.size(); ++node)
   {

@@ -11,6 +11,7 @@
 #include "Search/TriangleTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -93,30 +94,31 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
   constexpr double far = 2.5;
   constexpr int few = 4, neighbors = 8, lowest = 2;
   constexpr double atMost = 2.5; // times as much as among fewer neighbors
-  std::vector<double> areas = areasOfPoints(points, neighbors, run);
-  const std::vector<double> ofFew = areasOfPoints(points, few, run);
-  for (std::size_t i = 0; i < areas.size(); ++i)
-  {
-    areas[i] = std::min(areas[i], atMost * ofFew[i]);
-  }
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
   const PointTree tree(points, run);
-  std::vector<double> weights(areas.size(), 0.0), around;
+  const auto size = static_cast<std::size_t>(points.rows());
+  std::vector<double> areas(size), weights(size, 0.0);
+  std::vector<std::array<int, neighbors>> around(size); // the point itself is the first
   std::vector<Neighbor> nearest;
-  for (std::size_t i = 0; i < weights.size(); ++i)
+  for (std::size_t i = 0; i < size; ++i)
   {
-    if (isolated[i])
+    tree.nearest(points.row(static_cast<Index>(i)), neighbors + 1, nearest);
+    areas[i] = Pi *
+      std::min(
+        nearest[neighbors].SquareDistance / neighbors, atMost * nearest[few].SquareDistance / few);
+    std::transform(nearest.begin(), nearest.begin() + neighbors, around[i].begin(),
+      [](const Neighbor& neighbor) { return neighbor.Id; });
+  }
+  std::array<double, neighbors> theirs;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    if (!isolated[i])
     {
-      continue;
+      std::transform(around[i].begin(), around[i].end(), theirs.begin(),
+        [&](int neighbor) { return areas[neighbor]; });
+      std::nth_element(theirs.begin(), theirs.begin() + lowest, theirs.end());
+      weights[i] = theirs[lowest];
     }
-    tree.nearest(points.row(static_cast<Index>(i)), neighbors, nearest);
-    around.clear();
-    for (const Neighbor& neighbor : nearest)
-    {
-      around.push_back(areas[neighbor.Id]);
-    }
-    std::nth_element(around.begin(), around.begin() + lowest, around.end());
-    weights[i] = around[lowest];
   }
   return weights;
 }
