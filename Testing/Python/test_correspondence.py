@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import zlib
@@ -18,6 +19,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom import vtkGeodesicSphereSource, vtkGIFTIReader, vtkGIFTIWriter, vtkSphericalResample
+
+BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
+sys.path.insert(0, BENCHMARKS)
+import compare_registrations  # pylint: disable=wrong-import-position
 
 WORKBENCH = shutil.which("wb_command")
 METHODS = {"BARYCENTRIC": vtkSphericalResample.BARYCENTRIC,
@@ -161,6 +166,71 @@ class TestResample(unittest.TestCase):
         for positions in carried:
             self.assertLess(np.abs(positions - shape_at(pair.target)).max(), 0.01)
         self.assertGreater(np.abs(carried[0] - carried[1]).max(), 1e-4)
+
+
+class TestCompareRegistrations(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        polygons, places = uneven_sphere(8, 0.0)
+        self.triangles = vtk_to_numpy(polygons.GetConnectivityArray()).reshape(-1, 3)
+        self.landmarks = [0, 3, 7, 100, 200, 641]
+        for name, angle in (("straight", 0.0), ("turned", 1.1)):
+            self.write(name, shape_at(places) @ turn(angle).T, self.landmarks)
+
+    def write(self, name, positions, landmarks):
+        with open(os.path.join(self.folder, name + ".off"), "w", encoding="ascii") as file:
+            file.write(f"OFF\n{len(positions)} {len(self.triangles)} 0\n")
+            np.savetxt(file, positions)
+            np.savetxt(file, np.insert(self.triangles, 0, 3, axis=1), fmt="%d")
+        with open(os.path.join(self.folder, name + ".landmarks"), "w", encoding="ascii") as file:
+            file.writelines(f"{point}\n" for point in landmarks)
+
+    def run_script(self, *arguments):
+        return subprocess.run(
+            [sys.executable, os.path.join(BENCHMARKS, "compare_registrations.py"), *arguments],
+            capture_output=True, text=True, check=False)
+
+    def test_errors_are_lengths_along_edges(self):
+        model = compare_registrations.Model(os.path.join(self.folder, "turned.off"), 0.5)
+        sphere = compare_registrations.sphere_of(model.mapped)
+        self.assertLess(model.errors(sphere[self.landmarks]).max(), 1e-7)
+        corners = model.points[self.triangles]
+        area = np.linalg.norm(
+            np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2.0
+        # Of places on an edge that starts at the landmark, the part of the edge.
+        ends = [next(row[(list(row).index(point) + 1) % 3] for row in self.triangles if point in row)
+                for point in self.landmarks]
+        edges = np.linalg.norm(model.points[self.landmarks] - model.points[ends], axis=1) / np.sqrt(area)
+        for part in (1.0, 0.25):
+            places = (1.0 - part) * sphere[self.landmarks] + part * sphere[ends]
+            np.testing.assert_allclose(model.errors(places), part * edges, rtol=1e-6)
+
+    def test_a_turned_copy_has_no_error(self):
+        run = self.run_script(self.folder, "--landmarks", "2", "6", "--both", "--each", "--set", "Frequency=8")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        lines = run.stdout.splitlines()
+        for line, row in zip(lines[2::2], ("2 of 6", "6 of 6")):
+            self.assertTrue(line.startswith(row))
+            pairs, mean, median, worst = line[14:].split()[:4]
+            self.assertEqual(pairs, "2")
+            self.assertLess(max(float(mean), float(median), float(worst)), 5e-3)
+            self.assertEqual(line.split()[-2], "0")  # flips
+        self.assertIn("0*: ", lines[3])
+        self.assertIn("1: ", lines[3])
+
+    def test_bad_input_ends_with_a_message(self):
+        self.write("straight", shape_at(uneven_sphere(8, 0.0)[1]), [0, 642, 3, 4, 5, 6])
+        run = self.run_script(self.folder)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("straight.landmarks: expected ids of the 642 points", run.stderr)
+        run = self.run_script(self.folder, "--models", "straight")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("two files", run.stderr)
+        run = self.run_script(self.folder, "--set", "Frequenzy=8")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("no property Frequenzy", run.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,204 @@
+#!/usr/bin/python3
+"""vtkSphericalRegistration in figures: the table of Documentation/Correspondence.md.
+
+    compare_registrations.py FOLDER [--landmarks 0 7 21] [--both] [--space Rotation] ...
+
+FOLDER has closed meshes NAME.off of genus zero, and for each a file NAME.landmarks: point ids, one a line, which
+correspond from file to file. Every pair is registered by some of the landmarks (0: by shape alone); the error is that
+of the others, or of all where all are given: each landmark of the moving surface is looked up where it ends on the
+fixed one's sphere, and the way from there along the fixed surface's edges to the true landmark counts, over the
+square root of the surface's area. PYTHONPATH is that of the build.
+"""
+import argparse
+import glob
+import itertools
+import os
+import sys
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
+from compare_lattices import triangulated  # pylint: disable=wrong-import-position
+from helpers import paper_models, scan_files  # pylint: disable=wrong-import-position
+from conformalsom import vtkGlobalConformalMap, vtkSphericalRegistration  # pylint: disable=wrong-import-position
+
+FAR = 0.25  # an error as from head to tail
+
+
+class Model:
+    """A mapped mesh with its landmarks, and how far every point is from each of them."""
+
+    def __init__(self, path, balance):
+        self.name = os.path.splitext(os.path.basename(path))[0]
+        with open(os.path.splitext(path)[0] + ".landmarks", encoding="ascii") as file:
+            self.landmarks = [int(word) for word in file.read().split()]
+        reader, conformal = scan_files.scan_reader(path), vtkGlobalConformalMap()
+        conformal.SetAreaBalance(balance)
+        reader.Update()
+        conformal.SetInputData(triangulated(reader.GetOutput()))
+        begin = time.process_time()
+        self.mapped = paper_models.run(conformal)
+        self.seconds = time.process_time() - begin
+        self.points = vtk_to_numpy(self.mapped.GetPoints().GetData()).astype(float)
+        if not self.landmarks or not 0 <= min(self.landmarks) <= max(self.landmarks) < len(self.points):
+            raise ValueError(f"{self.name}.landmarks: expected ids of the {len(self.points)} points of {self.name}.off")
+        self.triangles = vtk_to_numpy(self.mapped.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        a, b, c = self.points[self.triangles.T]
+        self.size = np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+        a, b, c = sphere_of(self.mapped)[self.triangles.T]
+        # A direction d is in the triangle whose three products with d are at least 0.
+        self.inside = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
+        self.inside /= np.einsum("ij,ij->i", a, self.inside[:, 0])[:, None, None]
+        self.distances = [self.distances_from(point) for point in self.landmarks]
+
+    def distances_from(self, point):
+        """Lengths of the shortest ways along edges to all points."""
+        paths, lengths = vtkDijkstraGraphGeodesicPath(), vtkDoubleArray()
+        paths.SetInputData(self.mapped)
+        paths.SetStartVertex(point)
+        paths.SetEndVertex(point)
+        paths.StopWhenEndReachedOff()
+        paths.Update()
+        paths.GetCumulativeWeights(lengths)
+        return vtk_to_numpy(lengths).copy()
+
+    def errors(self, directions):
+        """Of each landmark, from where its direction leads to the true one."""
+        result = []
+        for direction, distances in zip(directions, self.distances):
+            weights = self.inside @ direction
+            found = weights.min(axis=1).argmax()
+            weights = np.maximum(weights[found], 0.0)
+            corners = self.triangles[found]
+            place = weights @ self.points[corners] / weights.sum()
+            ways = distances[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
+            result.append(ways.min() / self.size)
+        return np.array(result)
+
+
+def sphere_of(surface):
+    return vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition")).astype(float)
+
+
+def flips_of(surface, triangles):
+    """Triangles of the map that do not lie as most of them do."""
+    a, b, c = sphere_of(surface)[triangles.T]
+    sides = np.einsum("ij,ij->i", a, np.cross(b, c))
+    return int(min((sides <= 0.0).sum(), (sides >= 0.0).sum()))
+
+
+class Outcome:
+    """Of one pair: errors of all landmarks, and which of them were not given."""
+
+    def __init__(self, moving, fixed, given, args):
+        self.name = moving.name + "-" + fixed.name
+        registration = vtkSphericalRegistration()
+        registration.SetInputData(moving.mapped)
+        registration.SetFixedData(fixed.mapped)
+        getattr(registration, "SetSpaceOfTransformsTo" + args.space)()
+        for name, value in args.settings:
+            getattr(registration, "Set" + name)(value)
+        for i in given:
+            registration.AddLandmark(moving.landmarks[i], fixed.landmarks[i])
+        begin = time.process_time()
+        registered = paper_models.run(registration)
+        self.seconds = time.process_time() - begin
+        if args.write:
+            write(registered, os.path.join(args.write, self.name + ".vtp"))
+        field = registered.GetFieldData()
+        self.errors = fixed.errors(sphere_of(registered)[moving.landmarks])
+        others = [i for i in range(len(self.errors)) if i not in given]
+        self.mean = self.errors[others or given].mean()
+        self.judged = self.errors[others or given]
+        self.unmet = field.GetArray("LandmarkError").GetValue(0)
+        self.stretch = field.GetArray("RegistrationStretch").GetValue(0)
+        self.flips = max(field.GetArray("NumberOfFolds").GetValue(0), flips_of(registered, moving.triangles))
+
+
+def write(surface, path):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter  # pylint: disable=import-outside-toplevel
+    writer = vtkXMLPolyDataWriter()
+    writer.SetInputData(surface)
+    writer.SetFileName(path)
+    if not writer.Write():
+        raise OSError(f"{path}: cannot be written")
+
+
+def print_row(name, outcomes):
+    means = np.array([outcome.mean for outcome in outcomes])
+    judged = np.concatenate([outcome.judged for outcome in outcomes])
+    worst = outcomes[means.argmax()]
+    print(f"{name:<14}{len(outcomes):>6}{means.mean():>9.4f}{np.median(means):>9.4f}{worst.mean:>9.4f} "
+          f"{worst.name:<12}{(means > FAR).mean():>7.1%}{(judged < 0.1).mean():>8.1%}"
+          f"{max(outcome.unmet for outcome in outcomes):>11.1e}{sum(outcome.flips for outcome in outcomes):>7}"
+          f"{np.mean([outcome.seconds for outcome in outcomes]):>9.2f}", flush=True)
+
+
+def setting(text):
+    name, _, value = text.partition("=")
+    if not hasattr(vtkSphericalRegistration, "Set" + name):
+        raise argparse.ArgumentTypeError(f"vtkSphericalRegistration has no property {name}")
+    return name, float(value) if "." in value or "e" in value else int(value)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", help="of NAME.off and NAME.landmarks")
+    parser.add_argument("--models", nargs="+", help="names of those to compare, default all")
+    parser.add_argument("--landmarks", nargs="+", type=int, default=[0],
+                        help="how many to give, evenly from the list; a table row for each number, default 0")
+    parser.add_argument("--space", choices=("Rotation", "Moebius", "Diffeomorphic"), default="Diffeomorphic")
+    parser.add_argument("--balance", type=float, default=0.5, help="AreaBalance of maps, default 0.5")
+    parser.add_argument("--both", action="store_true", help="register each pair in both directions")
+    parser.add_argument("--set", nargs="+", type=setting, default=[], dest="settings", metavar="NAME=VALUE",
+                        help="further properties of vtkSphericalRegistration")
+    parser.add_argument("--pairs", action="store_true", help="print a line for each pair")
+    parser.add_argument("--each", action="store_true", help="print the mean error of each landmark")
+    parser.add_argument("--write", metavar="DIR", help="write the registered surfaces as MOVING-FIXED.vtp")
+    args = parser.parse_args()
+    found = sorted(glob.glob(os.path.join(glob.escape(args.folder), "*.off")))
+    paths = [path for path in found if os.path.isfile(os.path.splitext(path)[0] + ".landmarks") and
+             (not args.models or os.path.splitext(os.path.basename(path))[0] in args.models)]
+    if len(paths) < 2:
+        parser.error(f"{args.folder}: two files NAME.off with NAME.landmarks or more are needed")
+    return args, paths
+
+
+def main():
+    args, paths = arguments()
+    models = [Model(path, args.balance) for path in paths]
+    counts = {len(model.landmarks) for model in models}
+    if len(counts) > 1:
+        raise ValueError("models have different numbers of landmarks")
+    all_of_them = counts.pop()
+    print(f"{len(models)} models, maps with AreaBalance {args.balance:g}: "
+          f"{np.mean([model.seconds for model in models]):.2f} CPU seconds each; space {args.space}"
+          + "".join(f", {name} {value:g}" for name, value in args.settings))
+    print(f"{'landmarks':<14}{'pairs':>6}{'mean':>9}{'median':>9}{'worst':>9} {'pair':<12}"
+          f"{f'> {FAR:g}':>7}{'lm < .1':>8}{'lm error':>11}{'flips':>7}{'CPU s':>9}")
+    for number in args.landmarks:
+        given = sorted({i * all_of_them // number for i in range(number)} if number else ())
+        outcomes = []
+        for pair in (itertools.permutations if args.both else itertools.combinations)(models, 2):
+            outcomes.append(Outcome(*pair, given, args))
+            if args.pairs:
+                last = outcomes[-1]
+                print(f"  {last.name:<14}mean {last.mean:.4f}, largest {last.judged.max():.4f}, stretch "
+                      f"{last.stretch:.3f}, landmark error {last.unmet:.1e}, flips {last.flips}, "
+                      f"{last.seconds:.2f} CPU s", flush=True)
+        print_row(f"{len(given)} of {all_of_them}", outcomes)
+        if args.each:
+            means = np.mean([outcome.errors for outcome in outcomes], axis=0)
+            print("  " + "  ".join(f"{i}{'*' if i in given else ''}: {error:.3f}" for i, error in enumerate(means)))
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except (ValueError, OSError, paper_models.StepFailed) as error:
+        sys.exit(f"compare_registrations: {error}")
