@@ -2,7 +2,7 @@
 # source) include each other, not even through others. Tests have the rooms of what they test.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Surface Learn Texture Measure Register)
+set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Surface Learn Texture Measure Register Harmonics)
 set(below_Base)
 set(below_Mesh Base)
 set(below_TriangleMap Base)
@@ -17,6 +17,7 @@ set(below_Learn Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull)
 set(below_Texture Base Mesh Search Sphere)
 set(below_Measure Base Mesh Search Sphere)
 set(below_Register Base Mesh Search Linear Sphere SphereMap Measure)
+set(below_Harmonics Base Mesh Linear Sphere)
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 check_rooms("${SOURCE_DIR}/Filters/Numerics")

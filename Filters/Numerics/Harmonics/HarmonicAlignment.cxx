@@ -1,0 +1,224 @@
+#include "Harmonics/HarmonicAlignment.h"
+
+#include "Harmonics/HarmonicGrid.h"
+#include "Harmonics/SphericalHarmonics.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+
+constexpr int ComparedDegree = 12;
+
+// Degrees up to one, or all, without degree 0.
+Columns shapeOf(const Columns& coefficients, int degree)
+{
+  Columns shape = coefficients.topRows(std::min(coefficients.rows(), numberOfHarmonics(degree)));
+  shape.row(0).setZero();
+  return shape;
+}
+
+// The axes of the ellipsoid, by falling length: on the sphere and in space, right-handed.
+struct EllipsoidAxes
+{
+  Matrix3d OnSphere = Matrix3d::Identity(); ///< columns
+  Matrix3d InSpace = Matrix3d::Identity();
+  Vector3 Lengths = Vector3::Zero();
+};
+
+EllipsoidAxes axesOf(const Columns& coefficients)
+{
+  EllipsoidAxes axes;
+  if (coefficients.rows() < 4)
+  {
+    return axes;
+  }
+  Matrix3d linear; // of the ellipsoid's point for a place p on the sphere
+  linear.col(0) = coefficients.row(harmonicIndex(1, 1));
+  linear.col(1) = coefficients.row(harmonicIndex(1, -1));
+  linear.col(2) = coefficients.row(harmonicIndex(1, 0));
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  axes.OnSphere = svd.matrixV();
+  axes.InSpace = svd.matrixU();
+  axes.Lengths = svd.singularValues();
+
+  const Columns shape = shapeOf(coefficients, ComparedDegree);
+  const HarmonicGrid grid(3 * ComparedDegree);
+  const Columns places = grid.synthesize(shape) * axes.InSpace;
+  const Columns cubes = places.array().cube();
+  const Eigen::RowVectorXd moments = grid.analyze(cubes, 0);
+  const Eigen::RowVectorXd sizes = grid.analyze(cubes.cwiseAbs(), 0);
+  for (int k = 0; k < 2; ++k)
+  {
+    constexpr double asGoodAsNone = 1e-9;
+    Index largest = 0;
+    axes.OnSphere.col(k).cwiseAbs().maxCoeff(&largest);
+    const bool isSymmetric = std::abs(moments[k]) <= asGoodAsNone * sizes[k];
+    if ((isSymmetric ? axes.OnSphere(largest, k) : moments[k]) < 0.0)
+    {
+      axes.OnSphere.col(k) *= -1.0;
+      axes.InSpace.col(k) *= -1.0;
+    }
+  }
+  axes.OnSphere.col(2) = axes.OnSphere.col(0).cross(axes.OnSphere.col(1));
+  axes.InSpace.col(2) = axes.InSpace.col(0).cross(axes.InSpace.col(1));
+  return axes;
+}
+
+Matrix3d turn(double angle, int axis)
+{
+  return AngleAxisd(angle, Vector3::Unit(axis)).toRotationMatrix();
+}
+
+// Turns about which axes the lengths leave open.
+std::vector<int> openAxes(const Vector3& lengths)
+{
+  constexpr double alike = 0.9;
+  const bool first = lengths[1] > alike * lengths[0], last = lengths[2] > alike * lengths[1];
+  if (first && last)
+  {
+    return { 0, 1, 2 };
+  }
+  return first ? std::vector<int>{ 2 } : last ? std::vector<int>{ 0 } : std::vector<int>{};
+}
+
+// Close enough for turns of falling size to find the best from there.
+std::vector<Matrix3d> candidateTurns(const std::vector<int>& open)
+{
+  std::vector<Matrix3d> turns;
+  if (open.size() == 3)
+  {
+    constexpr int steps = 24; // of 15 degrees
+    for (int i = 0; i < steps; ++i)
+    {
+      for (int j = 0; j < steps / 2; ++j)
+      {
+        for (int k = 0; k < steps; ++k)
+        {
+          const double unit = 2.0 * Pi / steps;
+          turns.push_back(turn(unit * i, 2) * turn(unit * (j + 0.5), 1) * turn(unit * k, 2));
+        }
+      }
+    }
+    return turns;
+  }
+  constexpr int steps = 72; // of 5 degrees
+  for (int flip = 0; flip < 4; ++flip)
+  {
+    const Matrix3d flipped =
+      flip == 0 ? Matrix3d(Matrix3d::Identity()) : Matrix3d(turn(Pi, flip - 1));
+    for (int i = 0; i < (open.empty() ? 1 : steps); ++i)
+    {
+      turns.push_back(
+        open.empty() ? flipped : Matrix3d(flipped * turn(2.0 * Pi * i / steps, open.front())));
+    }
+  }
+  return turns;
+}
+
+// Correlation of surfaces on a grid.
+class Correlation
+{
+public:
+  Correlation(const Columns& moving, const Columns& fixed)
+    : Moving(shapeOf(moving, ComparedDegree))
+    , Grid(2 * ComparedDegree)
+    , Directions(Grid.directions())
+    , Fixed(Grid.synthesize(shapeOf(fixed, ComparedDegree)))
+  {
+  }
+
+  double operator()(const HarmonicAlignment& alignment) const
+  {
+    const Points asked = this->Directions * alignment.MapRotation;
+    const Columns there =
+      evaluateHarmonics(this->Moving, asked) * alignment.SurfaceRotation.transpose();
+    const Eigen::VectorXd products = there.cwiseProduct(this->Fixed).rowwise().sum();
+    return this->Grid.analyze(products, 0)(0, 0);
+  }
+
+private:
+  Columns Moving;
+  HarmonicGrid Grid;
+  Points Directions;
+  Columns Fixed;
+};
+}
+
+//------------------------------------------------------------------------------
+Columns rotateHarmonics(const Columns& coefficients, const Matrix3d& rotation, const Run& run)
+{
+  const int degree = degreeOfHarmonics(coefficients.rows());
+  const HarmonicGrid grid(2 * degree);
+  const Points asked = grid.directions() * rotation;
+  return grid.analyze(evaluateHarmonics(coefficients, asked, run), degree, run.unwatched());
+}
+
+//------------------------------------------------------------------------------
+double workOfHarmonicRotation(double columns, double degree)
+{
+  return (1.0 + 0.8 * columns) * 2.0 * std::pow(degree + 1.0, 4);
+}
+
+//------------------------------------------------------------------------------
+HarmonicAlignment alignToEllipsoid(const Columns& coefficients)
+{
+  const EllipsoidAxes axes = axesOf(coefficients);
+  const Vector3 center = coefficients.row(0) / std::sqrt(4.0 * Pi);
+  return { axes.OnSphere.transpose(), axes.InSpace.transpose(), center };
+}
+
+//------------------------------------------------------------------------------
+HarmonicAlignment alignToReference(
+  const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run)
+{
+  const EllipsoidAxes own = axesOf(coefficients), other = axesOf(reference);
+  const Vector3 center = coefficients.row(0) / std::sqrt(4.0 * Pi);
+  const auto alignmentOf = [&](const Matrix3d& turned)
+  {
+    HarmonicAlignment alignment;
+    alignment.MapRotation = other.OnSphere * turned * own.OnSphere.transpose();
+    if (movesSurface)
+    {
+      alignment.SurfaceRotation = other.InSpace * turned * own.InSpace.transpose();
+      alignment.Center = center;
+    }
+    return alignment;
+  };
+  const Correlation correlation(coefficients, reference);
+  const std::vector<int> open = openAxes(own.Lengths);
+  const std::vector<Matrix3d> turns = candidateTurns(open);
+  std::vector<double> scores(turns.size());
+  forBlocksReporting(run, static_cast<Index>(turns.size()), 1,
+    [&](Index i, Index) { scores[i] = correlation(alignmentOf(turns[i])); });
+  const auto best = std::max_element(scores.begin(), scores.end());
+  double score = *best;
+  Matrix3d turned = turns[best - scores.begin()];
+  double angle = 0.1;
+  for (int halving = 0; halving < 20; ++halving, angle *= 0.5)
+  {
+    for (const int axis : open)
+    {
+      for (const double signedAngle : { angle, -angle })
+      {
+        const Matrix3d tried = turned * turn(signedAngle, axis);
+        const double reached = correlation(alignmentOf(tried));
+        if (reached > score)
+        {
+          score = reached;
+          turned = tried;
+        }
+      }
+    }
+  }
+  return alignmentOf(turned);
+}
+}

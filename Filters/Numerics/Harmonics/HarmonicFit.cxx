@@ -1,0 +1,212 @@
+#include "Harmonics/HarmonicFit.h"
+
+#include "Base/Steps.h"
+#include "Harmonics/HarmonicGrid.h"
+#include "Harmonics/SphericalHarmonics.h"
+#include "Linear/ConjugateGradients.h"
+#include "Sphere/SphereCoverage.h"
+#include "Sphere/SphereLocator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+// The triangles counter-clockwise on the sphere, seen from outside.
+Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
+{
+  Triangles triangles = mesh.Triangles;
+  SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
+  if (coverage.Degree == -1)
+  {
+    triangles.col(1).swap(triangles.col(2));
+    coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
+  }
+  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
+  {
+    throw std::invalid_argument("the map to the sphere covers it " +
+      std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
+      " folded triangles, but must cover it once without folds");
+  }
+  return triangles;
+}
+
+// Area of the surface, at vertices of small triangles and on the grid.
+struct SurfaceSamples
+{
+  Eigen::VectorXd VertexAreas;
+  Columns Values;          ///< on the grid, linear in the triangles
+  Eigen::VectorXd Density; ///< there, area of the surface for area of the sphere
+  Eigen::VectorXd Counted; ///< the same in large triangles, 0 in small ones
+};
+
+double longestSide(const Points& positions, const Triangles& triangles, Index triangle)
+{
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 begin = positions.row(triangles(triangle, k)),
+                  end = positions.row(triangles(triangle, next(k)));
+    longest = std::max(longest, (end - begin).norm());
+  }
+  return longest;
+}
+
+// Which triangles are small; their areas go to their vertices.
+std::vector<char> countSmallTriangles(
+  const MappedMesh& mesh, const Triangles& triangles, double longest, Eigen::VectorXd& vertexAreas)
+{
+  std::vector<char> isSmall(triangles.rows());
+  vertexAreas = Eigen::VectorXd::Zero(mesh.Positions.rows());
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    isSmall[t] = longestSide(mesh.SpherePositions, triangles, t) <= longest ? 1 : 0;
+    const double share = areaVector(mesh.Positions, triangles, t).norm() / 3.0;
+    for (int k = 0; k < 3 && isSmall[t] != 0; ++k)
+    {
+      vertexAreas[triangles(t, k)] += share;
+    }
+  }
+  return isSmall;
+}
+
+SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
+  const Columns& values, const HarmonicGrid& grid, double longest, const Run& run)
+{
+  constexpr Index blockSize = 512;
+  const auto size = static_cast<double>(triangles.rows());
+  Steps steps(run, { 50.0 * size, 500.0 * size, 300.0 * static_cast<double>(grid.size()) });
+  steps.next();
+  SurfaceSamples samples;
+  const std::vector<char> isSmall =
+    countSmallTriangles(mesh, triangles, longest, samples.VertexAreas);
+  const SphereLocator locator(mesh.SpherePositions, triangles, steps.next());
+  const Run sampling = steps.next();
+  const Points directions = grid.directions();
+  samples.Values.resize(grid.size(), values.cols());
+  samples.Density.resize(grid.size());
+  samples.Counted.resize(grid.size());
+  forBlocksReporting(sampling, grid.size(), blockSize,
+    [&](Index begin, Index end)
+    {
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const SphereLocation at = locator.locate(directions.row(i), hint);
+        hint = at.Triangle;
+        samples.Values.row(i).setZero();
+        for (int k = 0; k < 3; ++k)
+        {
+          samples.Values.row(i) += at.Barycentric[k] * values.row(triangles(hint, k));
+        }
+        samples.Density[i] = areaVector(mesh.Positions, triangles, hint).norm() /
+          areaVector(mesh.SpherePositions, triangles, hint).norm();
+        samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : samples.Density[i];
+      }
+    });
+  return samples;
+}
+
+// Three columns, zeros behind the last, each divided by a power of two so that no column is small
+// beside another.
+struct ColumnGroup
+{
+  Points Values;
+  Eigen::RowVector3d Units = Eigen::RowVector3d::Ones();
+
+  ColumnGroup(const Columns& values, Index first)
+    : Values(Points::Zero(values.rows(), 3))
+  {
+    for (Index c = 0; c < 3 && first + c < values.cols(); ++c)
+    {
+      int exponent = 0;
+      std::frexp(values.col(first + c).cwiseAbs().maxCoeff(), &exponent);
+      this->Units[c] = std::ldexp(1.0, exponent);
+      this->Values.col(c) = values.col(first + c) / this->Units[c];
+    }
+  }
+};
+
+constexpr int MostSteps = 200;
+constexpr double ExpectedSteps = 25.0;
+
+double workOfTransforms(double degree)
+{
+  return 25.0 * std::pow(degree + 1.0, 3);
+}
+
+double workOfMoments(double vertices, double columns, double degree)
+{
+  return (1.0 + 0.8 * columns) * vertices * std::pow(degree + 1.0, 2);
+}
+}
+
+//------------------------------------------------------------------------------
+Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, const Run& run)
+{
+  const auto vertices = static_cast<double>(mesh.Positions.rows());
+  const auto columns = static_cast<double>(values.cols());
+  const HarmonicGrid grid(4 * degree); // exact for a harmonic times a density times a harmonic
+  const Index groups = (values.cols() + 2) / 3;
+  std::vector<double> work = { 300.0 * vertices,
+    1100.0 * vertices + 300.0 * static_cast<double>(grid.size()),
+    workOfMoments(vertices, 1.0, 2.0 * degree), workOfMoments(vertices, columns, degree) };
+  work.insert(work.end(), groups, ExpectedSteps * workOfTransforms(degree));
+  Steps steps(run, work);
+  steps.next();
+  const Triangles triangles = trianglesOnSphere(mesh, run.unwatched());
+  const SurfaceSamples samples =
+    sampleSurface(mesh, triangles, values, grid, degree > 0 ? Pi / degree : 2.0, steps.next());
+
+  const Columns masses =
+    harmonicMoments(mesh.SpherePositions, samples.VertexAreas, 2 * degree, steps.next());
+  const Eigen::VectorXd density = grid.synthesize(masses, run.unwatched()) + samples.Counted;
+  const double area = std::sqrt(4.0 * Pi) * grid.analyze(density, 0, run.unwatched())(0, 0);
+  if (!(area > 0.0))
+  {
+    throw std::invalid_argument("the surface has no area");
+  }
+  // Where the surface is shrunk to almost nothing, no more than this is asked of the solution.
+  const double leastDensity = 1e-3 * area / (4.0 * Pi);
+  const Eigen::VectorXd inverse = samples.Density.cwiseMax(leastDensity).cwiseInverse();
+  const auto timesDensity = [&](const Eigen::VectorXd& factor, const Points& coefficients)
+  {
+    Columns product = grid.synthesize(coefficients, run.unwatched());
+    product.array().colwise() *= factor.array();
+    return grid.analyze(product, degree, run.unwatched());
+  };
+
+  Columns moments = harmonicMoments(
+    mesh.SpherePositions, samples.VertexAreas.asDiagonal() * values, degree, steps.next());
+  moments += grid.analyze(samples.Counted.asDiagonal() * samples.Values, degree, run.unwatched());
+  ConjugateGradientsOptions options;
+  options.NumberOfSteps = MostSteps;
+  options.Accuracy = 1e-28;
+  Columns coefficients(moments.rows(), moments.cols());
+  for (Index group = 0; group < groups; ++group)
+  {
+    const Index first = 3 * group, size = std::min<Index>(3, values.cols() - first);
+    ColumnGroup own(moments, first);
+    const Points solution = conjugateGradients(
+      own.Values, [&](const Points& c, Points& product) { product = timesDensity(density, c); },
+      [&](const Points& c, Points& product) { product = timesDensity(inverse, c); }, options,
+      steps.next());
+    coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
+  }
+  return coefficients;
+}
+
+//------------------------------------------------------------------------------
+double workOfHarmonicFit(double vertices, double columns, double degree)
+{
+  return 1400.0 * vertices + 2400.0 * std::pow(degree + 1.0, 2) +
+    workOfMoments(vertices, 1.0, 2.0 * degree) + workOfMoments(vertices, columns, degree) +
+    std::ceil(columns / 3.0) * ExpectedSteps * workOfTransforms(degree);
+}
+}

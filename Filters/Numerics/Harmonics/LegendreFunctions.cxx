@@ -1,0 +1,100 @@
+#include "Harmonics/LegendreFunctions.h"
+
+#include <array>
+#include <cmath>
+
+namespace conformal
+{
+namespace
+{
+// Numbers below 2^Tiny are stored as multiples of 2^-Step, so many times that they are above.
+constexpr double Tiny = -900.0;
+constexpr double Step = 512.0;
+
+// P_mm at the places of a block, and how many times each was multiplied by 2^Step.
+struct Sector
+{
+  LegendreLane Values;
+  std::array<int, LegendreLanes> Scales{};
+  bool IsScaled = false;
+
+  Sector(int order, double logSector, const LegendreLane& logRadii)
+  {
+    for (int i = 0; i < LegendreLanes; ++i)
+    {
+      double exponent = order == 0 ? logSector : logSector + order * logRadii[i];
+      if (exponent < Tiny && std::isfinite(exponent))
+      {
+        this->Scales[i] = static_cast<int>(std::ceil((Tiny - exponent) / Step));
+        this->IsScaled = true;
+        exponent += Step * this->Scales[i];
+      }
+      this->Values[i] = std::exp2(exponent);
+    }
+  }
+};
+
+// Takes one multiplication back where numbers have grown.
+void rescale(Sector& sector, LegendreLane& before)
+{
+  static const double large = std::exp2(Tiny + Step + 88.0), back = std::exp2(-Step);
+  sector.IsScaled = false;
+  for (int i = 0; i < LegendreLanes; ++i)
+  {
+    if (sector.Scales[i] > 0 && std::abs(sector.Values[i]) > large)
+    {
+      sector.Values[i] *= back;
+      before[i] *= back;
+      --sector.Scales[i];
+    }
+    sector.IsScaled = sector.IsScaled || sector.Scales[i] > 0;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+LegendreFunctions::LegendreFunctions(int degree)
+{
+  double product = 1.0; // (2 m - 1)!! / (2 m)!!
+  for (int m = 0; m <= degree; ++m)
+  {
+    product *= m == 0 ? 1.0 : 1.0 - 0.5 / m;
+    const double twice = m == 0 ? 1.0 : 2.0;
+    this->LogSectors.push_back(0.5 * std::log2(twice * (2.0 * m + 1.0) / (4.0 * Pi) * product));
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegendreFunctions::evaluate(
+  int order, const LegendreLane& heights, const LegendreLane& logRadii, LegendreBlock& values) const
+{
+  const double m = order;
+  Sector current(order, this->LogSectors[order], logRadii);
+  LegendreLane before = LegendreLane::Zero();
+  double factorBefore = 1.0;
+  for (int degree = order; degree <= this->degree(); ++degree)
+  {
+    if (degree > order)
+    {
+      const double l = degree;
+      const double factor = std::sqrt((4.0 * l * l - 1.0) / ((l - m) * (l + m)));
+      const double share = 1.0 / factorBefore;
+      const LegendreLane next = factor * (heights * current.Values - share * before);
+      before = current.Values;
+      current.Values = next;
+      factorBefore = factor;
+    }
+    auto column = values.col(degree - order).array();
+    if (!current.IsScaled)
+    {
+      column = current.Values;
+      continue;
+    }
+    rescale(current, before);
+    for (int i = 0; i < LegendreLanes; ++i)
+    {
+      column[i] = current.Scales[i] > 0 ? 0.0 : current.Values[i]; // or less than 2^-812
+    }
+  }
+}
+}
