@@ -35,22 +35,8 @@ Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   Placed result;
-  result.Triangles = surface.Triangles;
-  SphereCoverage coverage =
-    measureSphereCoverage(surface.SpherePositions, result.Triangles, run.unwatched());
-  const bool isTurned = coverage.Degree < 0;
-  if (isTurned)
-  {
-    result.Triangles.col(1).swap(result.Triangles.col(2));
-    coverage = measureSphereCoverage(surface.SpherePositions, result.Triangles, run.unwatched());
-  }
-  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
-  {
-    throw std::invalid_argument("the map to the sphere of surface " + std::to_string(number) +
-      " covers it " + std::to_string(coverage.Degree) + " times with " +
-      std::to_string(coverage.NumberOfFolds) +
-      " folded triangles, but must cover it once without folds");
-  }
+  result.Triangles = turnedToCoverOnce(surface.SpherePositions, surface.Triangles,
+    "the map to the sphere of surface " + std::to_string(number), run.unwatched());
   result.IsMirrored = signedVolume(surface.Positions, result.Triangles) < 0.0;
   return result;
 }

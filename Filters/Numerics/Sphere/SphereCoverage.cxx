@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace conformal
@@ -33,6 +34,7 @@ Part measure(const Points& positions, const Triangles& triangles, Index begin, I
 }
 }
 
+//------------------------------------------------------------------------------
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run)
 {
@@ -51,5 +53,25 @@ SphereCoverage measureSphereCoverage(
   const double sphere = 4.0 * Pi;
   coverage.Degree = static_cast<int>(std::lround(solidAngle / sphere));
   return coverage;
+}
+
+//------------------------------------------------------------------------------
+Triangles turnedToCoverOnce(
+  const Points& positions, const Triangles& triangles, const std::string& map, const Run& run)
+{
+  Triangles turned = triangles;
+  SphereCoverage coverage = measureSphereCoverage(positions, turned, run);
+  if (coverage.Degree < 0)
+  {
+    turned.col(1).swap(turned.col(2));
+    coverage = measureSphereCoverage(positions, turned, run);
+  }
+  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
+  {
+    throw std::invalid_argument(map + " covers it " + std::to_string(coverage.Degree) +
+      " times with " + std::to_string(coverage.NumberOfFolds) +
+      " folded triangles, but must cover it once without folds");
+  }
+  return turned;
 }
 }

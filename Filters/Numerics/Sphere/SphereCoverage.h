@@ -6,6 +6,8 @@
 #include "Base/Run.h"
 #include "Base/Types.h"
 
+#include <string>
+
 namespace conformal
 {
 struct SphereCoverage
@@ -20,6 +22,13 @@ struct SphereCoverage
 /// @param[in] triangles      #R by 3 ids of a closed surface
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run = {});
+
+/// The triangles of a map that covers the sphere exactly once, turned to be counter-clockwise on
+/// the sphere seen from outside.
+/// @param[in] map  what the message calls it: "the map to the sphere"
+/// @throws std::invalid_argument if it does not cover the sphere once, or folds
+Triangles turnedToCoverOnce(
+  const Points& positions, const Triangles& triangles, const std::string& map, const Run& run = {});
 }
 
 #endif

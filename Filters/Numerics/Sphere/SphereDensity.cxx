@@ -95,19 +95,8 @@ SphereDensity densityOnSurface(
     SphereLocator Locator;
   };
   const auto located = std::make_shared<Located>();
-  located->Triangles = surface.Triangles;
-  SphereCoverage coverage = measureSphereCoverage(surface.SpherePositions, located->Triangles, run);
-  if (coverage.Degree == -1)
-  {
-    located->Triangles.col(1).swap(located->Triangles.col(2));
-    coverage = measureSphereCoverage(surface.SpherePositions, located->Triangles, run);
-  }
-  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
-  {
-    throw std::invalid_argument("the map to the sphere covers it " +
-      std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
-      " folded triangles, but must cover it once without folds");
-  }
+  located->Triangles =
+    turnedToCoverOnce(surface.SpherePositions, surface.Triangles, "the map to the sphere", run);
   SphereDensity density;
   density.Directions = surface.SpherePositions;
   density.Areas = vertexAreas(surface.SpherePositions, surface.Triangles);

@@ -1,6 +1,6 @@
 #include "Register/SphericalRegistration.h"
 
-#include "Mesh/GeodesicSphere.h"
+#include "Heads.h"
 #include "Runs.h"
 #include "Sphere/SphereOrientation.h"
 
@@ -10,61 +10,14 @@
 #include <stdexcept>
 #include <string>
 
-using conformal::Index;
-using conformal::Pi;
-using conformal::Points;
 using conformal::RegisteredSurface;
 using conformal::registerSpheres;
-using conformal::Rows;
 using conformal::SpaceOfTransforms;
 using conformal::SphericalRegistrationOptions;
 using conformal::Vector3;
-
-namespace
-{
-// A head with a nose, an ear and a tail: no turn and no mirror leaves it as it is.
-RegisteredSurface head(int frequency)
-{
-  RegisteredSurface result;
-  const auto sphere = conformal::makeGeodesicSphere(frequency);
-  result.Surface.Triangles = sphere.Triangles;
-  result.Surface.SpherePositions = sphere.Positions;
-  result.Surface.Positions.resize(sphere.Positions.rows(), 3);
-  const auto bump = [](const Vector3& n, const Vector3& at, double width)
-  { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
-  for (Index i = 0; i < sphere.Positions.rows(); ++i)
-  {
-    const Vector3 n = sphere.Positions.row(i);
-    const double radius = 1.0 + 0.7 * bump(n, { 1, 0.1, 0.2 }, 0.3) +
-      0.4 * bump(n, { -0.2, 1, 0.6 }, 0.35) + 0.9 * bump(n, { -0.8, -0.3, -0.6 }, 0.25);
-    result.Surface.Positions.row(i) = radius * n.cwiseProduct(Vector3(1.2, 0.9, 1.0)).transpose();
-  }
-  result.Features.resize(sphere.Positions.rows(), 0);
-  return result;
-}
-
-// A smooth deformation of the sphere, then a turn.
-Vector3 warped(const Vector3& n, double angle)
-{
-  const Vector3 bent =
-    n + 0.12 * Vector3(n[1] * n[2], std::sin(2.0 * n[0]) * n[2], -n[0] * n[1] * n[1]);
-  return Eigen::AngleAxisd(angle, Vector3(0.2, -0.7, 0.5).normalized()) * bent.normalized();
-}
-
-RegisteredSurface withWarpedMap(RegisteredSurface surface, double angle)
-{
-  for (Index i = 0; i < surface.Surface.SpherePositions.rows(); ++i)
-  {
-    surface.Surface.SpherePositions.row(i) = warped(surface.Surface.SpherePositions.row(i), angle);
-  }
-  return surface;
-}
-
-double meanAngle(const Points& a, const Points& b)
-{
-  return (a - b).rowwise().norm().mean() * 180.0 / Pi;
-}
-}
+using heads::head;
+using heads::meanAngle;
+using heads::withWarpedMap;
 
 TEST(SphericalRegistration, EqualSurfacesStay)
 {

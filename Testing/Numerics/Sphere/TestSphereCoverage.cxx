@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 using conformal::makeGeodesicSphere;
 using conformal::measureSphereCoverage;
@@ -51,4 +53,25 @@ TEST(SphereCoverage, AMapToOneSideCoversNothing)
   Points bowl = sphere.Positions;
   bowl.col(2) = bowl.col(2).cwiseAbs();
   EXPECT_EQ(measureSphereCoverage(bowl, sphere.Triangles).Degree, 0);
+}
+
+TEST(SphereCoverage, TurnsMirroredMapsAndRefusesWhatFolds)
+{
+  const Mesh sphere = makeGeodesicSphere(4);
+  Points positions = sphere.Positions;
+  EXPECT_EQ(conformal::turnedToCoverOnce(positions, sphere.Triangles, "the map"), sphere.Triangles);
+  const Triangles turned = conformal::turnedToCoverOnce(-positions, sphere.Triangles, "the map");
+  EXPECT_EQ(turned.col(1), sphere.Triangles.col(2));
+  positions.row(30) *= -1.0;
+  try
+  {
+    conformal::turnedToCoverOnce(positions, sphere.Triangles, "the map of a dented sphere");
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_EQ(
+      std::string(error.what()).rfind("the map of a dented sphere covers it 0 times with 6", 0), 0U)
+      << error.what();
+  }
 }

@@ -1,0 +1,363 @@
+#include "Register/SphericalTemplate.h"
+
+#include "Base/NumericalFailure.h"
+#include "Base/Steps.h"
+#include "Linear/EdgeWeights.h"
+#include "Register/ConsistentRemesh.h"
+#include "Register/SphereFeatures.h"
+#include "Sphere/SphereCoverage.h"
+#include "Sphere/SphereOrientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+using Registrations = std::vector<SphericalRegistrationResult>;
+
+double workOfRegistration(double size, const SphericalTemplateOptions& options)
+{
+  const double fine = options.Registration.Frequency;
+  return 1.6e9 + 2e6 * fine * fine + 8e3 * size;
+}
+
+double workOfMean(double size, double numberOfSurfaces, const SphericalTemplateOptions& options)
+{
+  ConsistentRemeshOptions remesh;
+  remesh.Lattice = RemeshLattice::Geodesic;
+  remesh.Frequency = options.MeanFrequency;
+  const double points = 10.0 * options.MeanFrequency * options.MeanFrequency;
+  return workOfConsistentRemesh(size, numberOfSurfaces, remesh) +
+    workOfShapeModes(points, numberOfSurfaces);
+}
+
+void requireUsable(const std::vector<TemplateInput>& inputs)
+{
+  if (inputs.empty())
+  {
+    throw std::invalid_argument("there is no surface to register");
+  }
+  for (std::size_t s = 0; s < inputs.size(); ++s)
+  {
+    const MappedMesh& mesh = inputs[s].Surface.Surface;
+    const std::string name = "surface " + std::to_string(s);
+    double area = 0.0;
+    for (Index r = 0; r < mesh.Triangles.rows(); ++r)
+    {
+      area += areaVector(mesh.Positions, mesh.Triangles, r).norm();
+    }
+    if (!(area > 0.0))
+    {
+      throw std::invalid_argument(name + " has no area, or too little beside the other surfaces");
+    }
+    const Triangles turned =
+      turnedToCoverOnce(mesh.SpherePositions, mesh.Triangles, "the map to the sphere of " + name);
+    const Index folds = countFlippedTriangles(mesh.SpherePositions, turned);
+    if (folds > 0)
+    {
+      throw std::invalid_argument("the map to the sphere of " + name + " has " +
+        std::to_string(folds) + " flipped triangles as small as rounding");
+    }
+    if (inputs[s].Landmarks.size() != inputs.front().Landmarks.size())
+    {
+      throw std::invalid_argument(name + " has " + std::to_string(inputs[s].Landmarks.size()) +
+        " landmarks, but surface 0 has " + std::to_string(inputs.front().Landmarks.size()) +
+        "; all must have the same");
+    }
+  }
+}
+
+// A template by its surfaces, one step after the other.
+class TemplateSearch
+{
+public:
+  TemplateSearch(const std::vector<TemplateInput>& inputs, const std::vector<double>& weights,
+    const SphericalTemplateOptions& options)
+    : Inputs(inputs)
+    , Weights(weights)
+    , Options(options)
+  {
+    for (const TemplateInput& input : inputs)
+    {
+      Rows features = input.Surface.Features;
+      const MappedMesh& mesh = input.Surface.Surface;
+      normalizeFeatures(features, vertexAreas(mesh.Positions, mesh.Triangles));
+      this->Features.push_back(std::move(features));
+    }
+  }
+
+  std::vector<double> workOfRegistrations() const
+  {
+    std::vector<double> work;
+    for (const TemplateInput& input : this->Inputs)
+    {
+      const auto size = static_cast<double>(input.Surface.Surface.Positions.rows());
+      work.push_back(workOfRegistration(size, this->Options));
+    }
+    return work;
+  }
+
+  double workOfOneMean() const
+  {
+    double size = 0.0;
+    for (const TemplateInput& input : this->Inputs)
+    {
+      size += static_cast<double>(input.Surface.Surface.Positions.rows());
+    }
+    return workOfMean(size, static_cast<double>(this->Inputs.size()), this->Options);
+  }
+
+  // Each surface with another one; that one is left as it is.
+  Registrations registeredWith(std::size_t one, Steps& steps) const
+  {
+    return this->registered(this->Inputs[one].Surface, this->Inputs[one].Landmarks, one, steps);
+  }
+
+  Registrations registeredWithMean(
+    const RegisteredSurface& mean, const Registrations& last, Steps& steps) const
+  {
+    return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), steps);
+  }
+
+  // Of positions and features, as the surface in front lies.
+  RegisteredSurface meanOf(
+    const Registrations& registrations, std::size_t front, const Run& run) const
+  {
+    Steps steps(run, { 1.0, 1.0 });
+    const std::vector<std::size_t> order = this->beginningWith(front);
+    const ConsistentMeshes common = this->common(registrations, order, steps.next());
+    ShapeModesOptions shape;
+    shape.Alignment = this->Options.Alignment;
+    shape.NumberOfModes = 0;
+    RegisteredSurface mean;
+    mean.Surface.Positions =
+      findShapeModes(common.Sphere.Triangles, common.Positions, shape, steps.next()).Mean;
+    mean.Surface.Triangles = common.Sphere.Triangles;
+    mean.Surface.SpherePositions = common.Sphere.Positions;
+    mean.Features = this->meanFeatures(common.Weights, order);
+    return mean;
+  }
+
+  // Of all shapes, of which an earlier one is taken unless a later one is closer by more than
+  // rounding.
+  std::size_t closestToMean(const Registrations& registrations, const Run& run) const
+  {
+    Steps steps(run, { 1.0, 1.0 });
+    const ConsistentMeshes common =
+      this->common(registrations, this->beginningWith(0), steps.next());
+    ShapeModesOptions all;
+    all.Alignment = this->Options.Alignment;
+    all.NumberOfModes = static_cast<int>(this->Inputs.size());
+    const ShapeModes modes =
+      findShapeModes(common.Sphere.Triangles, common.Positions, all, steps.next());
+    std::size_t closest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t s = 0; s < this->Inputs.size(); ++s)
+    {
+      double square = 0.0;
+      for (std::size_t k = 0; k < modes.Modes.size(); ++k)
+      {
+        const double score = modes.Scores(static_cast<Index>(s), static_cast<Index>(k));
+        square += modes.Explained[k] * score * score;
+      }
+      constexpr double closer = 1.0 - 1e-6;
+      if (square < closer * least)
+      {
+        least = square;
+        closest = s;
+      }
+    }
+    return closest;
+  }
+
+private:
+  Registrations registered(const RegisteredSurface& fixed, const std::vector<int>& landmarks,
+    std::size_t own, Steps& steps) const
+  {
+    Registrations result;
+    for (std::size_t s = 0; s < this->Inputs.size(); ++s)
+    {
+      const Run part = steps.next();
+      if (s == own)
+      {
+        result.emplace_back();
+        result.back().SpherePositions = this->Inputs[s].Surface.Surface.SpherePositions;
+        result.back().Stretch = 1.0;
+        continue;
+      }
+      std::vector<std::pair<int, int>> pairs;
+      for (std::size_t i = 0; i < landmarks.size(); ++i)
+      {
+        pairs.emplace_back(this->Inputs[s].Landmarks[i], landmarks[i]);
+      }
+      try
+      {
+        result.push_back(registerSpheres(
+          this->Inputs[s].Surface, fixed, pairs, this->Weights, this->Options.Registration, part));
+      }
+      catch (const NumericalFailure& failure)
+      {
+        throw NumericalFailure("surface " + std::to_string(s) + ": " + failure.what());
+      }
+    }
+    return result;
+  }
+
+  // The mean's vertices for them, each once.
+  std::vector<int> landmarksOf(const RegisteredSurface& mean, const Registrations& last) const
+  {
+    const Points& vertices = mean.Surface.SpherePositions;
+    std::vector<char> isTaken(vertices.rows(), 0);
+    std::vector<int> landmarks;
+    for (std::size_t i = 0; i < this->Inputs.front().Landmarks.size(); ++i)
+    {
+      Vector3 place = Vector3::Zero();
+      for (std::size_t s = 0; s < last.size(); ++s)
+      {
+        place += last[s].SpherePositions.row(this->Inputs[s].Landmarks[i]);
+      }
+      const Eigen::VectorXd closeness = vertices * place;
+      int closest = -1;
+      for (Index v = 0; v < vertices.rows(); ++v)
+      {
+        if (!isTaken[v] && (closest < 0 || closeness[v] > closeness[closest]))
+        {
+          closest = static_cast<int>(v);
+        }
+      }
+      isTaken[closest] = 1;
+      landmarks.push_back(closest);
+    }
+    return landmarks;
+  }
+
+  std::vector<std::size_t> beginningWith(std::size_t front) const
+  {
+    std::vector<std::size_t> order = { front };
+    for (std::size_t s = 0; s < this->Inputs.size(); ++s)
+    {
+      if (s != front)
+      {
+        order.push_back(s);
+      }
+    }
+    return order;
+  }
+
+  ConsistentMeshes common(
+    const Registrations& registrations, const std::vector<std::size_t>& order, const Run& run) const
+  {
+    std::vector<MappedMesh> meshes;
+    for (const std::size_t s : order)
+    {
+      meshes.push_back(this->Inputs[s].Surface.Surface);
+      meshes.back().SpherePositions = registrations[s].SpherePositions;
+    }
+    ConsistentRemeshOptions remesh;
+    remesh.Lattice = RemeshLattice::Geodesic;
+    remesh.Frequency = this->Options.MeanFrequency;
+    return remeshConsistently(meshes, remesh, run);
+  }
+
+  Rows meanFeatures(
+    const std::vector<ResampleWeights>& weights, const std::vector<std::size_t>& order) const
+  {
+    Rows mean = Rows::Zero(weights.front().size(), this->Features.front().cols());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+      const Rows& features = this->Features[order[k]];
+      for (Index i = 0; i < mean.rows(); ++i)
+      {
+        for (Index j = weights[k].Offsets[i]; j < weights[k].Offsets[i + 1]; ++j)
+        {
+          mean.row(i) += weights[k].Weights[j] * features.row(weights[k].Ids[j]);
+        }
+      }
+    }
+    return mean / static_cast<double>(order.size());
+  }
+
+  const std::vector<TemplateInput>& Inputs;
+  const std::vector<double>& Weights;
+  const SphericalTemplateOptions& Options;
+  std::vector<Rows> Features; // normalized
+};
+
+// Rms distance over the rms radius.
+double changeOf(const MappedMesh& mean, const MappedMesh& last)
+{
+  const Eigen::VectorXd areas = vertexAreas(mean.Positions, mean.Triangles);
+  const Eigen::RowVector3d center = areas.transpose() * mean.Positions / areas.sum();
+  const double size = areas.dot((mean.Positions.rowwise() - center).rowwise().squaredNorm());
+  const double change = areas.dot((mean.Positions - last.Positions).rowwise().squaredNorm());
+  return std::sqrt(change / size);
+}
+}
+
+//------------------------------------------------------------------------------
+SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& inputs,
+  const std::vector<double>& featureWeights, const SphericalTemplateOptions& options,
+  const Run& run)
+{
+  requireUsable(inputs);
+  const TemplateSearch search(inputs, featureWeights, options);
+  const std::vector<double> registering = search.workOfRegistrations();
+  const double averaging = search.workOfOneMean();
+  const int rounds = inputs.size() > 1 ? options.MaximumNumberOfRounds : 0;
+  // All surfaces and their mean, so many times.
+  const auto times = [&](int count, std::vector<double> work = {})
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      work.insert(work.end(), registering.begin(), registering.end());
+      work.push_back(averaging);
+    }
+    return work;
+  };
+  Steps steps(run, times(2 + rounds));
+
+  SphericalTemplateResult result;
+  result.Registrations = search.registeredWith(0, steps);
+  const auto start = search.closestToMean(result.Registrations, steps.next());
+  result.Start = static_cast<Index>(start);
+  if (start != 0)
+  {
+    result.Registrations = search.registeredWith(start, steps);
+  }
+  else
+  {
+    steps.replan(times(rounds, { averaging }));
+  }
+  RegisteredSurface mean = search.meanOf(result.Registrations, start, steps.next());
+  for (int i = 0; i < rounds; ++i)
+  {
+    result.Registrations = search.registeredWithMean(mean, result.Registrations, steps);
+    RegisteredSurface next = search.meanOf(result.Registrations, start, steps.next());
+    result.Changes.push_back(changeOf(next.Surface, mean.Surface));
+    mean = std::move(next);
+    if (result.Changes.back() <= options.Tolerance)
+    {
+      break;
+    }
+  }
+  result.Mean = std::move(mean.Surface);
+  run.report(1.0);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+double workOfSphericalTemplate(
+  double size, double numberOfSurfaces, const SphericalTemplateOptions& options)
+{
+  const double rounds = 2.0 + options.MaximumNumberOfRounds;
+  return rounds *
+    (numberOfSurfaces * workOfRegistration(size / numberOfSurfaces, options) +
+      workOfMean(size, numberOfSurfaces, options));
+}
+}

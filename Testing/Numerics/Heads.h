@@ -1,0 +1,68 @@
+/// Bodies to be registered, and known warps of their maps.
+
+#ifndef ConformalTestHeads_h
+#define ConformalTestHeads_h
+
+#include "Mesh/GeodesicSphere.h"
+#include "Register/SphericalRegistration.h"
+
+#include <cmath>
+
+namespace heads
+{
+/// How far a head's surface is from its center: with a nose, an ear and a tail, so that no turn and
+/// no mirror leaves it as it is.
+inline double radiusAt(const conformal::Vector3& n, double nose = 0.7)
+{
+  using conformal::Vector3;
+  const auto bump = [&](const Vector3& at, double width)
+  { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
+  return 1.0 + nose * bump({ 1, 0.1, 0.2 }, 0.3) + 0.4 * bump({ -0.2, 1, 0.6 }, 0.35) +
+    0.9 * bump({ -0.8, -0.3, -0.6 }, 0.25);
+}
+
+/// A head, flattened, with its directions as its map.
+inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
+{
+  conformal::RegisteredSurface result;
+  const auto sphere = conformal::makeGeodesicSphere(frequency);
+  result.Surface.Triangles = sphere.Triangles;
+  result.Surface.SpherePositions = sphere.Positions;
+  result.Surface.Positions.resize(sphere.Positions.rows(), 3);
+  for (conformal::Index i = 0; i < sphere.Positions.rows(); ++i)
+  {
+    const conformal::Vector3 n = sphere.Positions.row(i);
+    result.Surface.Positions.row(i) =
+      radiusAt(n, nose) * n.cwiseProduct(conformal::Vector3(1.2, 0.9, 1.0)).transpose();
+  }
+  result.Features.resize(sphere.Positions.rows(), 0);
+  return result;
+}
+
+/// A smooth deformation of the sphere, then a turn.
+inline conformal::Vector3 warped(const conformal::Vector3& n, double angle)
+{
+  using conformal::Vector3;
+  const Vector3 bent =
+    n + 0.12 * Vector3(n[1] * n[2], std::sin(2.0 * n[0]) * n[2], -n[0] * n[1] * n[1]);
+  return Eigen::AngleAxisd(angle, Vector3(0.2, -0.7, 0.5).normalized()) * bent.normalized();
+}
+
+inline conformal::RegisteredSurface withWarpedMap(
+  conformal::RegisteredSurface surface, double angle)
+{
+  for (conformal::Index i = 0; i < surface.Surface.SpherePositions.rows(); ++i)
+  {
+    surface.Surface.SpherePositions.row(i) = warped(surface.Surface.SpherePositions.row(i), angle);
+  }
+  return surface;
+}
+
+/// In degrees.
+inline double meanAngle(const conformal::Points& a, const conformal::Points& b)
+{
+  return (a - b).rowwise().norm().mean() * 180.0 / conformal::Pi;
+}
+}
+
+#endif
