@@ -3,10 +3,9 @@
 #include "Base/Steps.h"
 #include "Register/SphericalRegistration.h"
 #include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
+#include "vtkRegisteredSurfaces.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -24,83 +23,6 @@ vtkStandardNewMacro(vtkSphericalRegistration);
 
 namespace
 {
-using FeatureList = std::vector<std::pair<std::string, double>>;
-
-// A surface as the core wants it, and where its vertices come from.
-struct InputSurface
-{
-  conformal::RegisteredSurface Core;
-  std::vector<vtkIdType> PointIds; // of each vertex
-  conformal::Points Map;           // of each point
-};
-
-conformal::Rows FeaturesOf(
-  vtkPolyData* surface, const FeatureList& features, const std::vector<vtkIdType>& ids)
-{
-  conformal::Rows result(static_cast<conformal::Index>(ids.size()),
-    static_cast<conformal::Index>(features.size()));
-  for (std::size_t k = 0; k < features.size(); ++k)
-  {
-    const std::string& name = features[k].first;
-    vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
-    if (!array || array->GetNumberOfComponents() != 1)
-    {
-      throw std::invalid_argument("both surfaces must have the feature \"" + name +
-        "\" as a point array of 1 component");
-    }
-    for (std::size_t v = 0; v < ids.size(); ++v)
-    {
-      result(v, k) = array->GetComponent(ids[v], 0);
-    }
-    if (!result.col(k).allFinite())
-    {
-      throw std::invalid_argument("some values of the feature \"" + name + "\" are not finite");
-    }
-    // Squares of what is left must not overflow.
-    const double largest = result.col(k).cwiseAbs().maxCoeff();
-    if (largest > 0.0)
-    {
-      result.col(k) /= largest;
-    }
-  }
-  return result;
-}
-
-InputSurface SurfaceOf(
-  vtkObject* self, vtkPolyData* data, const FeatureList& features, const conformal::Run& run)
-{
-  using namespace vtkConformalConversions;
-  ClosedMesh closed = ToClosedMesh(self, data, FrameOf({ data }), run);
-  if (closed.InsideOut)
-  {
-    closed.Triangles.col(1).swap(closed.Triangles.col(2));
-  }
-  InputSurface result;
-  result.Map = ToSpherePositions(data);
-  conformal::MappedMesh& mesh = result.Core.Surface;
-  mesh.Positions = closed.Positions;
-  mesh.Triangles = closed.Triangles;
-  mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
-  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
-  {
-    mesh.SpherePositions.row(v) = result.Map.row(closed.PointIds[v]);
-  }
-  result.Core.Features = FeaturesOf(data, features, closed.PointIds);
-  result.PointIds = std::move(closed.PointIds);
-  return result;
-}
-
-// The vertex of each point, or -1.
-std::vector<int> VerticesOf(const InputSurface& surface)
-{
-  std::vector<int> vertices(surface.Map.rows(), -1);
-  for (std::size_t v = 0; v < surface.PointIds.size(); ++v)
-  {
-    vertices[surface.PointIds[v]] = static_cast<int>(v);
-  }
-  return vertices;
-}
-
 int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
 {
   if (id < 0 || id >= static_cast<vtkIdType>(vertices.size()) || vertices[id] < 0)
@@ -112,7 +34,8 @@ int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
   return vertices[id];
 }
 
-int NearestVertex(vtkPolyData* data, const InputSurface& surface, const double position[3])
+int NearestVertex(vtkPolyData* data, const vtkConformalConversions::SurfaceToRegister& surface,
+  const double position[3])
 {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -130,26 +53,9 @@ int NearestVertex(vtkPolyData* data, const InputSurface& surface, const double p
   return nearest;
 }
 
-// The moved places of all points: those of no triangle go along with what they lie on.
-conformal::Points PlacesOfAll(const InputSurface& moving, const conformal::Points& moved)
-{
-  conformal::Points places = moving.Map;
-  if (static_cast<conformal::Index>(moving.PointIds.size()) < places.rows())
-  {
-    const conformal::MappedMesh& mesh = moving.Core.Surface;
-    places = conformal::sampleAt(
-      conformal::SphereGrid({ mesh.SpherePositions, mesh.Triangles }), moved, moving.Map);
-    places.rowwise().normalize();
-  }
-  for (std::size_t v = 0; v < moving.PointIds.size(); ++v)
-  {
-    places.row(moving.PointIds[v]) = moved.row(static_cast<conformal::Index>(v));
-  }
-  return places;
-}
-
-void AddTargets(vtkPointData* data, const conformal::Points& places, const InputSurface& fixed,
-  vtkPolyData* fixedData, const conformal::Run& run)
+void AddTargets(vtkPointData* data, const conformal::Points& places,
+  const vtkConformalConversions::SurfaceToRegister& fixed, vtkPolyData* fixedData,
+  const conformal::Run& run)
 {
   std::vector<vtkIdType> cellIds;
   const conformal::Triangles cells = vtkConformalConversions::ToTriangles(fixedData, cellIds);
@@ -182,8 +88,8 @@ void AddTargets(vtkPointData* data, const conformal::Points& places, const Input
     }
     weights.row(i) = at.Weights;
     std::sort(ids.begin(), ids.end());
-    const auto found = std::lower_bound(known.begin(), known.end(),
-      std::make_pair(ids, std::numeric_limits<vtkIdType>::min()));
+    const auto found = std::lower_bound(
+      known.begin(), known.end(), std::make_pair(ids, std::numeric_limits<vtkIdType>::min()));
     targetCells->SetValue(i, found != known.end() && found->first == ids ? found->second : -1);
   }
   data->AddArray(targetCells);
@@ -288,26 +194,19 @@ int vtkSphericalRegistration::RequestData(
                                            : "the fixed surface is empty; nothing was registered");
         return;
       }
-      std::vector<double> weights;
-      for (const auto& [name, weight] : features)
-      {
-        if (!std::isfinite(weight) || weight < 0.0)
-        {
-          throw std::invalid_argument("the weight of the feature \"" + name + "\" is " +
-            std::to_string(weight) + ", but must be finite and at least 0");
-        }
-        weights.push_back(weight);
-      }
+      const std::vector<double> weights = WeightsOf(features);
       const auto size = static_cast<double>(moving->GetNumberOfPoints());
       const auto fixedSize = static_cast<double>(fixed->GetNumberOfPoints());
       const double fine = options.Frequency * options.Frequency;
       conformal::Steps steps(RunOf(this),
         { 800.0 * size, 800.0 * fixedSize, 1.6e9 + 2e6 * fine + 4e3 * (size + fixedSize),
           1000.0 * size + 1000.0 * fixedSize });
-      const InputSurface from = SurfaceOf(this, moving, features, steps.next());
-      const InputSurface to = SurfaceOf(this, fixed, features, steps.next());
+      const SurfaceToRegister from =
+        ToSurfaceToRegister(this, moving, features, FrameOf({ moving }), steps.next());
+      const SurfaceToRegister to =
+        ToSurfaceToRegister(this, fixed, features, FrameOf({ fixed }), steps.next());
       std::vector<std::pair<int, int>> pairs;
-      const std::vector<int> vertices = VerticesOf(from), fixedVertices = VerticesOf(to);
+      const std::vector<int> vertices = from.vertices(), fixedVertices = to.vertices();
       for (const auto& [id, fixedId] : landmarks)
       {
         pairs.emplace_back(
@@ -340,17 +239,8 @@ int vtkSphericalRegistration::RequestData(
       const conformal::Points places = PlacesOfAll(from, result.SpherePositions);
       const vtkNew<vtkPolyData> registered;
       registered->ShallowCopy(moving);
-      AddVectors(registered->GetPointData(), SpherePositionName(), places);
+      SetRegistration(registered, places, result);
       AddTargets(registered->GetPointData(), places, to, fixed, locating);
-      vtkFieldData* data = registered->GetFieldData();
-      AddNumber(data, "RegistrationStretch", result.Stretch);
-      AddNumber(data, "LandmarkError", result.LandmarkError);
-      vtkNew<vtkDoubleArray> agreement;
-      agreement->SetName("FeatureAgreement");
-      agreement->SetNumberOfComponents(2);
-      agreement->InsertNextTuple2(result.AgreementBefore, result.AgreementAfter);
-      data->AddArray(agreement);
-      AddNumber(data, "NumberOfFolds", static_cast<long long>(result.NumberOfFolds));
       if (result.NumberOfUnmetLandmarks > 0)
       {
         vtkWarningMacro(<< result.NumberOfUnmetLandmarks << " of " << pairs.size()

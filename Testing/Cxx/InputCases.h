@@ -20,6 +20,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -172,6 +173,14 @@ inline std::vector<Case> Filters()
       Maker<vtkSphericalResample>(
         [](vtkSphericalResample* filter) { filter->SetMethodToBarycentric(); }),
       { s, s } },
+    { "vtkSphericalTemplate",
+      Maker<vtkSphericalTemplate>(
+        [](vtkSphericalTemplate* filter)
+        {
+          filter->SetMeanFrequency(8);
+          filter->SetFrequency(8);
+        }),
+      { s } },
     { "vtkSphericalTextureBlend",
       Maker<vtkSphericalTextureBlend>(
         [](vtkSphericalTextureBlend* filter) { filter->SetImageSize(16, 8); }),

@@ -3,12 +3,16 @@
 #define MeshFixtures_h
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include "vtkGeodesicSphereSource.h"
+
+#include <cmath>
 
 namespace fixtures
 {
@@ -27,6 +31,38 @@ inline vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
     surface->GetPoints()->SetPoint(i, 3.0 * p[0] + 10.0, 2.0 * p[1], p[2]);
   }
   return surface;
+}
+
+/// A head with a nose, an ear and a tail, its map turned about z, and its array Height.
+inline vtkNew<vtkPolyData> Head(int frequency, double angle)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(frequency);
+  source->Update();
+  vtkNew<vtkPolyData> head;
+  head->DeepCopy(source->GetOutput());
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  const auto bump = [](const double* n, double x, double y, double z, double width)
+  {
+    const double length = std::sqrt(x * x + y * y + z * z);
+    return std::exp(((n[0] * x + n[1] * y + n[2] * z) / length - 1.0) / (width * width));
+  };
+  for (vtkIdType i = 0; i < head->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    source->GetOutput()->GetPoint(i, n);
+    const double radius = 10.0 + 7.0 * bump(n, 1, 0.1, 0.2, 0.3) +
+      4.0 * bump(n, -0.2, 1, 0.6, 0.35) + 9.0 * bump(n, -0.8, -0.3, -0.6, 0.25);
+    head->GetPoints()->SetPoint(i, 1.2 * radius * n[0], 0.9 * radius * n[1], radius * n[2]);
+    height->InsertNextValue(n[2]);
+    head->GetPointData()
+      ->GetArray("SpherePosition")
+      ->SetTuple3(i, std::cos(angle) * n[0] - std::sin(angle) * n[1],
+        std::sin(angle) * n[0] + std::cos(angle) * n[1], n[2]);
+  }
+  head->GetPointData()->AddArray(height);
+  return head;
 }
 
 /// Polygons written anew, changed one by one: change(cell, ids) returns whether to keep it.

@@ -14,6 +14,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -202,6 +203,20 @@ Results Run(
       EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::ROW), 0);
       continue;
     }
+    const auto gatherArrays = [&](vtkDataObject* data, const std::string& prefix)
+    {
+      for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
+      {
+        vtkFieldData* fields = data->GetAttributesAsFieldData(kind);
+        for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+        {
+          if (vtkDataArray* array = fields->GetArray(i))
+          {
+            Gather(results, prefix + array->GetName(), array, lengths, areas);
+          }
+        }
+      }
+    };
     if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output))
     {
       for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
@@ -209,25 +224,14 @@ Results Run(
         auto* block = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
         const std::string name = "Block" + std::to_string(i);
         Gather(results, name, block->GetPoints()->GetData(), { name }, areas);
-        Gather(results, name + "p2s", block->GetFieldData()->GetArray("MeanSquarePointToSurface"),
-          lengths, areas);
+        gatherArrays(block, name);
       }
     }
     if (auto* points = vtkPointSet::SafeDownCast(output))
     {
       Gather(results, "Points", points->GetPoints()->GetData(), lengths, areas);
     }
-    for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
-    {
-      vtkFieldData* data = output->GetAttributesAsFieldData(kind);
-      for (int i = 0; data && i < data->GetNumberOfArrays(); ++i)
-      {
-        if (vtkDataArray* array = data->GetArray(i))
-        {
-          Gather(results, array->GetName(), array, lengths, areas);
-        }
-      }
-    }
+    gatherArrays(output, "");
   }
   return results;
 }
@@ -529,6 +533,18 @@ std::vector<Case> Cases()
       filter->SetInputData(Mesh(scale, 7));
       filter->SetFixedData(Mesh(scale, 5));
       filter->SetFrequency(8);
+      return Run(filter);
+    } });
+  cases.push_back({ "FindsATemplate",
+    [](double scale)
+    {
+      vtkNew<vtkSphericalTemplate> filter;
+      filter->AddInputDataObject(Mesh(scale, 7));
+      filter->AddInputDataObject(Mesh(scale, 5));
+      filter->SetFrequency(8);
+      filter->SetMeanFrequency(8);
+      filter->SetMaximumNumberOfRounds(1);
+      filter->SetShapeWeight(0.0);
       return Run(filter);
     } });
   cases.push_back({ "MeasuresDistortion",

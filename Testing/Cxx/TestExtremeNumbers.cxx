@@ -13,6 +13,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -187,6 +188,14 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   source->GetPointData()->SetActiveNormals(nullptr);
   resample->SetSourceData(source);
   add("resample", resample, ofPoints("Carried"));
+  vtkNew<vtkSphericalTemplate> means;
+  means->SetMeanFrequency(8);
+  add("template", means,
+    [](vtkDataObject* output)
+    {
+      vtkDataObject* block = vtkMultiBlockDataSet::SafeDownCast(output)->GetBlock(0);
+      return Written(block->GetAttributesAsFieldData(vtkDataObject::POINT), "SpherePosition");
+    });
   vtkNew<vtkCurvedSeamlessSurface> curved;
   curved->SetFrequency(7);
   add("curved", curved, ofPoints("Normals"));

@@ -10,6 +10,7 @@
 #include "Register/SphericalMorph.h"
 #include "Register/SphericalRegistration.h"
 #include "Register/SphericalResample.h"
+#include "Register/SphericalTemplate.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
@@ -28,6 +29,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureMap.h"
 #include "vtkStanfordScansReader.h"
@@ -258,6 +260,23 @@ TEST(OptionsMirrorProperties, SphericalResample)
   using conformal::ResampleMethod;
   EXPECT_EQ(vtkSphericalResample::BARYCENTRIC, static_cast<int>(ResampleMethod::Barycentric));
   EXPECT_EQ(vtkSphericalResample::AREA_ADAPTIVE, static_cast<int>(ResampleMethod::AreaAdaptive));
+}
+
+TEST(OptionsMirrorProperties, SphericalTemplate)
+{
+  const conformal::SphericalTemplateOptions options;
+  vtkNew<vtkSphericalTemplate> filter;
+  EXPECT_EQ(filter->GetMaximumNumberOfRounds(), options.MaximumNumberOfRounds);
+  EXPECT_EQ(filter->GetTolerance(), options.Tolerance);
+  EXPECT_EQ(filter->GetAlignment(), static_cast<int>(options.Alignment));
+  EXPECT_EQ(filter->GetMeanFrequency(), options.MeanFrequency);
+  EXPECT_EQ(filter->GetShapeWeight(), options.Registration.ShapeWeight);
+  EXPECT_EQ(filter->GetStretchWeight(), options.Registration.StretchWeight);
+  EXPECT_EQ(filter->GetFrequency(), options.Registration.Frequency);
+  using conformal::ShapeAlignment;
+  EXPECT_EQ(vtkSphericalTemplate::NONE, static_cast<int>(ShapeAlignment::None));
+  EXPECT_EQ(vtkSphericalTemplate::RIGID, static_cast<int>(ShapeAlignment::Rigid));
+  EXPECT_EQ(vtkSphericalTemplate::SIMILARITY, static_cast<int>(ShapeAlignment::Similarity));
 }
 
 TEST(OptionsMirrorProperties, SphericalTexture)

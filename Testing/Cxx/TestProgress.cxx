@@ -33,6 +33,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -574,6 +575,20 @@ TEST(Progress, OfTheRegistration)
       {
         registration->SetFixedData(limbs);
         registration->SetSpaceOfTransformsToRotation();
+      }));
+}
+
+TEST(Progress, OfTheTemplate)
+{
+  using Template = vtkSphericalTemplate;
+  const auto head = Head(40), limbs = Limbs(40), coarse = Head(20);
+  ExpectEven("SphericalTemplate",
+    Of<Template>(head,
+      [=](Template* filter)
+      {
+        filter->AddInputDataObject(coarse);
+        filter->AddInputDataObject(limbs);
+        filter->SetMaximumNumberOfRounds(1);
       }));
 }
 

@@ -1,50 +1,15 @@
 #include "vtkSphericalRegistration.h"
 
 #include "FilterContract.h"
-#include "vtkGeodesicSphereSource.h"
+#include "MeshFixtures.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkMath.h"
-#include "vtkPoints.h"
 
 #include <cmath>
 #include <string>
 
 namespace
 {
-/// A head with a nose, an ear and a tail, its map turned about z.
-vtkNew<vtkPolyData> Head(int frequency, double angle)
-{
-  vtkNew<vtkGeodesicSphereSource> source;
-  source->SetFrequency(frequency);
-  source->Update();
-  vtkNew<vtkPolyData> head;
-  head->DeepCopy(source->GetOutput());
-  vtkNew<vtkDoubleArray> height;
-  height->SetName("Height");
-  const auto bump = [](const double* n, double x, double y, double z, double width)
-  {
-    const double length = std::sqrt(x * x + y * y + z * z);
-    return std::exp(((n[0] * x + n[1] * y + n[2] * z) / length - 1.0) / (width * width));
-  };
-  for (vtkIdType i = 0; i < head->GetNumberOfPoints(); ++i)
-  {
-    double n[3];
-    source->GetOutput()->GetPoint(i, n);
-    const double radius = 10.0 + 7.0 * bump(n, 1, 0.1, 0.2, 0.3) +
-      4.0 * bump(n, -0.2, 1, 0.6, 0.35) + 9.0 * bump(n, -0.8, -0.3, -0.6, 0.25);
-    head->GetPoints()->SetPoint(i, 1.2 * radius * n[0], 0.9 * radius * n[1], radius * n[2]);
-    height->InsertNextValue(n[2]);
-    head->GetPointData()
-      ->GetArray("SpherePosition")
-      ->SetTuple3(i, std::cos(angle) * n[0] - std::sin(angle) * n[1],
-        std::sin(angle) * n[0] + std::cos(angle) * n[1], n[2]);
-  }
-  head->GetPointData()->AddArray(height);
-  return head;
-}
-
 class SphericalRegistration : public testing::Test
 {
 protected:
@@ -82,7 +47,7 @@ protected:
     EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
   }
 
-  vtkNew<vtkPolyData> Moving = Head(12, 2.0), Fixed = Head(12, 0.0);
+  vtkNew<vtkPolyData> Moving = fixtures::Head(12, 2.0), Fixed = fixtures::Head(12, 0.0);
   vtkNew<vtkSphericalRegistration> Filter;
 };
 }
@@ -203,7 +168,7 @@ TEST_F(SphericalRegistration, RefusesWhatItCannotUse)
   this->ExpectRefused("the point 4 of the moving surface is in two landmarks");
   this->Filter->RemoveAllLandmarks();
   this->Filter->AddFeature("Nothing", 1.0);
-  this->ExpectRefused("both surfaces must have the feature \"Nothing\"");
+  this->ExpectRefused("every surface must have the feature \"Nothing\"");
   this->Filter->RemoveAllFeatures();
   this->Filter->AddFeature("Height", -1.0);
   this->ExpectRefused("must be finite and at least 0");

@@ -15,6 +15,7 @@
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
+#include "vtkSphericalTemplate.h"
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
@@ -570,6 +571,37 @@ std::vector<SetUp> Registrations()
       reads, false, true } };
 }
 
+std::vector<SetUp> Templates()
+{
+  using F = vtkSphericalTemplate;
+  const auto with = [](F* f, vtkPolyData* good)
+  {
+    f->AddInputDataObject(good);
+    f->SetFrequency(8);
+    f->SetMeanFrequency(8);
+    f->SetMaximumNumberOfRounds(1);
+  };
+  Property features = { "feature", {} };
+  for (const double value : { 0.0, -1.0, 1e308, std::numeric_limits<double>::infinity(),
+         std::numeric_limits<double>::quiet_NaN() })
+  {
+    features.Values.emplace_back(std::to_string(value).substr(0, 8),
+      [=](vtkAlgorithm* filter) { static_cast<F*>(filter)->AddFeature("Weights", value); });
+  }
+  // The output has the surfaces' own polygons, as they are turned.
+  SetUp whole = { "vtkSphericalTemplate", "", true, On<F>(with), BadPoints | BadIds | BadMap, false,
+    true };
+  whole.Properties = { Number("Tolerance", &F::SetTolerance),
+    Integer("Alignment", &F::SetAlignment), Number("ShapeWeight", &F::SetShapeWeight),
+    Number("StretchWeight", &F::SetStretchWeight),
+    Name("LandmarkArrayName", &F::SetLandmarkArrayName), features };
+  SetUp start = { "vtkSphericalTemplate", "single", true, On<F>([](F*, vtkPolyData*) {}), BadMap,
+    false, true };
+  start.Properties = { Integer("MaximumNumberOfRounds", &F::SetMaximumNumberOfRounds),
+    Integer("MeanFrequency", &F::SetMeanFrequency), Integer("Frequency", &F::SetFrequency) };
+  return { whole, start };
+}
+
 std::vector<SetUp> Resamplings()
 {
   using F = vtkSphericalResample;
@@ -692,7 +724,7 @@ std::vector<Case> FilterCases()
   std::vector<Case> all;
   for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
          AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Morphs(), Registrations(),
-         Remeshes(), Resamplings(), Measures(), { Blend() } })
+         Remeshes(), Templates(), Resamplings(), Measures(), { Blend() } })
   {
     for (SetUp setUp : setUps)
     {

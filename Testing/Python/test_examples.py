@@ -8,7 +8,12 @@ import sys
 import tempfile
 import unittest
 
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
 import compare_surfaces
+from conformalsom import vtkGeodesicSphereSource
+from helpers import scan_files
 
 PYTHON = os.path.dirname(os.path.abspath(compare_surfaces.__file__))
 EXAMPLES = os.path.dirname(PYTHON)
@@ -20,6 +25,26 @@ def run(script, *arguments):
     with tempfile.TemporaryDirectory() as folder:
         return subprocess.run([sys.executable, os.path.join(PYTHON, script), *arguments], cwd=folder,
                               text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+
+
+def write_model(folder, name, frequency, longer):
+    """A head, longer by a number, as name.off, and as name.txt its landmarks; the path without extension."""
+    source = vtkGeodesicSphereSource()
+    source.SetFrequency(frequency)
+    source.Update()
+    n = vtk_to_numpy(source.GetOutput().GetPoints().GetData())
+    bumps = sum(height * np.exp((n @ np.array(at) / np.linalg.norm(at) - 1.0) / width**2) for height, at, width in (
+        (0.7, (1, 0.1, 0.2), 0.3), (0.4, (-0.2, 1, 0.6), 0.35), (0.9, (-0.8, -0.3, -0.6), 0.25)))
+    points = (1.0 + bumps)[:, None] * n * (1.0 + longer, 0.8, 1.0)
+    triangles = vtk_to_numpy(source.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    path = os.path.join(folder, name)
+    with open(path + ".off", "w", encoding="ascii") as file:
+        file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
+        np.savetxt(file, points)
+        np.savetxt(file, np.insert(triangles, 0, 3, axis=1), fmt="%d")
+    with open(path + ".txt", "w", encoding="ascii") as file:
+        file.write("0\n3\n7\n10\n")  # vertices of the icosahedron, the first ones at any frequency
+    return path
 
 
 class TestExamples(unittest.TestCase):
@@ -66,6 +91,65 @@ class TestExamples(unittest.TestCase):
         completed = run("compare_surfaces.py", "missing.ply")
         self.assertEqual(completed.returncode, 1)
         self.assertEqual(completed.stderr, "compare_surfaces: missing.ply: no such file\n")
+
+    def test_surfaces_are_registered(self):
+        with tempfile.TemporaryDirectory() as folder:
+            models = [write_model(folder, f"model{i}", 8 + i, 0.2 * i) for i in range(3)]
+            files = [path + ".off" for path in models]
+            marks = [path + ".txt" for path in models]
+            output = os.path.join(folder, "registered.vtp")
+            completed = run("register_surfaces.py", *files[:2], "--landmarks", *marks[:2], "--output", output)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            rows = {line.split()[0]: line.split()[1] for line in completed.stdout.splitlines()[-4:]}
+            self.assertEqual(rows["folds"], "0")
+            self.assertLess(float(rows["landmarks"]), 1e-6)
+            self.assertLess(float(rows["stretch"]), 1.2)
+            self.assertGreater(float(rows["agreement"]), 0.9)
+            registered = scan_files.read_models([output])["registered"]
+            self.assertEqual(registered.GetNumberOfPoints(), 642)
+            for name in ("SpherePosition", "TargetPointIds", "TargetBarycentric"):
+                self.assertTrue(registered.GetPointData().HasArray(name), name)
+            again = run("register_surfaces.py", output, files[1], "--landmarks", *marks[:2], "--space", "Rotation",
+                        "--output", os.path.join(folder, "again.vtp"))
+            self.assertEqual((again.returncode, again.stderr), (0, ""))
+            self.assertNotIn("Map registered", again.stdout)  # it has a map
+            self.assertIn("Map model1", again.stdout)
+            completed = run("register_surfaces.py", *files[:2], "--output", output)
+            self.assertEqual(completed.returncode, 2)
+            self.assertIn("registered.vtp already exists", completed.stderr)
+
+            mean = os.path.join(folder, "mean.vtp")
+            completed = run("mean_shape.py", *files, "--landmarks", *marks, "--points", "1000", "--rounds", "1",
+                            "--output", mean)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            lines = completed.stdout.splitlines()
+            self.assertIn("start               model1", lines)
+            explained = next(line for line in lines if line.startswith("explained variance")).split()[2:]
+            self.assertEqual(len(explained), 2)
+            self.assertGreater(float(explained[0]), 0.9)  # the length, by which they differ
+            scores = [float(line.split()[4]) for line in lines[-3:]]
+            self.assertIn(scores, (sorted(scores), sorted(scores, reverse=True)))
+            self.assertTrue(scan_files.read_models([mean])["mean"].GetPointData().HasArray("ShapeMode2"))
+
+    def test_what_cannot_be_registered_ends_with_a_message(self):
+        with tempfile.TemporaryDirectory() as folder:
+            models = [write_model(folder, name, 8, 0.0) for name in "ab"]
+            files = [path + ".off" for path in models]
+            with open(models[1] + ".txt", "w", encoding="ascii") as file:
+                file.write("0 5 642\n")
+            marks = [path + ".txt" for path in models]
+            for script in ("register_surfaces.py", "mean_shape.py"):
+                with self.subTest(script):
+                    name = script[:-3]
+                    completed = run(script, files[0], "missing.ply")
+                    self.assertEqual(completed.returncode, 1)
+                    self.assertEqual(completed.stderr, f"{name}: missing.ply: no such file\n")
+                    completed = run(script, *files, "--landmarks", *marks)
+                    self.assertEqual(completed.returncode, 1)
+                    self.assertIn("expected ids of the model's 642 points", completed.stderr)
+            completed = run("mean_shape.py", files[0])
+            self.assertEqual(completed.returncode, 2)
+            self.assertIn("two models or more are needed", completed.stderr)
 
     def test_gallery_shows_each_with_picture_and_command(self):
         with open(os.path.join(EXAMPLES, "README.md"), encoding="utf-8") as file:

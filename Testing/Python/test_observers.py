@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
-    vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
            "gii": "GIFTI", "white": "FreeSurfer"}
@@ -109,6 +109,8 @@ FILTERS = {
     "morph": lambda: with_inputs(vtkSphericalMorph, surface(), surface(20, 0.3), NumberOfPoints=2000, Path=1),
     "registration": lambda: with_inputs(vtkSphericalRegistration, surface(), surface(20, 0.3), Frequency=8),
     "resampling": lambda: with_inputs(vtkSphericalResample, surface(), surface(30), MaskArrayName="Weights"),
+    "template": lambda: with_inputs(
+        vtkSphericalTemplate, surface(), Frequency=8, MeanFrequency=8),
     "texture": lambda: with_inputs(vtkSphericalTextureMap, surface(60)),
     "texture, split": lambda: with_inputs(vtkSphericalTextureMap, surface(), SplitSeam=True),
     "mismatch": lambda: with_inputs(vtkSurfaceMismatch, surface(), surface(20, 0.3)),

@@ -16,7 +16,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -116,7 +116,14 @@ def beside_the_chain(stages):
     remesh.AddInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     remesh.SetNumberOfPoints(1000)
     remesh.Update()
-    filters = (check, blend, adaptive, morph, registration, remesh, resample)
+    template = vtkSphericalTemplate()
+    template.AddInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
+    template.AddInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    template.SetFrequency(8)
+    template.SetMeanFrequency(8)
+    template.SetMaximumNumberOfRounds(1)
+    template.Update()
+    filters = (check, blend, adaptive, morph, registration, remesh, template, resample)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

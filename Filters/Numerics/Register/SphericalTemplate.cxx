@@ -43,10 +43,9 @@ void requireUsable(const std::vector<TemplateInput>& inputs)
   {
     throw std::invalid_argument("there is no surface to register");
   }
-  for (std::size_t s = 0; s < inputs.size(); ++s)
+  for (const TemplateInput& input : inputs)
   {
-    const MappedMesh& mesh = inputs[s].Surface.Surface;
-    const std::string name = "surface " + std::to_string(s);
+    const MappedMesh& mesh = input.Surface.Surface;
     double area = 0.0;
     for (Index r = 0; r < mesh.Triangles.rows(); ++r)
     {
@@ -54,21 +53,22 @@ void requireUsable(const std::vector<TemplateInput>& inputs)
     }
     if (!(area > 0.0))
     {
-      throw std::invalid_argument(name + " has no area, or too little beside the other surfaces");
+      throw std::invalid_argument(
+        input.Name + " has no area, or too little beside the other surfaces");
     }
-    const Triangles turned =
-      turnedToCoverOnce(mesh.SpherePositions, mesh.Triangles, "the map to the sphere of " + name);
+    const Triangles turned = turnedToCoverOnce(
+      mesh.SpherePositions, mesh.Triangles, "the map to the sphere of " + input.Name);
     const Index folds = countFlippedTriangles(mesh.SpherePositions, turned);
     if (folds > 0)
     {
-      throw std::invalid_argument("the map to the sphere of " + name + " has " +
+      throw std::invalid_argument("the map to the sphere of " + input.Name + " has " +
         std::to_string(folds) + " flipped triangles as small as rounding");
     }
-    if (inputs[s].Landmarks.size() != inputs.front().Landmarks.size())
+    if (input.Landmarks.size() != inputs.front().Landmarks.size())
     {
-      throw std::invalid_argument(name + " has " + std::to_string(inputs[s].Landmarks.size()) +
-        " landmarks, but surface 0 has " + std::to_string(inputs.front().Landmarks.size()) +
-        "; all must have the same");
+      throw std::invalid_argument(input.Name + " has " + std::to_string(input.Landmarks.size()) +
+        " landmarks, but " + inputs.front().Name + " has " +
+        std::to_string(inputs.front().Landmarks.size()) + "; all must have the same");
     }
   }
 }
@@ -203,7 +203,7 @@ private:
       }
       catch (const NumericalFailure& failure)
       {
-        throw NumericalFailure("surface " + std::to_string(s) + ": " + failure.what());
+        throw NumericalFailure(this->Inputs[s].Name + ": " + failure.what());
       }
     }
     return result;

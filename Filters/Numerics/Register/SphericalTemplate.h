@@ -8,6 +8,7 @@
 #include "Register/ShapeModes.h"
 #include "Register/SphericalRegistration.h"
 
+#include <string>
 #include <vector>
 
 namespace conformal
@@ -24,6 +25,7 @@ struct SphericalTemplateOptions
 /// A surface, and what is known to correspond.
 struct TemplateInput
 {
+  std::string Name = "a surface"; ///< in messages
   RegisteredSurface Surface;
   std::vector<int> Landmarks; ///< #L vertices, each once; of all surfaces in one order
 };

@@ -25,6 +25,7 @@ namespace
 TemplateInput copy(int number, int frequency, double nose = 0.7)
 {
   TemplateInput input;
+  input.Name = "head " + std::to_string(number);
   input.Surface = heads::withWarpedMap(heads::head(frequency, nose), 0.7 * number);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.1 * number, Vector3(0.3, 0.5, -0.8).normalized()).toRotationMatrix();
@@ -234,12 +235,12 @@ TEST(SphericalTemplate, SurfacesThatCannotBeUsedAreNamed)
   expectRefused({}, "there is no surface");
   TemplateInput bad = copy(1, 8);
   bad.Surface.Surface.SpherePositions.row(30) *= -1.0;
-  expectRefused({ copy(0, 8), bad }, "the map to the sphere of surface 1 covers it");
-  expectRefused({ bad, copy(0, 8) }, "the map to the sphere of surface 0 covers it");
+  expectRefused({ copy(0, 8), bad }, "the map to the sphere of head 1 covers it");
+  expectRefused({ bad, copy(0, 8) }, "the map to the sphere of head 1 covers it");
   bad = copy(1, 8);
   bad.Surface.Surface.Positions.setZero();
-  expectRefused({ copy(0, 8), bad }, "surface 1 has no area");
+  expectRefused({ copy(0, 8), bad }, "head 1 has no area");
   bad = copy(1, 8);
   bad.Landmarks = { 4 };
-  expectRefused({ copy(0, 8), bad }, "surface 1 has 1 landmarks, but surface 0 has 0");
+  expectRefused({ copy(0, 8), bad }, "head 1 has 1 landmarks, but head 0 has 0");
 }
