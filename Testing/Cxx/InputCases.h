@@ -13,6 +13,7 @@
 #include "vtkGIFTIWriter.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGenusZeroRepair.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkGuMeshWriter.h"
@@ -149,6 +150,7 @@ inline std::vector<Case> Filters()
           filter->SetSpacing(0.2);
         }),
       { s } },
+    { "vtkGenusZeroRepair", Maker<vtkGenusZeroRepair>(), { s } },
     { "vtkGlobalConformalMap", Maker<vtkGlobalConformalMap>(), { s } },
     { "vtkSphericalAlignment", Maker<vtkSphericalAlignment>(), { s, s } },
     { "vtkSphericalAlignment, landmarks",

@@ -10,6 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include "../Handles.h"
 #include "vtkGeodesicSphereSource.h"
 
 #include <cmath>
@@ -96,6 +97,43 @@ inline void TurnOverEvery(vtkIdType step, vtkPolyData* surface)
       }
       return true;
     });
+}
+
+/// A unit sphere with so many handles, 12 edges around each.
+inline vtkNew<vtkPolyData> SphereWithHandles(int count, int frequency = 40)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(frequency);
+  source->Update();
+  handles::Mesh mesh;
+  mesh.Points.resize(source->GetOutput()->GetNumberOfPoints());
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    source->GetOutput()->GetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+  }
+  ChangePolygons(source->GetOutput(),
+    [&](vtkIdType, vtkIdList* ids)
+    {
+      mesh.Triangles.push_back({ static_cast<int>(ids->GetId(0)), static_cast<int>(ids->GetId(1)),
+        static_cast<int>(ids->GetId(2)) });
+      return true;
+    });
+  handles::addHandles(mesh, count, 2, 14.0 * 1.1 / frequency, 20);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : mesh.Points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& ids : mesh.Triangles)
+  {
+    triangles->InsertNextCell({ ids[0], ids[1], ids[2] });
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
 }
 }
 

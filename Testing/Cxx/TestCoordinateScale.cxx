@@ -1,5 +1,6 @@
 // Every filter in any unit of length: the same result in that unit, or an error and nothing.
 #include "FilterContract.h"
+#include "MeshFixtures.h"
 #include "vtkAdaptiveSphere.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
@@ -8,6 +9,7 @@
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGenusZeroRepair.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
@@ -358,6 +360,26 @@ std::vector<Case> Cases()
       filter->SetIndicatorToWindingNumbers();
       filter->SetSpacing(0.1);
       return Run(filter);
+    } });
+  cases.push_back({ "Repairs",
+    [](double scale)
+    {
+      const auto surface = fixtures::SphereWithHandles(1, 20);
+      for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+      {
+        double p[3];
+        surface->GetPoint(i, p);
+        const double size = 1.0 + 0.1 * std::sin(3.0 * p[0] + 1.0) * std::cos(2.0 * p[1] - p[2]);
+        for (double& c : p) // no two loops of equal length, between which rounding would choose
+        {
+          c = std::round(0x1p20 * size * c) * 0x1p-20;
+        }
+        surface->GetPoints()->SetPoint(i, p);
+      }
+      Scale(surface, scale);
+      vtkNew<vtkGenusZeroRepair> filter;
+      filter->SetInputData(surface);
+      return Run(filter, { "LoopLength" });
     } });
   for (const int method : { vtkGlobalConformalMap::ROBUST, vtkGlobalConformalMap::GUYAU })
   {

@@ -1,5 +1,6 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "Hull/GenusZeroHull.h"
+#include "Hull/GenusZeroRepair.h"
 #include "Learn/Training.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"
@@ -24,6 +25,7 @@
 #include "vtkConsistentRemesh.h"
 #include "vtkCurvedSeamlessMap.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGenusZeroRepair.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalMorph.h"
@@ -194,6 +196,18 @@ TEST(OptionsMirrorProperties, GenusZeroHull)
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMinValue(), Limits::MinimumPersistence);
   EXPECT_DOUBLE_EQ(filter->GetPersistenceMaxValue(), Limits::MaximumPersistence);
   EXPECT_EQ(filter->GetSmoothingPassesMaxValue(), Limits::MaximumSmoothingPasses);
+}
+
+TEST(OptionsMirrorProperties, GenusZeroRepair)
+{
+  const conformal::GenusZeroRepairOptions options;
+  vtkNew<vtkGenusZeroRepair> filter;
+  EXPECT_EQ(filter->GetMaximumHoleArea(), options.MaximumHoleArea);
+  using Type = conformal::RepairLoopType;
+  EXPECT_EQ(vtkGenusZeroRepair::FILLED_HOLE, static_cast<int>(Type::FilledHole));
+  EXPECT_EQ(vtkGenusZeroRepair::OPEN_HOLE, static_cast<int>(Type::OpenHole));
+  EXPECT_EQ(vtkGenusZeroRepair::CUT_HANDLE, static_cast<int>(Type::CutHandle));
+  EXPECT_EQ(vtkGenusZeroRepair::FILLED_TUNNEL, static_cast<int>(Type::FilledTunnel));
 }
 
 TEST(OptionsMirrorProperties, GlobalConformalMap)

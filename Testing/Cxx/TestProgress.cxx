@@ -27,6 +27,7 @@
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGenusZeroRepair.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
@@ -732,6 +733,9 @@ TEST(Progress, OfMeasures)
   };
   ExpectEven("ConformalDistortion", Of<vtkConformalDistortion>(fine));
   ExpectEven("GenusZeroCheck", Of<vtkGenusZeroCheck>(fine));
+  ExpectEven("GenusZeroRepair", Of<vtkGenusZeroRepair>(fine));
+  ExpectEven("GenusZeroRepair of handles",
+    Of<vtkGenusZeroRepair>(fixtures::SphereWithHandles(20, 60).Get()));
   ExpectEven("SphericalAlignment", Of<Alignment>(surface, reference(Head(60))));
   ExpectEven("SphericalAlignment to a fine mesh", Of<Alignment>(surface, reference(fine)));
   ExpectEven("SphericalAlignment, Moebius",

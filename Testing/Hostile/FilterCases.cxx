@@ -9,6 +9,7 @@
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGenusZeroHull.h"
+#include "vtkGenusZeroRepair.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
@@ -175,6 +176,15 @@ std::vector<SetUp> Hulls()
           f->SetSpacing(0.08);
         }),
       BadPoints | BadIds, true } };
+}
+
+SetUp Repair()
+{
+  using F = vtkGenusZeroRepair;
+  SetUp repair = { "vtkGenusZeroRepair", "", true, On<F>([](F*, vtkPolyData*) {}),
+    BadPoints | BadIds };
+  repair.Properties = { Number("MaximumHoleArea", &F::SetMaximumHoleArea) };
+  return repair;
 }
 
 std::vector<SetUp> Maps()
@@ -724,7 +734,7 @@ std::vector<Case> FilterCases()
   std::vector<Case> all;
   for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
          AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Morphs(), Registrations(),
-         Remeshes(), Templates(), Resamplings(), Measures(), { Blend() } })
+         Remeshes(), Templates(), Resamplings(), Measures(), { Blend(), Repair() } })
   {
     for (SetUp setUp : setUps)
     {

@@ -15,7 +15,7 @@ import numpy as np
 import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
-    vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
+    vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
     vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
@@ -95,6 +95,7 @@ FILTERS = {
         vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, Polished=0),
     "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),
     "hull": lambda: with_inputs(vtkGenusZeroHull, surface(), Spacing=0.08),
+    "repair": lambda: with_inputs(vtkGenusZeroRepair, surface(60)),
     "sphere": lambda: with_inputs(vtkGeodesicSphereSource, Frequency=100),
     "map": lambda: with_inputs(vtkGlobalConformalMap, surface()),
     "alignment": lambda: with_inputs(vtkSphericalAlignment, surface(), surface(turn=0.3)),

@@ -4,8 +4,9 @@ import os
 import tempfile
 import unittest
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints, vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 import numpy as np
@@ -15,7 +16,7 @@ from helpers.builtin_figure import bear, figure_cloud
 from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
-    vtkFreeSurferWriter, vtkGenusZeroHull, vtkGeodesicSphereSource, vtkGIFTIWriter,
+    vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
@@ -80,6 +81,24 @@ def chain(frequency=18, surface_frequency=40):
             "vtkGenusZeroHull with DistributeOutput": hull_piece}
 
 
+def torus(around=12, along=30):
+    """A surface with a handle."""
+    u, v = np.meshgrid(np.arange(along), np.arange(around), indexing="ij")
+    s, t = 2.0 * np.pi * u / along, 2.0 * np.pi * v / around
+    r = 1.0 + 0.4 * np.cos(t)
+    points = np.stack((r * np.cos(s), r * np.sin(s), 0.4 * np.sin(t)), axis=-1).reshape(-1, 3)
+    a, b = u * around + v, (u + 1) % along * around + v
+    c, d = (u + 1) % along * around + (v + 1) % around, u * around + (v + 1) % around
+    quads = np.stack((np.full_like(a, 4), a, b, c, d), axis=-1).reshape(-1, 5)
+    cells = vtkCellArray()
+    cells.ImportLegacyFormat(numpy_to_vtkIdTypeArray(quads.ravel().astype(np.int64), deep=1))
+    made = vtkPolyData()
+    made.SetPoints(vtkPoints())
+    made.GetPoints().SetData(numpy_to_vtk(points, deep=1))
+    made.SetPolys(cells)
+    return made
+
+
 def beside_the_chain(stages):
     """The classes that the chain does not need, run on its results, by class name."""
     check = vtkGenusZeroCheck()
@@ -123,7 +142,10 @@ def beside_the_chain(stages):
     template.SetMeanFrequency(8)
     template.SetMaximumNumberOfRounds(1)
     template.Update()
-    filters = (check, blend, adaptive, morph, registration, remesh, template, resample)
+    repair = vtkGenusZeroRepair()
+    repair.SetInputData(torus())
+    repair.Update()
+    filters = (check, blend, adaptive, morph, registration, remesh, template, resample, repair)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

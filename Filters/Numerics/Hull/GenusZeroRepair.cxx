@@ -1,0 +1,281 @@
+#include "Hull/GenusZeroRepair.h"
+
+#include "Base/Steps.h"
+#include "Hull/HandleLoops.h"
+#include "Hull/LoopCap.h"
+#include "Mesh/GenusZeroCheck.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace conformal
+{
+namespace
+{
+void requireFinite(const PointView& points, const Triangles& triangles)
+{
+  std::vector<char> isBad(points.size(), 0);
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    const int id = triangles.data()[i];
+    isBad[id] = !points[id].allFinite();
+  }
+  const auto bad = std::count(isBad.begin(), isBad.end(), 1);
+  if (bad > 0)
+  {
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
+      " points of the surface are not finite");
+  }
+}
+
+// A loop's place, before it is closed.
+RepairLoop describeLoop(
+  const GluedSurface& surface, const std::vector<int>& loop, const LoopCap& cap, double wholeArea)
+{
+  RepairLoop described;
+  described.Positions.resize(static_cast<Index>(loop.size()), 3);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    described.Positions.row(static_cast<Index>(i)) = surface.Positions[surface.from(loop[i])];
+  }
+  const double area = areaOf(cap, cornersOfCap(surface, loop));
+  described.AreaFraction = wholeArea > 0.0 ? area / wholeArea : 0.0;
+  return described;
+}
+
+double surfaceArea(const GluedSurface& surface)
+{
+  double area = 0.0;
+  for (int side = 0; side < surface.numberOfSides(); side += 3)
+  {
+    const Vector3 a = surface.Positions[surface.from(side)];
+    area += 0.5 *
+      (surface.Positions[surface.from(side + 1)] - a)
+        .cross(surface.Positions[surface.from(side + 2)] - a)
+        .norm();
+  }
+  return area;
+}
+
+// Six times the volume.
+double volumeOf(const GluedSurface& surface)
+{
+  const Vector3 origin = surface.Positions.front();
+  double volume = 0.0;
+  for (int side = 0; side < surface.numberOfSides(); side += 3)
+  {
+    const Vector3 a = surface.Positions[surface.from(side)] - origin,
+                  b = surface.Positions[surface.from(side + 1)] - origin,
+                  c = surface.Positions[surface.from(side + 2)] - origin;
+    volume += a.dot(b.cross(c));
+  }
+  return volume;
+}
+
+void fillHoles(GluedSurface& surface, double area, double maximumFraction,
+  std::vector<RepairLoop>& done, const Run& run)
+{
+  const std::vector<std::vector<int>> loops = openLoops(surface);
+  for (const std::vector<int>& loop : loops)
+  {
+    run.report(static_cast<double>(done.size()) / static_cast<double>(loops.size()));
+    const LoopCap cap = capFor(surface, loop);
+    RepairLoop described = describeLoop(surface, loop, cap, area);
+    const bool isOpen = described.AreaFraction > maximumFraction;
+    described.Type = isOpen ? RepairLoopType::OpenHole : RepairLoopType::FilledHole;
+    done.push_back(std::move(described));
+    closeLoop(surface, loop, cap, isOpen ? GluedSurface::Temporary : GluedSurface::Added);
+  }
+}
+
+void turnOver(GluedSurface& surface)
+{
+  // Side k becomes side 2 - k, as corners 1 and 2 are swapped.
+  const auto turned = [](int side) { return side - side % 3 + 2 - side % 3; };
+  std::vector<int> across(surface.Across.size());
+  for (int side = 0; side < surface.numberOfSides(); ++side)
+  {
+    across[turned(side)] = turned(surface.Across[side]);
+  }
+  surface.Across = across;
+  for (int side = 0; side < surface.numberOfSides(); side += 3)
+  {
+    std::swap(surface.Corners[side + 1], surface.Corners[side + 2]);
+  }
+}
+
+// Of all sides. Loops go over what fills a hole that stays open only if there is no other way.
+std::vector<double> sideLengths(const GluedSurface& surface)
+{
+  constexpr double detour = 1e6;
+  const auto isTemporary = [&](int side)
+  { return surface.TriangleIds[side / 3] == GluedSurface::Temporary; };
+  std::vector<double> lengths(surface.numberOfSides());
+  for (int side = 0; side < surface.numberOfSides(); ++side)
+  {
+    const int across = surface.Across[side];
+    if (side < across)
+    {
+      const double length =
+        (surface.Positions[surface.to(side)] - surface.Positions[surface.from(side)]).norm();
+      lengths[side] = lengths[across] =
+        length * (isTemporary(side) && isTemporary(across) ? detour : 1.0);
+    }
+  }
+  return lengths;
+}
+
+// A loop around a handle has the handle's inside within it, one through a handle the outside: there
+// its middle is where the normals point to.
+bool isTunnel(const GluedSurface& surface, const std::vector<int>& loop)
+{
+  Vector3 middle = Vector3::Zero();
+  for (const int side : loop)
+  {
+    middle += surface.Positions[surface.from(side)] / static_cast<double>(loop.size());
+  }
+  double outside = 0.0;
+  for (const int side : loop)
+  {
+    const Vector3 a = surface.Positions[surface.from(side)],
+                  b = surface.Positions[surface.to(side)];
+    for (const int triangle : { side / 3, surface.Across[side] / 3 })
+    {
+      const Vector3 p = surface.Positions[surface.from(3 * triangle)];
+      const Vector3 normal = (surface.Positions[surface.from(3 * triangle + 1)] - p)
+                               .cross(surface.Positions[surface.from(3 * triangle + 2)] - p)
+                               .normalized();
+      outside += (b - a).norm() * normal.dot(middle - 0.5 * (a + b));
+    }
+  }
+  return outside > 0.0;
+}
+
+void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& done, const Run& run)
+{
+  const auto whole = static_cast<double>(numberOfHandles(surface));
+  for (Index left = numberOfHandles(surface); left > 0; left = numberOfHandles(surface))
+  {
+    // Most are found the first time.
+    const double begin = 1.0 - static_cast<double>(left) / whole;
+    const std::vector<HandleLoop> loops =
+      findHandleLoops(surface, sideLengths(surface), run.part(begin, 0.2 * begin + 0.8));
+    for (const HandleLoop& loop : loops)
+    {
+      const bool fills = isTunnel(surface, loop.Sides);
+      const std::vector<int> right = cutAlong(surface, loop.Sides);
+      const LoopCap cap = capFor(surface, loop.Sides);
+      RepairLoop described = describeLoop(surface, loop.Sides, cap, area);
+      described.Type = fills ? RepairLoopType::FilledTunnel : RepairLoopType::CutHandle;
+      done.push_back(std::move(described));
+      closeLoop(surface, loop.Sides, cap);
+      closeLoop(surface, right, capFor(surface, right));
+    }
+  }
+}
+
+// What is left in the end: what was there before, then what was added.
+void collect(const GluedSurface& surface, GenusZeroRepairResult& result)
+{
+  std::vector<int> triangles, vertices(surface.PointIds.size()), places(surface.PointIds.size());
+  for (int r = 0; r < surface.numberOfTriangles(); ++r)
+  {
+    if (surface.TriangleIds[r] != GluedSurface::Temporary)
+    {
+      triangles.push_back(r);
+    }
+  }
+  const auto firstAdded = std::stable_partition(
+    triangles.begin(), triangles.end(), [&](int r) { return surface.TriangleIds[r] >= 0; });
+  result.NumberOfTrianglesUntouched = firstAdded - triangles.begin();
+  result.NumberOfTrianglesAdded = triangles.end() - firstAdded;
+  std::iota(vertices.begin(), vertices.end(), 0);
+  std::stable_partition(
+    vertices.begin(), vertices.end(), [&](int v) { return surface.PointIds[v] >= 0; });
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    places[vertices[i]] = static_cast<int>(i);
+  }
+
+  result.Triangles.resize(static_cast<Index>(triangles.size()), 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      result.Triangles(static_cast<Index>(i), k) = places[surface.from(3 * triangles[i] + k)];
+    }
+    result.TriangleIds.push_back(surface.TriangleIds[triangles[i]]);
+  }
+  const std::vector<int> kept =
+    dropIsolatedPoints(result.Triangles, static_cast<Index>(vertices.size()));
+  result.Positions.resize(static_cast<Index>(kept.size()), 3);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    const int v = vertices[kept[i]];
+    result.Positions.row(static_cast<Index>(i)) = surface.Positions[v];
+    result.PointIds.push_back(surface.PointIds[v]);
+    if (surface.PointIds[v] == GluedSurface::Added)
+    {
+      result.Parents.push_back(surface.Parents[v]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+Index GenusZeroRepairResult::count(RepairLoopType type) const
+{
+  return std::count_if(this->Loops.begin(), this->Loops.end(),
+    [=](const RepairLoop& loop) { return loop.Type == type; });
+}
+
+//------------------------------------------------------------------------------
+GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& triangles,
+  const GenusZeroRepairOptions& options, const Run& run)
+{
+  if (!(options.MaximumHoleArea >= 0.0 && options.MaximumHoleArea <= 1.0))
+  {
+    throw std::invalid_argument("MaximumHoleArea must be in [0, 1]");
+  }
+  if (triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  const auto size = static_cast<double>(triangles.rows());
+  const double ofCheck = 230.0 * size;
+  Steps steps(run, { ofCheck, 240.0 * size, 15.0 * size, 300.0 * size, ofCheck });
+  GenusZeroReport report = checkGenusZero(triangles, points.size(), {}, steps.next());
+  requireFinite(points, triangles);
+  GenusZeroRepairResult result;
+  Triangles merged = triangles;
+  result.NumberOfPointsMerged = mergeCoincidentBoundaryPoints(merged, points, report);
+  GluedSurface surface = glueTriangles(points, merged, result.Gluing, steps.next());
+  if (surface.TriangleIds.empty())
+  {
+    throw std::invalid_argument("every triangle of the surface names a point twice");
+  }
+  const double area = surfaceArea(surface);
+  fillHoles(surface, area, options.MaximumHoleArea, result.Loops, steps.next());
+  while (splitDoubleEdges(surface) > 0)
+  {
+  }
+  if (volumeOf(surface) < 0.0)
+  {
+    turnOver(surface);
+    result.Gluing.NumberOfTurnedTriangles = triangles.rows() -
+      result.Gluing.NumberOfRepeatedPoints - result.Gluing.NumberOfDuplicates -
+      result.Gluing.NumberOfTrianglesRemoved - result.Gluing.NumberOfTurnedTriangles;
+  }
+  steps.replan({ workOfHandleLoops(surface), ofCheck });
+  openHandles(surface, area, result.Loops, steps.next());
+  const Run last = steps.next();
+  collect(surface, result);
+  report = checkGenusZero(result.Triangles, result.Positions.rows(), {}, last);
+  result.EulerNumber = report.EulerNumber;
+  result.IsGenusZero = report.isGenusZero() && report.InconsistentEdges.empty();
+  return result;
+}
+}

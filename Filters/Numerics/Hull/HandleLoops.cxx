@@ -1,0 +1,526 @@
+#include "Hull/HandleLoops.h"
+
+#include "Base/Steps.h"
+
+#include <algorithm>
+#include <bitset>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <random>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+/// What tells loops apart: the sum, modulo 2, of the classes of a loop's edges does not change when
+/// the loop is moved over triangles. That of a loop that cuts a piece off is 0. The 2 g binary
+/// numbers that say all are hashed to so many, which keeps sums: what differs here does differ.
+using LoopClass = std::bitset<256>;
+
+// The vertices around each vertex, with the edges to them.
+struct SidesOfVertices
+{
+  std::vector<int> Begin, Sides; // those from vertex v: Sides[Begin[v]] to Sides[Begin[v + 1] - 1]
+
+  explicit SidesOfVertices(const GluedSurface& surface)
+    : Begin(surface.numberOfVertices() + 1, 0)
+    , Sides(surface.numberOfSides())
+  {
+    for (const int vertex : surface.Corners)
+    {
+      ++this->Begin[vertex + 1];
+    }
+    std::partial_sum(this->Begin.begin(), this->Begin.end(), this->Begin.begin());
+    std::vector<int> end(this->Begin.begin(), this->Begin.end() - 1);
+    for (int side = 0; side < surface.numberOfSides(); ++side)
+    {
+      this->Sides[end[surface.from(side)]++] = side;
+    }
+  }
+};
+
+// A surface as loops see it.
+struct LoopSpace
+{
+  LoopSpace(const GluedSurface& surface, const std::vector<double>& lengths)
+    : Surface(surface)
+    , Lengths(lengths)
+    , Around(surface)
+    , ClassOf(surface.numberOfSides(), 0)
+    , Classes(1)
+  {
+  }
+
+  const LoopClass& classOf(int side) const { return this->Classes[this->ClassOf[side]]; }
+
+  const GluedSurface& Surface;
+  const std::vector<double>& Lengths;
+  SidesOfVertices Around;
+  std::vector<int> ClassOf; // of each side, in Classes; 0 for most
+  std::vector<LoopClass> Classes;
+};
+
+using Place = std::pair<double, int>; // distance and vertex
+using Queue = std::priority_queue<Place, std::vector<Place>, std::greater<Place>>;
+
+// Shortest paths from one vertex to all others.
+struct PathTree
+{
+  std::vector<double> Distances;
+  std::vector<int> SidesTo; // by which each vertex is reached; -1 for the first
+};
+
+PathTree shortestPaths(const LoopSpace& space, int root)
+{
+  const auto size = static_cast<std::size_t>(space.Surface.numberOfVertices());
+  PathTree tree = { std::vector<double>(size, std::numeric_limits<double>::infinity()),
+    std::vector<int>(size, -1) };
+  Queue queue;
+  tree.Distances[root] = 0.0;
+  queue.emplace(0.0, root);
+  while (!queue.empty())
+  {
+    const auto [distance, vertex] = queue.top();
+    queue.pop();
+    if (distance > tree.Distances[vertex])
+    {
+      continue;
+    }
+    for (int i = space.Around.Begin[vertex]; i < space.Around.Begin[vertex + 1]; ++i)
+    {
+      const int side = space.Around.Sides[i], other = space.Surface.to(side);
+      const double reached = distance + space.Lengths[side];
+      if (reached < tree.Distances[other])
+      {
+        tree.Distances[other] = reached;
+        tree.SidesTo[other] = side;
+        queue.emplace(reached, other);
+      }
+    }
+  }
+  return tree;
+}
+
+// The loop of a side and the paths to its ends, without what these have in common.
+HandleLoop loopOf(const LoopSpace& space, const std::vector<int>& sidesTo, int side)
+{
+  const auto pathTo = [&](int vertex)
+  {
+    std::vector<int> path;
+    for (int last = sidesTo[vertex]; last >= 0; last = sidesTo[space.Surface.from(last)])
+    {
+      path.push_back(last);
+    }
+    std::reverse(path.begin(), path.end());
+    return path;
+  };
+  const std::vector<int> to = pathTo(space.Surface.from(side)),
+                         back = pathTo(space.Surface.to(side));
+  std::size_t common = 0;
+  while (common < std::min(to.size(), back.size()) && to[common] == back[common])
+  {
+    ++common;
+  }
+  HandleLoop loop;
+  loop.Sides.assign(to.begin() + static_cast<std::ptrdiff_t>(common), to.end());
+  loop.Sides.push_back(side);
+  for (std::size_t i = back.size(); i > common; --i)
+  {
+    loop.Sides.push_back(space.Surface.Across[back[i - 1]]);
+  }
+  for (const int each : loop.Sides)
+  {
+    loop.Length += space.Lengths[each];
+  }
+  return loop;
+}
+
+// Sets of triangles that grow together.
+class TriangleSets
+{
+public:
+  explicit TriangleSets(int size)
+    : Parents(size)
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  bool join(int a, int b)
+  {
+    a = this->find(a);
+    b = this->find(b);
+    this->Parents[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  int find(int i)
+  {
+    while (this->Parents[i] != i)
+    {
+      i = this->Parents[i] = this->Parents[this->Parents[i]];
+    }
+    return i;
+  }
+
+  std::vector<int> Parents;
+};
+
+// One side of each edge that is neither in the tree of paths nor in one of triangles across the
+// other edges: 2 g of them. Edges of long loops go into the latter first, so that those of short
+// loops are left.
+std::vector<int> looseEdges(
+  const LoopSpace& space, const PathTree& paths, std::vector<char>& isCrossed)
+{
+  const GluedSurface& surface = space.Surface;
+  std::vector<char> isPath(surface.numberOfSides(), 0);
+  for (const int side : paths.SidesTo)
+  {
+    if (side >= 0)
+    {
+      isPath[side] = isPath[surface.Across[side]] = 1;
+    }
+  }
+  std::vector<std::pair<double, int>> others;
+  for (int side = 0; side < surface.numberOfSides(); ++side)
+  {
+    if (side < surface.Across[side] && !isPath[side])
+    {
+      others.emplace_back(-(paths.Distances[surface.from(side)] + space.Lengths[side] +
+                            paths.Distances[surface.to(side)]),
+        side);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  TriangleSets sets(surface.numberOfTriangles());
+  std::vector<int> loose;
+  for (const auto& [length, side] : others)
+  {
+    if (sets.join(side / 3, surface.Across[side] / 3))
+    {
+      isCrossed[side] = isCrossed[surface.Across[side]] = 1;
+    }
+    else
+    {
+      loose.push_back(side);
+    }
+  }
+  return loose;
+}
+
+// Each loose edge closes a loop across edges, through the tree of triangles, that crosses its own
+// loop once, and those of the others never. What crosses an edge is its class.
+void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vector<char>& isCrossed)
+{
+  const GluedSurface& surface = space.Surface;
+  std::mt19937_64 bits(1);
+  std::vector<LoopClass> sums(surface.numberOfTriangles());
+  const auto set = [&](int side, const LoopClass& value)
+  {
+    space.ClassOf[side] = space.ClassOf[surface.Across[side]] =
+      static_cast<int>(space.Classes.size());
+    space.Classes.push_back(value);
+  };
+  for (const int side : loose)
+  {
+    LoopClass own;
+    for (std::size_t word = 0; word < own.size() / 64; ++word)
+    {
+      own = (own << 64) | LoopClass(bits());
+    }
+    set(side, own);
+    sums[side / 3] ^= own;
+    sums[surface.Across[side] / 3] ^= own;
+  }
+  std::vector<int> order = { 0 }; // of triangles, each behind the one that it was reached from
+  std::vector<int> entries(surface.numberOfTriangles(), -1); // the side by which it was
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const int triangle = order[i];
+    for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
+    {
+      const int across = surface.Across[side];
+      if (isCrossed[side] && side != entries[triangle])
+      {
+        entries[across / 3] = across;
+        order.push_back(across / 3);
+      }
+    }
+  }
+  for (std::size_t i = order.size(); i-- > 1;)
+  {
+    const int entry = entries[order[i]];
+    const LoopClass sum = sums[order[i]];
+    if (sum.any())
+    {
+      set(entry, sum);
+      sums[surface.Across[entry] / 3] ^= sum;
+    }
+  }
+}
+
+// Looks for short loops that cut no piece off, around one vertex after another.
+class LoopSearch
+{
+public:
+  explicit LoopSearch(const LoopSpace& space)
+    : Space(space)
+    , SidesTo(space.Surface.numberOfVertices())
+    , Visits(space.Surface.numberOfVertices())
+  {
+  }
+
+  /// The shortest such loop through a vertex, or a part of it that is one.
+  /// @param[in,out] best  replaced if it is longer
+  bool shorten(int root, HandleLoop& best)
+  {
+    this->Number += 2;
+    Queue queue;
+    this->visit(root, 0.0, -1, {});
+    queue.emplace(0.0, root);
+    double length = best.Length;
+    int found = -1;
+    while (!queue.empty())
+    {
+      const auto [distance, vertex] = queue.top();
+      queue.pop();
+      if (2.0 * distance >= length)
+      {
+        break;
+      }
+      Visit& here = this->Visits[vertex];
+      if (here.Number == this->Number + 1)
+      {
+        continue;
+      }
+      here.Number = this->Number + 1; // its distance is final
+      for (int i = this->Space.Around.Begin[vertex]; i < this->Space.Around.Begin[vertex + 1]; ++i)
+      {
+        const int side = this->Space.Around.Sides[i], other = this->Space.Surface.to(side);
+        const double reached = distance + this->Space.Lengths[side];
+        const Visit& there = this->Visits[other];
+        const LoopClass sum = here.Class ^ this->Space.classOf(side);
+        if (there.Number == this->Number + 1)
+        {
+          if (reached + there.Distance < length && sum != there.Class)
+          {
+            length = reached + there.Distance;
+            found = side;
+          }
+        }
+        else if (2.0 * reached < length &&
+          (there.Number != this->Number || reached < there.Distance))
+        {
+          this->visit(other, reached, side, sum);
+          queue.emplace(reached, other);
+        }
+      }
+    }
+    if (found < 0)
+    {
+      return false;
+    }
+    HandleLoop loop = loopOf(this->Space, this->SidesTo, found);
+    const bool isShorter = loop.Length < best.Length;
+    if (isShorter)
+    {
+      best = std::move(loop);
+    }
+    return isShorter;
+  }
+
+private:
+  struct Visit
+  {
+    int Number = -1; // of the search in which it was reached; one more if that is final
+    double Distance = 0.0;
+    LoopClass Class; // of the path
+  };
+
+  void visit(int vertex, double distance, int side, const LoopClass& ofPath)
+  {
+    this->SidesTo[vertex] = side;
+    this->Visits[vertex] = { this->Number, distance, ofPath };
+  }
+
+  const LoopSpace& Space;
+  std::vector<int> SidesTo;
+  std::vector<Visit> Visits;
+  int Number = 0;
+};
+
+// Vertices along a loop, so far apart.
+std::vector<int> placesAlong(const LoopSpace& space, const HandleLoop& loop, double spacing)
+{
+  std::vector<int> places;
+  double since = spacing;
+  for (const int side : loop.Sides)
+  {
+    if (since >= spacing)
+    {
+      places.push_back(space.Surface.from(side));
+      since = 0.0;
+    }
+    since += space.Lengths[side];
+  }
+  return places;
+}
+
+// The shortest loop that is found along the one of a loose edge. A shorter one crosses that, since
+// else it would be no loop of this handle; then it slides to where it is shortest.
+HandleLoop shortestAlong(
+  const LoopSpace& space, const PathTree& paths, int edge, LoopSearch& search)
+{
+  constexpr double firstSpacing = 0.25, slidingSpacing = 0.125; // in lengths of the loop so far
+  constexpr int mostSlides = 16;
+  const HandleLoop own = loopOf(space, paths.SidesTo, edge);
+  HandleLoop best = own;
+  search.shorten(space.Surface.from(edge), best); // far out on the handle, where it is narrow
+  for (const int place : placesAlong(space, own, firstSpacing * best.Length))
+  {
+    search.shorten(place, best);
+  }
+  bool slides = true;
+  for (int i = 0; i < mostSlides && slides; ++i)
+  {
+    slides = false;
+    for (const int place : placesAlong(space, best, slidingSpacing * best.Length))
+    {
+      slides = search.shorten(place, best) || slides;
+    }
+  }
+  return best;
+}
+
+// The same loop from its smallest vertex on, towards the smaller of the two beside it: it does not
+// matter from where it was found.
+void order(const GluedSurface& surface, HandleLoop& loop)
+{
+  const auto bySmallest = [&]()
+  {
+    std::rotate(loop.Sides.begin(),
+      std::min_element(loop.Sides.begin(), loop.Sides.end(),
+        [&](int a, int b) { return surface.from(a) < surface.from(b); }),
+      loop.Sides.end());
+  };
+  bySmallest();
+  if (surface.from(loop.Sides.back()) < surface.to(loop.Sides.front()))
+  {
+    std::reverse(loop.Sides.begin(), loop.Sides.end());
+    for (int& side : loop.Sides)
+    {
+      side = surface.Across[side];
+    }
+    bySmallest();
+  }
+}
+
+// Sums of some of the classes taken so far.
+class ClassBasis
+{
+public:
+  /// False if it is one of these sums already.
+  bool add(LoopClass value)
+  {
+    for (const auto& [pivot, row] : this->Rows)
+    {
+      if (value[pivot])
+      {
+        value ^= row;
+      }
+    }
+    for (std::size_t bit = 0; bit < value.size(); ++bit)
+    {
+      if (value[bit])
+      {
+        this->Rows.emplace_back(bit, value);
+        return true;
+      }
+    }
+    return false;
+  }
+
+private:
+  std::vector<std::pair<std::size_t, LoopClass>> Rows;
+};
+
+constexpr double workOfAHandle = 1.5e6; // of middling size
+}
+
+//------------------------------------------------------------------------------
+Index numberOfHandles(const GluedSurface& surface)
+{
+  // Three sides of a triangle, two of an edge.
+  const Index euler = surface.numberOfVertices() - surface.numberOfTriangles() / 2;
+  return (2 - euler) / 2;
+}
+
+//------------------------------------------------------------------------------
+double workOfHandleLoops(const GluedSurface& surface)
+{
+  return 180.0 * surface.numberOfTriangles() +
+    workOfAHandle * static_cast<double>(numberOfHandles(surface));
+}
+
+//------------------------------------------------------------------------------
+std::vector<HandleLoop> findHandleLoops(
+  const GluedSurface& surface, const std::vector<double>& lengths, const Run& run)
+{
+  if (numberOfHandles(surface) == 0)
+  {
+    return {};
+  }
+  const double size = surface.numberOfTriangles();
+  Steps steps(run,
+    { 80.0 * size, 100.0 * size, workOfAHandle * static_cast<double>(numberOfHandles(surface)) });
+  steps.next();
+  LoopSpace space(surface, lengths);
+  const PathTree paths = shortestPaths(space, 0);
+  steps.next();
+  std::vector<char> isCrossed(surface.numberOfSides(), 0);
+  const std::vector<int> loose = looseEdges(space, paths, isCrossed);
+  setClasses(space, loose, isCrossed);
+
+  std::vector<HandleLoop> loops(loose.size());
+  const Index blockSize = 8;
+  forBlocksReporting(steps.next(), static_cast<Index>(loose.size()), blockSize,
+    [&](Index begin, Index end)
+    {
+      LoopSearch search(space);
+      for (Index i = begin; i < end; ++i)
+      {
+        loops[i] = shortestAlong(space, paths, loose[i], search);
+      }
+    });
+  std::stable_sort(loops.begin(), loops.end(),
+    [](const HandleLoop& a, const HandleLoop& b) { return a.Length < b.Length; });
+
+  std::vector<HandleLoop> taken;
+  std::vector<char> isUsed(surface.numberOfVertices(), 0);
+  ClassBasis basis;
+  for (const HandleLoop& loop : loops)
+  {
+    LoopClass sum;
+    bool isFree = true;
+    for (const int side : loop.Sides)
+    {
+      sum ^= space.classOf(side);
+      isFree = isFree && !isUsed[surface.from(side)];
+    }
+    if (isFree && basis.add(sum))
+    {
+      for (const int side : loop.Sides)
+      {
+        isUsed[surface.from(side)] = 1;
+      }
+      taken.push_back(loop);
+      order(surface, taken.back());
+    }
+  }
+  return taken;
+}
+}
