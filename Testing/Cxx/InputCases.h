@@ -18,6 +18,7 @@
 #include "vtkGlobalConformalMap.h"
 #include "vtkGuMeshWriter.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -163,6 +164,9 @@ inline std::vector<Case> Filters()
           }
         }),
       { s, s } },
+    { "vtkSphericalHarmonics",
+      Maker<vtkSphericalHarmonics>([](vtkSphericalHarmonics* filter) { filter->SetDegree(5); }),
+      { s } },
     { "vtkSphericalMorph",
       Maker<vtkSphericalMorph>([](vtkSphericalMorph* filter) { filter->SetNumberOfPoints(500); }),
       { s, s } },

@@ -13,6 +13,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalHarmonics.h"
+#include "vtkSphericalHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -547,6 +549,39 @@ std::vector<Case> Cases()
       filter->SetLatticeToGeodesic();
       filter->SetFrequency(6);
       return Run(filter, { "ShapeMode1" });
+    } });
+  cases.push_back({ "FitsHarmonics",
+    [](double scale)
+    {
+      vtkNew<vtkSphericalHarmonics> filter;
+      filter->SetInputData(Mesh(scale, 9));
+      filter->SetDegree(6);
+      filter->SetAlignmentToMapAndSurface();
+      return Run(
+        filter, { "X", "Y", "Z", "RootMeanSquareDistance", "SurfaceCenter" }, { "HarmonicPower" });
+    },
+    true });
+  cases.push_back({ "RebuildsFromHarmonics",
+    [](double scale)
+    {
+      vtkNew<vtkSphericalHarmonics> filter;
+      filter->SetInputData(Mesh(1.0, 9));
+      filter->SetDegree(6);
+      filter->Update();
+      vtkTable* table = filter->GetCoefficients();
+      for (const char* name : { "X", "Y", "Z" })
+      {
+        auto* column = vtkDoubleArray::SafeDownCast(table->GetColumnByName(name));
+        for (vtkIdType i = 0; i < column->GetNumberOfValues(); ++i)
+        {
+          // In steps that leave room for small units.
+          column->SetValue(i, scale * std::round(0x1p20 * column->GetValue(i)) * 0x1p-20);
+        }
+      }
+      vtkNew<vtkSphericalHarmonicsSource> source;
+      source->SetInputData(table);
+      source->SetFrequency(6);
+      return Run(source);
     } });
   cases.push_back({ "Registers",
     [](double scale)

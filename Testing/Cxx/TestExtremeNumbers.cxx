@@ -10,6 +10,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -173,6 +174,9 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
       vtkDataObject* block = vtkMultiBlockDataSet::SafeDownCast(output)->GetBlock(0);
       return Written(block->GetAttributesAsFieldData(vtkDataObject::POINT), "SpherePosition");
     });
+  vtkNew<vtkSphericalHarmonics> harmonics;
+  harmonics->SetDegree(4);
+  add("harmonics", harmonics, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalMorph> morph;
   morph->SetTargetData(Scaled(1.0, 4));
   morph->SetLatticeToGeodesic();

@@ -31,6 +31,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalHarmonics.h"
+#include "vtkSphericalHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -535,6 +537,44 @@ TEST(Progress, OfTheConsistentRemesh)
     ExpectEven(name, Of<Remesh>(head, of({ limbs, head, limbs }, lattice)));
     ExpectEven(name + ", fine meshes", Of<Remesh>(fine, of({ fine }, lattice)));
   }
+}
+
+TEST(Progress, OfTheHarmonics)
+{
+  using Harmonics = vtkSphericalHarmonics;
+  const auto of = [](int degree, int lattice, int alignment)
+  {
+    return [=](Harmonics* harmonics)
+    {
+      harmonics->SetDegree(degree);
+      harmonics->SetLattice(lattice);
+      harmonics->SetAlignment(alignment);
+    };
+  };
+  const auto fine = Head(120), coarse = Head(30), limbs = Limbs(60);
+  ExpectEven("SphericalHarmonics of low degree",
+    Of<Harmonics>(fine, of(8, Harmonics::INPUT, Harmonics::NONE)));
+  ExpectEven("SphericalHarmonics on a geodesic sphere",
+    Of<Harmonics>(limbs, of(40, Harmonics::GEODESIC, Harmonics::MAP)));
+  ExpectEven("SphericalHarmonics of a coarse mesh",
+    Of<Harmonics>(coarse, of(80, Harmonics::INPUT, Harmonics::MAP_AND_SURFACE)));
+}
+
+TEST(Progress, OfTheHarmonicsSource)
+{
+  vtkNew<vtkSphericalHarmonics> harmonics;
+  harmonics->SetInputData(Head(20));
+  harmonics->SetDegree(30);
+  harmonics->Update();
+  const vtkSmartPointer<vtkDataObject> table = harmonics->GetOutputDataObject(1);
+  ExpectEven("SphericalHarmonicsSource",
+    [=]()
+    {
+      const auto source = vtkSmartPointer<vtkSphericalHarmonicsSource>::New();
+      source->SetInputDataObject(table);
+      source->SetFrequency(100);
+      return source;
+    });
 }
 
 TEST(Progress, OfTheMorph)

@@ -13,6 +13,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
+#include "vtkSphericalHarmonics.h"
+#include "vtkSphericalHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -612,6 +614,31 @@ std::vector<SetUp> Templates()
   return { whole, start };
 }
 
+std::vector<SetUp> Harmonics()
+{
+  using F = vtkSphericalHarmonics;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  // The output has the input's own polygons, as they are turned.
+  SetUp own = { "vtkSphericalHarmonics", "Input", true,
+    On<F>([](F* f, vtkPolyData*) { f->SetDegree(4); }), reads, false, false };
+  own.Properties = { Integer("Degree", &F::SetDegree), Integer("Lattice", &F::SetLattice),
+    Integer("Alignment", &F::SetAlignment) };
+  SetUp geodesic = { "vtkSphericalHarmonics", "Geodesic", true,
+    On<F>(
+      [](F* f, vtkPolyData*)
+      {
+        f->SetDegree(4);
+        f->SetLatticeToGeodesic();
+        f->SetFrequency(6);
+        f->SetAlignmentToMapAndSurface();
+        f->AddPointArray("Curvature");
+      }),
+    reads, true, false };
+  geodesic.Properties = { Integer("ReconstructionDegree", &F::SetReconstructionDegree),
+    Integer("Frequency", &F::SetFrequency) };
+  return { own, geodesic };
+}
+
 std::vector<SetUp> Resamplings()
 {
   using F = vtkSphericalResample;
@@ -667,6 +694,25 @@ SetUp Source()
     0, true };
   sphere.Properties = { Integer("Frequency", &vtkGeodesicSphereSource::SetFrequency) };
   return sphere;
+}
+
+SetUp HarmonicsSource()
+{
+  using F = vtkSphericalHarmonicsSource;
+  SetUp source = { "vtkSphericalHarmonicsSource", "", true,
+    [](vtkDataObject*, vtkPolyData* good) -> vtkSmartPointer<vtkAlgorithm>
+    {
+      vtkNew<vtkSphericalHarmonics> harmonics;
+      harmonics->SetInputData(good);
+      harmonics->SetDegree(4);
+      const auto made = vtkSmartPointer<F>::New();
+      made->SetInputConnection(harmonics->GetOutputPort(1));
+      return made;
+    },
+    0, true };
+  source.Properties = { Integer("Frequency", &F::SetFrequency),
+    Integer("ReconstructionDegree", &F::SetReconstructionDegree) };
+  return source;
 }
 
 // The map is no filter: it is built of the input, and asked both ways.
@@ -732,9 +778,10 @@ std::vector<Case> FilterCases()
     inputs.insert(inputs.end(), more.begin(), more.end());
   }
   std::vector<Case> all;
-  for (const std::vector<SetUp>& setUps : { Learners(), Hulls(), Maps(), CurvedSurfaces(),
-         AdaptiveSpheres(), TextureMaps(), TextureImages(), Alignments(), Morphs(), Registrations(),
-         Remeshes(), Templates(), Resamplings(), Measures(), { Blend(), Repair() } })
+  for (const std::vector<SetUp>& setUps :
+    { Learners(), Hulls(), Maps(), CurvedSurfaces(), AdaptiveSpheres(), TextureMaps(),
+      TextureImages(), Alignments(), Harmonics(), Morphs(), Registrations(), Remeshes(),
+      Templates(), Resamplings(), Measures(), { Blend(), Repair() } })
   {
     for (SetUp setUp : setUps)
     {
@@ -746,6 +793,7 @@ std::vector<Case> FilterCases()
   AddCases(all, BlendOf(1, "front"), Pictures());
   AddCases(all, BlendOf(2, "back"), Pictures());
   AddPropertyCases(all, Source());
+  AddPropertyCases(all, HarmonicsSource());
   AddMapCases(all, inputs);
   return all;
 }

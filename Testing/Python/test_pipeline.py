@@ -17,7 +17,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalHarmonics, vtkSphericalHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -120,6 +120,14 @@ def beside_the_chain(stages):
     resample.SetSourceConnection(stages["vtkSurfaceMismatch"].GetOutputPort())
     resample.SetMaskArrayName("Distance")
     resample.Update()
+    harmonics = vtkSphericalHarmonics()
+    harmonics.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    harmonics.SetDegree(8)
+    harmonics.Update()
+    rebuilt = vtkSphericalHarmonicsSource()
+    rebuilt.SetInputConnection(harmonics.GetOutputPort(1))
+    rebuilt.SetFrequency(5)
+    rebuilt.Update()
     morph = vtkSphericalMorph()
     morph.SetInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
     morph.SetTargetConnection(stages["vtkConformalSOM"].GetOutputPort())
@@ -145,7 +153,7 @@ def beside_the_chain(stages):
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, blend, adaptive, morph, registration, remesh, template, resample, repair)
+    filters = (check, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

@@ -165,7 +165,7 @@ Columns rotateHarmonics(const Columns& coefficients, const Matrix3d& rotation, c
 //------------------------------------------------------------------------------
 double workOfHarmonicRotation(double columns, double degree)
 {
-  return (1.0 + 0.8 * columns) * 2.0 * std::pow(degree + 1.0, 4);
+  return workOfEvaluation(2.0 * std::pow(degree + 1.0, 2), columns, degree);
 }
 
 //------------------------------------------------------------------------------

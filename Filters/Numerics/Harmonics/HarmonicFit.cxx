@@ -4,6 +4,7 @@
 #include "Harmonics/HarmonicGrid.h"
 #include "Harmonics/SphericalHarmonics.h"
 #include "Linear/ConjugateGradients.h"
+#include "Mesh/MeshTopology.h"
 #include "Sphere/SphereCoverage.h"
 #include "Sphere/SphereLocator.h"
 
@@ -12,6 +13,7 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -22,6 +24,13 @@ namespace
 Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
 {
   Triangles triangles = mesh.Triangles;
+  const Index open = countOpenEdges(triangles, mesh.Positions.rows(), run);
+  if (open > 0)
+  {
+    throw std::invalid_argument(
+      "the surface is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " edges, but must be closed. vtkGenusZeroCheck shows where.");
+  }
   SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
   if (coverage.Degree == -1)
   {
@@ -135,15 +144,35 @@ struct ColumnGroup
 
 constexpr int MostSteps = 200;
 constexpr double ExpectedSteps = 25.0;
+constexpr double WantedAccuracy = 1e-28; // of the square of the residual
+
+// Reports how far the residual has fallen, which it does by a factor from step to step.
+class Descent
+{
+public:
+  explicit Descent(Run run)
+    : Watched(std::move(run))
+  {
+  }
+
+  void report(double square)
+  {
+    this->First = this->First > 0.0 ? this->First : square;
+    const double fallen =
+      square > 0.0 ? std::log(square / this->First) / std::log(WantedAccuracy) : 1.0;
+    this->Reached = std::clamp(fallen, this->Reached, 1.0);
+    this->Watched.report(this->Reached);
+  }
+
+private:
+  Run Watched;
+  double First = 0.0;
+  double Reached = 0.0;
+};
 
 double workOfTransforms(double degree)
 {
-  return 25.0 * std::pow(degree + 1.0, 3);
-}
-
-double workOfMoments(double vertices, double columns, double degree)
-{
-  return (1.0 + 0.8 * columns) * vertices * std::pow(degree + 1.0, 2);
+  return 2.0 * (900.0 * std::pow(degree + 1.0, 2) + 10.0 * std::pow(degree + 1.0, 3));
 }
 }
 
@@ -156,7 +185,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   const Index groups = (values.cols() + 2) / 3;
   std::vector<double> work = { 300.0 * vertices,
     1100.0 * vertices + 300.0 * static_cast<double>(grid.size()),
-    workOfMoments(vertices, 1.0, 2.0 * degree), workOfMoments(vertices, columns, degree) };
+    workOfEvaluation(vertices, 1.0, 2.0 * degree), workOfEvaluation(vertices, columns, degree) };
   work.insert(work.end(), groups, ExpectedSteps * workOfTransforms(degree));
   Steps steps(run, work);
   steps.next();
@@ -187,16 +216,21 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   moments += grid.analyze(samples.Counted.asDiagonal() * samples.Values, degree, run.unwatched());
   ConjugateGradientsOptions options;
   options.NumberOfSteps = MostSteps;
-  options.Accuracy = 1e-28;
+  options.Accuracy = WantedAccuracy;
   Columns coefficients(moments.rows(), moments.cols());
   for (Index group = 0; group < groups; ++group)
   {
     const Index first = 3 * group, size = std::min<Index>(3, values.cols() - first);
     ColumnGroup own(moments, first);
+    Descent descent(steps.next());
     const Points solution = conjugateGradients(
       own.Values, [&](const Points& c, Points& product) { product = timesDensity(density, c); },
-      [&](const Points& c, Points& product) { product = timesDensity(inverse, c); }, options,
-      steps.next());
+      [&](const Points& residual, Points& product)
+      {
+        product = timesDensity(inverse, residual);
+        descent.report(residual.cwiseProduct(product).sum());
+      },
+      options);
     coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
   }
   return coefficients;
@@ -206,7 +240,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
 double workOfHarmonicFit(double vertices, double columns, double degree)
 {
   return 1400.0 * vertices + 2400.0 * std::pow(degree + 1.0, 2) +
-    workOfMoments(vertices, 1.0, 2.0 * degree) + workOfMoments(vertices, columns, degree) +
+    workOfEvaluation(vertices, 1.0, 2.0 * degree) + workOfEvaluation(vertices, columns, degree) +
     std::ceil(columns / 3.0) * ExpectedSteps * workOfTransforms(degree);
 }
 }

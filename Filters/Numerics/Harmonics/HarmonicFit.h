@@ -28,8 +28,9 @@ namespace conformal
 /// @param[in] values  #V by #C, for example positions
 /// @param[in] degree  L, in [0, MaximumHarmonicDegree / 2]
 /// @return (L + 1)^2 by #C, see SphericalHarmonics
-/// @throws std::invalid_argument if the map does not cover the sphere once, or the surface has no
-///         area
+/// @throws std::invalid_argument if the surface is open or has no area, or if the map does not
+/// cover
+///         the sphere once
 /// @throws Aborted
 Columns fitHarmonics(
   const MappedMesh& mesh, const Columns& values, int degree, const Run& run = {});

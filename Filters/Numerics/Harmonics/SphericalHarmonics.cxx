@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -186,6 +185,13 @@ Columns harmonicMoments(const Points& directions, const Columns& values, int deg
     run.report(static_cast<double>(end) / static_cast<double>(directions.rows()));
   }
   return moments;
+}
+
+//------------------------------------------------------------------------------
+double workOfEvaluation(double directions, double columns, double degree)
+{
+  const double count = degree + 1.0;
+  return directions * (100.0 + 25.0 * count + (0.8 + 0.25 * columns) * count * count);
 }
 
 //------------------------------------------------------------------------------

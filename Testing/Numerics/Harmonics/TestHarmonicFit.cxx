@@ -168,6 +168,9 @@ TEST(HarmonicFit, BadSurfacesAreRefused)
   twice.SpherePositions.setZero();
   twice.SpherePositions.col(2).setOnes();
   EXPECT_THROW(fitHarmonics(twice, twice.Positions, 4), std::invalid_argument);
+  MappedMesh open = ellipsoid(10);
+  open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
+  EXPECT_THROW(fitHarmonics(open, open.Positions, 4), std::invalid_argument);
   MappedMesh point = sphere(10);
   point.Positions.setZero();
   EXPECT_THROW(fitHarmonics(point, point.SpherePositions, 4), std::invalid_argument);
