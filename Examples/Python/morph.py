@@ -1,9 +1,10 @@
 """Draws what lies between closed models: steps of a morph, or the mean of them all.
 
-Each model is mapped to the sphere. Maps are brought together by a rotation: by landmarks, if there are
-some, else by the points that are farthest out in 26 directions, for which the models must be posed alike.
-Steps have the first model's stripes fade into the second one's color. Without models: a toy bear and a
-dancer, made by code.
+Each model is mapped to the sphere, and the maps are made to correspond: those of two models by registering
+the second with the first, those of many by registering all with their mean, by landmarks or by shape alone
+(--automatic). With neither, they are only turned: the points that are farthest out in 26 directions come
+together, for which the models must be posed alike. Steps have the first model's stripes fade into the second one's color.
+Without models: a toy bear and a dancer, made by code.
 """
 import argparse
 import os
@@ -12,12 +13,12 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
-from helpers import builtin_figure, pictures, scan_files
+from helpers import builtin_figure, mapped_models, pictures, scan_files
 from conformalsom import (
-    vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalMorph,
-    vtkSphericalResample)
+    vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalMorph, vtkSphericalRegistration,
+    vtkSphericalResample, vtkSphericalTemplate)
 
 BUILTIN = {"bear": builtin_figure.bear, "dancer": builtin_figure.dancer}
 CLAY, CREAM, SLATE = (204, 158, 117), (242, 230, 208), (92, 122, 158)
@@ -25,32 +26,40 @@ PANEL = 330, 330
 
 
 def model_of(name):
-    """A file's, or one made by code, centered and of largest radius 1."""
+    """A file's, or one made by code."""
     if name in BUILTIN:
-        data = builtin_figure.zero_set(BUILTIN[name])
-    else:
-        reader = scan_files.scan_reader(name)
-        reader.Update()
-        data = reader.GetOutput()
+        return builtin_figure.zero_set(BUILTIN[name])
+    reader = scan_files.scan_reader(name)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def placed(data):
+    """Its triangles, centered and of largest radius 1."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     points = points - (points.min(axis=0) + points.max(axis=0)) / 2.0
     points /= np.linalg.norm(points, axis=1).max()
-    model, placed = vtkPolyData(), vtkPoints()
-    placed.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    model.SetPoints(placed)
+    model, moved = vtkPolyData(), vtkPoints()
+    moved.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    model.SetPoints(moved)
     model.SetPolys(data.GetPolys())
     return model
 
 
-def landmarks_of(path, model):
-    """Point ids, one a line of a file; without one, of the points farthest out in 26 directions."""
-    if path:
-        with open(path, encoding="ascii") as file:
-            return [int(word) for word in file.read().split()]
+def farthest_out(model):
+    """Point ids of what is farthest out in 26 directions."""
     steps = np.array([(x, y, z) for x in (-1, 0, 1) for y in (-1, 0, 1) for z in (-1, 0, 1)])
     directions = steps[np.any(steps != 0, axis=1)]
     points = vtk_to_numpy(model.GetPoints().GetData())
     return (points @ (directions / np.linalg.norm(directions, axis=1)[:, None]).T).argmax(axis=0).tolist()
+
+
+def landmarks_of(paths, models):
+    """For each model the point ids that a file says; they correspond from model to model."""
+    lists = [mapped_models.read_landmarks(path, model) for path, model in zip(paths, models)]
+    if len(set(map(len, lists))) > 1:
+        raise ValueError("the models have different numbers of landmarks")
+    return lists
 
 
 def turn_to(model, landmarks, reference, others):
@@ -70,15 +79,30 @@ def mapped(model, balance):
     return conformal.GetOutput()
 
 
-def aligned(moved, landmarks, reference, others):
-    """The first with its map turned to that of the reference."""
-    alignment = vtkSphericalAlignment()
-    alignment.SetInputData(moved)
-    alignment.SetReferenceData(reference)
+def registered(moving, landmarks, fixed, others, is_rotation=False):
+    """The first with its map deformed, or turned, until it corresponds to the second one's."""
+    registration = vtkSphericalRegistration()
+    registration.SetInputData(moving)
+    registration.SetFixedData(fixed)
+    if is_rotation:
+        registration.SetSpaceOfTransformsToRotation()
     for point, other in zip(landmarks, others):
-        alignment.AddLandmark(point, other)
-    alignment.Update()
-    return alignment.GetOutput()
+        registration.AddLandmark(point, other)
+    registration.Update()
+    return registration.GetOutput()
+
+
+def registered_with_mean(models, landmarks):
+    """All of them, their maps made to correspond."""
+    template, blocks = vtkSphericalTemplate(), vtkMultiBlockDataSet()
+    for i, (model, points) in enumerate(zip(models, landmarks)):
+        if points:
+            template.SetLandmarkArrayName(mapped_models.mark(model, points))
+        blocks.SetBlock(i, model)
+    template.SetInputDataObject(blocks)
+    template.SetAlignmentToSimilarity()
+    template.Update()
+    return [template.GetOutput().GetBlock(i) for i in range(len(models))]
 
 
 def paint(surface, color, stripes=None):
@@ -171,16 +195,44 @@ def draw_mean(models, args):
         print(f"model {i + 1}: p2s {field.GetArray('MeanSquarePointToSurface').GetValue(0):.2e}")
 
 
+def corresponding(models, landmarks, args):
+    """The models, their maps made to correspond."""
+    first = models[0]
+    if not args.landmarks and not args.automatic:
+        far = farthest_out(first)
+        pairs = [dict(zip(farthest_out(model), far)) for model in models[1:]]  # each point once
+        return [first] + [registered(model, list(of_model), first, of_model.values(), is_rotation=True)
+                          for model, of_model in zip(models[1:], pairs)]
+    if args.mean:
+        return registered_with_mean(models, landmarks)
+    return [first, registered(models[-1], landmarks[-1], first, landmarks[0])]
+
+
+def draw(names, args):
+    models = [model_of(name) for name in names]
+    landmarks = landmarks_of(args.landmarks, models) or [[] for _ in models]
+    models = [placed(model) for model in models]
+    for model, points in zip(models[1:], landmarks[1:]):
+        if points:
+            turn_to(model, points, models[0], landmarks[0])
+    models = corresponding([mapped(model, args.balance) for model in models], landmarks, args)
+    if args.mean:
+        draw_mean(models, args)
+    else:
+        draw_steps(models[0], models[-1], args)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("model", nargs="*", help="closed models, bear or dancer; default: both of these")
-    parser.add_argument("--landmarks", nargs="+", default=[], help="a file of point ids for each model")
+    parser.add_argument("--landmarks", nargs="+", default=[], help="for each model a file of point ids or coordinates, one landmark a line")
+    parser.add_argument("--automatic", action="store_true", help="without landmarks, by shape alone")
     parser.add_argument("--mean", action="store_true", help="draw the mean of all models")
     parser.add_argument("--path", choices=("linear", "rigid"), default="linear", help="of the morph")
     parser.add_argument("--steps", type=int, default=5, help="of the morph, default 5")
     parser.add_argument("--points", type=int, default=20000, help="of the common mesh, default 20000")
-    parser.add_argument("--balance", type=float, default=0.25, help="AreaBalance of maps, default 0.25")
+    parser.add_argument("--balance", type=float, default=0.5, help="AreaBalance of maps, default 0.5")
     parser.add_argument("--view", nargs=3, type=float, default=(0, 0, 1), help="where to look from")
     parser.add_argument("--up", nargs=3, type=float, default=(0, 1, 0), help="what is up")
     parser.add_argument("--turn", type=float, default=18.0, help="to the side, in degrees, default 18")
@@ -191,21 +243,11 @@ def main():
         parser.error("two models or more are needed")
     if args.landmarks and len(args.landmarks) != len(names):
         parser.error("--landmarks needs a file for each model")
+    if args.landmarks and args.automatic:
+        parser.error("--automatic is without --landmarks")
     if args.steps < 2:
         parser.error("--steps must be at least 2")
-    models = [model_of(name) for name in names]
-    landmarks = [landmarks_of(path, model)
-                 for path, model in zip(args.landmarks or [None] * len(models), models)]
-    for model, points in zip(models[1:], landmarks[1:]):
-        if args.landmarks:
-            turn_to(model, points, models[0], landmarks[0])
-    models = [mapped(model, args.balance) for model in models]
-    models[1:] = [aligned(model, points, models[0], landmarks[0])
-                  for model, points in zip(models[1:], landmarks[1:])]
-    if args.mean:
-        draw_mean(models, args)
-    else:
-        draw_steps(models[0], models[-1], args)
+    draw(names, args)
     print("wrote", os.path.abspath(args.output))
 
 

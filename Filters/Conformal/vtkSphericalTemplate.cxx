@@ -17,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkVariant.h"
 
 #include <cmath>
 #include <map>
@@ -58,7 +59,7 @@ std::map<double, int> LandmarksOf(vtkPolyData* surface,
     }
     if (!landmarks.emplace(number, vertices[i]).second)
     {
-      throw std::invalid_argument("two points are the landmark " + std::to_string(number) +
+      throw std::invalid_argument("two points are the landmark " + vtkVariant(number).ToString() +
         ", the second of them point " + std::to_string(i));
     }
   }
@@ -74,8 +75,8 @@ std::vector<int> Ordered(
   {
     if (ofFirst.count(number) == 0)
     {
-      throw std::invalid_argument(
-        "the first surface has no landmark " + std::to_string(number) + ", which this one has");
+      throw std::invalid_argument("the first surface has no landmark " +
+        vtkVariant(number).ToString() + ", which this one has");
     }
     vertices.push_back(vertex);
   }
@@ -84,7 +85,7 @@ std::vector<int> Ordered(
     if (landmarks.count(number) == 0)
     {
       throw std::invalid_argument(
-        "there is no landmark " + std::to_string(number) + ", which the first surface has");
+        "there is no landmark " + vtkVariant(number).ToString() + ", which the first surface has");
     }
   }
   return vertices;

@@ -263,9 +263,10 @@ TEST_F(SphericalTemplate, LandmarksThatDoNotFitAreNamed)
 {
   vtkDataArray* marks = this->Surfaces[1]->GetPointData()->GetArray("Marks");
   marks->SetTuple1(50, 2);
-  this->ExpectRefused("surface 1 (\"second\"): two points are the landmark 2");
+  this->ExpectRefused(
+    "surface 1 (\"second\"): two points are the landmark 2, the second of them point 50");
   marks->SetTuple1(50, 77);
-  this->ExpectRefused("the first surface has no landmark 77");
+  this->ExpectRefused("the first surface has no landmark 77, which");
   marks->SetTuple1(50, 0);
   marks->SetTuple1(0, 0);
   this->ExpectRefused("surface 1 (\"second\"): there is no landmark 5");

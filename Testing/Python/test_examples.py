@@ -13,10 +13,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import compare_surfaces
 from conformalsom import vtkGeodesicSphereSource
-from helpers import scan_files
+import morph
+from helpers import mapped_models, scan_files
 
 PYTHON = os.path.dirname(os.path.abspath(compare_surfaces.__file__))
 EXAMPLES = os.path.dirname(PYTHON)
+LANDMARKS = os.path.join(EXAMPLES, "..", "Documentation", "Correspondence")
 SCRIPTS = sorted(os.path.basename(path) for path in glob.glob(os.path.join(PYTHON, "*.py")))
 
 
@@ -131,12 +133,45 @@ class TestExamples(unittest.TestCase):
             self.assertIn(scores, (sorted(scores), sorted(scores, reverse=True)))
             self.assertTrue(scan_files.read_models([mean])["mean"].GetPointData().HasArray("ShapeMode2"))
 
+    def test_shown_landmarks_are_met(self):
+        """Those beside the pictures of Correspondence.md lie on their models, and ask for no fold."""
+        igea = os.path.join(os.environ.get("CONFORMALSOM_SCAN_DIR", ""), "igea-closed.ply")
+        for names, files in ((("dancer", "bear"), ("dancer.txt", "bear.txt")),
+                             ((igea, "bear"), ("igea.txt", "bear_of_igea.txt"))):
+            with self.subTest(names[0]):
+                if names[0] == igea and not os.path.isfile(igea):
+                    self.skipTest("igea-closed.ply is not in CONFORMALSOM_SCAN_DIR")
+                models = [morph.model_of(name) for name in names]
+                paths = [os.path.join(LANDMARKS, file) for file in files]
+                for model, path, points in zip(models, paths, morph.landmarks_of(paths, models)):
+                    taken = vtk_to_numpy(model.GetPoints().GetData())[points]
+                    self.assertLess(np.abs(taken - np.loadtxt(path)).max() / model.GetLength(), 1e-3)
+                landmarks = morph.landmarks_of(paths, models)
+                moving, fixed = (morph.mapped(morph.placed(model), 0.5) for model in models)
+                field = morph.registered(moving, landmarks[0], fixed, landmarks[1]).GetFieldData()
+                self.assertLess(field.GetArray("LandmarkError").GetValue(0), 1e-6)
+                self.assertEqual(field.GetArray("NumberOfFolds").GetValue(0), 0)
+
+    def test_landmark_files_may_hold_ids_and_positions(self):
+        model = morph.model_of("bear")
+        position = vtk_to_numpy(model.GetPoints().GetData())[40] + 1e-4
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "landmarks.txt")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("# two of them\n7\n\n" + " ".join(map(str, position)) + "  # near point 40\n")
+            self.assertEqual(mapped_models.read_landmarks(path, model), [7, 40])
+            for line in ("3 4", "-1", "1.5", "9999999", "a", "1 2 b", "1 2 3 4"):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write("5\n" + line)
+                with self.assertRaisesRegex(ValueError, "line 2: expected the id of one"):
+                    mapped_models.read_landmarks(path, model)
+
     def test_what_cannot_be_registered_ends_with_a_message(self):
         with tempfile.TemporaryDirectory() as folder:
             models = [write_model(folder, name, 8, 0.0) for name in "ab"]
             files = [path + ".off" for path in models]
             with open(models[1] + ".txt", "w", encoding="ascii") as file:
-                file.write("0 5 642\n")
+                file.write("642\n")
             marks = [path + ".txt" for path in models]
             for script in ("register_surfaces.py", "mean_shape.py"):
                 with self.subTest(script):
@@ -146,7 +181,7 @@ class TestExamples(unittest.TestCase):
                     self.assertEqual(completed.stderr, f"{name}: missing.ply: no such file\n")
                     completed = run(script, *files, "--landmarks", *marks)
                     self.assertEqual(completed.returncode, 1)
-                    self.assertIn("expected ids of the model's 642 points", completed.stderr)
+                    self.assertIn("line 1: expected the id of one of the model's 642 points, or three coordinates", completed.stderr)
             completed = run("mean_shape.py", files[0])
             self.assertEqual(completed.returncode, 2)
             self.assertIn("two models or more are needed", completed.stderr)

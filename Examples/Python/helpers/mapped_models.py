@@ -2,7 +2,7 @@
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from conformalsom import vtkGlobalConformalMap
@@ -31,13 +31,26 @@ def read(path, balance, steps):
 
 
 def read_landmarks(path, surface):
-    """Point ids of the surface, one a line."""
-    with open(path, encoding="ascii") as file:
-        words = file.read().split()
-    size = surface.GetNumberOfPoints()
-    if not words or not all(word.isdecimal() and int(word) < size for word in words):
-        raise ValueError(f"{path}: expected ids of the model's {size} points, one a line")
-    return [int(word) for word in words]
+    """Point ids of the surface. Each line of the file is one, or three coordinates, to which the nearest
+    point is taken; what follows a # does not count."""
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    landmarks = []
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            words = line.partition("#")[0].split()
+            try:
+                if len(words) == 3:
+                    position = np.array(words, dtype=float)
+                    landmarks.append(int(np.nanargmin(np.linalg.norm(points - position, axis=1))))
+                elif words:
+                    point, = map(int, words)
+                    landmarks.append(range(len(points)).index(point))
+            except ValueError:
+                raise ValueError(f"{path}, line {number}: expected the id of one of the model's {len(points)} "
+                                 "points, or three coordinates") from None
+    if not landmarks:
+        raise ValueError(f"{path}: there are no landmarks")
+    return landmarks
 
 
 def mark(surface, landmarks, name="Landmark"):
