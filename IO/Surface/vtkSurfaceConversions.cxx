@@ -210,6 +210,30 @@ vtkSmartPointer<vtkPolyData> ForTriangleFilter(vtkPolyData* input)
 }
 
 //------------------------------------------------------------------------------
+unsigned long ErrorCodeOf(conformal::ParseCode code)
+{
+  switch (code)
+  {
+    case conformal::ParseCode::Ok:
+    case conformal::ParseCode::Aborted:
+      return vtkErrorCode::NoError;
+    case conformal::ParseCode::FileNotFound:
+      return vtkErrorCode::FileNotFoundError;
+    case conformal::ParseCode::CannotOpen:
+      return vtkErrorCode::CannotOpenFileError;
+    case conformal::ParseCode::UnrecognizedType:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case conformal::ParseCode::PrematureEnd:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case conformal::ParseCode::Malformed:
+      return vtkErrorCode::FileFormatError;
+    case conformal::ParseCode::OutOfMemory:
+      break;
+  }
+  return vtkErrorCode::UnknownError;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input)
 {
   const bool areTriangles =

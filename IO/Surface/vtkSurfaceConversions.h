@@ -2,6 +2,7 @@
 #ifndef vtkSurfaceConversions_h
 #define vtkSurfaceConversions_h
 
+#include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
 
 #include "vtkPolyData.h"
@@ -26,6 +27,9 @@ public:
   }
   const unsigned long Code;
 };
+
+/// The error code of vtkErrorCode for how reading a file ended; none where it was aborted.
+unsigned long ErrorCodeOf(conformal::ParseCode code);
 
 /// The surface itself if all its cells are triangles, else a triangulated copy without others.
 /// @pre the surface passed vtkInputChecks.h

@@ -3,6 +3,7 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
+#include "vtkSurfaceConversions.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -34,29 +35,6 @@
 
 namespace
 {
-unsigned long ErrorCodeOf(conformal::ParseCode code)
-{
-  switch (code)
-  {
-    case conformal::ParseCode::Ok:
-    case conformal::ParseCode::Aborted:
-      return vtkErrorCode::NoError;
-    case conformal::ParseCode::FileNotFound:
-      return vtkErrorCode::FileNotFoundError;
-    case conformal::ParseCode::CannotOpen:
-      return vtkErrorCode::CannotOpenFileError;
-    case conformal::ParseCode::UnrecognizedType:
-      return vtkErrorCode::UnrecognizedFileTypeError;
-    case conformal::ParseCode::PrematureEnd:
-      return vtkErrorCode::PrematureEndOfFileError;
-    case conformal::ParseCode::Malformed:
-      return vtkErrorCode::FileFormatError;
-    case conformal::ParseCode::OutOfMemory:
-      break;
-  }
-  return vtkErrorCode::UnknownError;
-}
-
 int VTKTypeOf(conformal::ScalarType type)
 {
   switch (type)
@@ -306,7 +284,8 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
   {
     result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
   }
-  return { ErrorCodeOf(result.Status.Code), result.Status.Code == conformal::ParseCode::Aborted,
+  return { vtkSurfaceConversions::ErrorCodeOf(result.Status.Code),
+    result.Status.Code == conformal::ParseCode::Aborted,
     this->FileName + (": " + result.Status.text()) };
 }
 

@@ -51,7 +51,10 @@ void vtkSurfaceFileWriter::WriteData()
       throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
     vtkInputChecks::RequireConsistentInputs(this);
-    vtkInputChecks::RequireCellIds(vtkPolyData::SafeDownCast(this->GetInput(0)));
+    if (auto* surface = vtkPolyData::SafeDownCast(this->GetInput(0)))
+    {
+      vtkInputChecks::RequireCellIds(surface);
+    }
     this->WriteFiles(
       [this](double fraction)
       {

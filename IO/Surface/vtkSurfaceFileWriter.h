@@ -2,7 +2,7 @@
  * @class   vtkSurfaceFileWriter
  * @brief   what all writers of scans and meshes have in common
  *
- * Input port 0: vtkPolyData, points, with or without polygons; strips are triangulated, vertices
+ * Input port 0: vtkPolyData (vtkSPHARMCoefficientWriter: vtkTable), points, with or without polygons; strips are triangulated, vertices
  * and lines are left out. The active normals, texture coordinates and colors (unsigned char) are
  * written as what a format calls so, other arrays by their names. Which of them a format has, the
  * writers say. Arrays that have not a tuple for each point or cell, and cells that name points that

@@ -250,6 +250,7 @@ class ReadFiles:
             writer.SetFileName(os.path.join(self.folder, "surface.gii"))
             assert writer.Write() == 1
             self.update("vtkGIFTIReader", writer.GetFileName())
+            self.read("vtkSPHARMCoefficientReader", "{ 1,{1.5, 2, 3}}")
 
     def put(self, name, text):
         path = os.path.join(self.folder, name)

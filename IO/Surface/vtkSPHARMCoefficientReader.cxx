@@ -1,0 +1,118 @@
+#include "vtkSPHARMCoefficientReader.h"
+
+#include "Bytes/ByteReader.h"
+#include "SPHARM/SPHARMCoefficients.h"
+#include "vtkHarmonicTables.h"
+#include "vtkSurfaceConversions.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkTable.h"
+
+#include <exception>
+#include <functional>
+#include <string>
+
+vtkStandardNewMacro(vtkSPHARMCoefficientReader);
+
+namespace
+{
+void RequireOk(const conformal::ParseStatus& status)
+{
+  if (!status.ok())
+  {
+    throw conformal::ParseError(status);
+  }
+}
+
+void ReadTable(
+  const std::string& name, vtkTable* output, const std::function<bool(double)>& progress)
+{
+  conformal::ByteReader input;
+  RequireOk(conformal::openFile(name, input));
+  const conformal::SurfaceResult result = conformal::parseSPHARMCoefficients(input, {}, progress);
+  RequireOk(result.Status);
+  using Tuples = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const conformal::NamedArray& read = result.Data.PointArrays.front();
+  const auto size = static_cast<conformal::Index>(read.numberOfTuples());
+  const vtkNew<vtkTable> table;
+  vtkHarmonicTables::ToTable(
+    { Eigen::Map<const Tuples>(reinterpret_cast<const double*>(read.Values.data()), size, 3), {} },
+    table);
+  output->ShallowCopy(table);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSPHARMCoefficientReader::vtkSPHARMCoefficientReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkSPHARMCoefficientReader::~vtkSPHARMCoefficientReader()
+{
+  delete[] this->FileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkSPHARMCoefficientReader::CanReadFile(const char* name)
+{
+  constexpr std::size_t firstBytes = 4096;
+  conformal::ByteReader input;
+  return name && conformal::openFile(name, input).ok() &&
+      conformal::looksLikeSPHARMCoefficients(input.peek(firstBytes))
+    ? 1
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkSPHARMCoefficientReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkTable* output = vtkTable::GetData(outputVector);
+  output->Initialize();
+  if (!this->FileName || !this->FileName[0])
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("FileName is not set");
+    return 0;
+  }
+  const std::string name = this->FileName; // observers of the progress may set another
+  try
+  {
+    ReadTable(name, output,
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return this->GetAbortExecute() == 0;
+      });
+    this->SetErrorCode(vtkErrorCode::NoError);
+    return 1;
+  }
+  catch (const conformal::ParseError& error)
+  {
+    this->SetErrorCode(vtkSurfaceConversions::ErrorCodeOf(error.status().Code));
+    if (error.status().Code == conformal::ParseCode::Aborted)
+    {
+      return 1;
+    }
+    vtkErrorMacro(<< name << ": " << error.status().text());
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< name << ": " << error.what());
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSPHARMCoefficientReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

@@ -1,0 +1,41 @@
+/**
+ * @class   vtkSPHARMCoefficientWriter
+ * @brief   write spherical-harmonic coefficients for SPHARM-PDM (.coef)
+ *
+ * Input port 0: vtkTable as vtkSphericalHarmonics makes it: columns "Degree", "Order", "X", "Y" and
+ * "Z". Other columns are left out. Numbers are written with 15 digits, in SPHARM-PDM's own
+ * normalization, so that its programs make the same surface of them; vtkSPHARMCoefficientReader
+ * reads them back.
+ *
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
+ *
+ * @sa
+ * vtkSPHARMCoefficientReader vtkSphericalHarmonics vtkSurfaceFileWriter
+ */
+
+#ifndef vtkSPHARMCoefficientWriter_h
+#define vtkSPHARMCoefficientWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkSPHARMCoefficientWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkSPHARMCoefficientWriter* New();
+  vtkTypeMacro(vtkSPHARMCoefficientWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSPHARMCoefficientWriter() = default;
+  ~vtkSPHARMCoefficientWriter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkSPHARMCoefficientWriter(const vtkSPHARMCoefficientWriter&) = delete;
+  void operator=(const vtkSPHARMCoefficientWriter&) = delete;
+};
+
+#endif

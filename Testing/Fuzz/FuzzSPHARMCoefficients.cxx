@@ -1,0 +1,10 @@
+#include "SPHARM/SPHARMCoefficients.h"
+
+#include "FuzzTarget.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+  return fuzz::run(
+    bytes, size,
+    [](conformal::ByteReader& input) { return conformal::parseSPHARMCoefficients(input); }, false);
+}
