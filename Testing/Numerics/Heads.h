@@ -5,6 +5,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Register/SphericalRegistration.h"
+#include "Shapes.h"
 
 #include <cmath>
 
@@ -28,13 +29,9 @@ inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
   const auto sphere = conformal::makeGeodesicSphere(frequency);
   result.Surface.Triangles = sphere.Triangles;
   result.Surface.SpherePositions = sphere.Positions;
-  result.Surface.Positions.resize(sphere.Positions.rows(), 3);
-  for (conformal::Index i = 0; i < sphere.Positions.rows(); ++i)
-  {
-    const conformal::Vector3 n = sphere.Positions.row(i);
-    result.Surface.Positions.row(i) =
-      radiusAt(n, nose) * n.cwiseProduct(conformal::Vector3(1.2, 0.9, 1.0)).transpose();
-  }
+  result.Surface.Positions = shapes::over(sphere.Positions,
+    [=](const conformal::Vector3& n) -> conformal::Vector3
+    { return radiusAt(n, nose) * n.cwiseProduct(conformal::Vector3(1.2, 0.9, 1.0)); });
   result.Features.resize(sphere.Positions.rows(), 0);
   return result;
 }
@@ -51,10 +48,8 @@ inline conformal::Vector3 warped(const conformal::Vector3& n, double angle)
 inline conformal::RegisteredSurface withWarpedMap(
   conformal::RegisteredSurface surface, double angle)
 {
-  for (conformal::Index i = 0; i < surface.Surface.SpherePositions.rows(); ++i)
-  {
-    surface.Surface.SpherePositions.row(i) = warped(surface.Surface.SpherePositions.row(i), angle);
-  }
+  surface.Surface.SpherePositions = shapes::over(
+    surface.Surface.SpherePositions, [=](const conformal::Vector3& n) { return warped(n, angle); });
   return surface;
 }
 

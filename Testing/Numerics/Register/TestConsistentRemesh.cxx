@@ -3,6 +3,7 @@
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Shapes.h"
 #include "Sphere/Resampling.h"
 
 #include <gtest/gtest.h>
@@ -30,13 +31,13 @@ MappedMesh surface(int frequency, double limb)
   const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
   MappedMesh mesh;
   mesh.Triangles = sphere.Triangles;
-  mesh.SpherePositions = mesh.Positions = sphere.Positions;
-  for (Index i = 0; i < mesh.Positions.rows(); ++i)
-  {
-    const Vector3 n = sphere.Positions.row(i);
-    const double radius = 1.0 + limb * std::exp(-(1.0 - n[0]) / 0.03);
-    mesh.Positions.row(i) = radius * Vector3(n[0], 0.8 * n[1], 0.6 * n[2]);
-  }
+  mesh.SpherePositions = sphere.Positions;
+  mesh.Positions = shapes::over(sphere.Positions,
+    [=](const Vector3& n) -> Vector3
+    {
+      const double radius = 1.0 + limb * std::exp(-(1.0 - n[0]) / 0.03);
+      return radius * Vector3(n[0], 0.8 * n[1], 0.6 * n[2]);
+    });
   return mesh;
 }
 

@@ -2,8 +2,8 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Shapes.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,6 +17,7 @@ using conformal::Points;
 using conformal::ShapeAlignment;
 using conformal::ShapeModes;
 using conformal::Vector3;
+using shapes::moved;
 
 namespace
 {
@@ -29,20 +30,9 @@ const Mesh& sphere()
 /// An ellipsoid, longer by one hidden number and bent by another.
 Points shape(double longer, double bent)
 {
-  Points points(sphere().Positions.rows(), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const Vector3 n = sphere().Positions.row(i);
-    points.row(i) << (2.0 + longer) * n[0], n[1] + bent * n[0] * n[0], 0.7 * n[2];
-  }
-  return points;
-}
-
-Points moved(const Points& points, double angle, const Vector3& by, double scale = 1.0)
-{
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(angle, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
-  return (scale * points * turn.transpose()).rowwise() + by.transpose();
+  return shapes::over(sphere().Positions,
+    [=](const Vector3& n)
+    { return Vector3((2.0 + longer) * n[0], n[1] + bent * n[0] * n[0], 0.7 * n[2]); });
 }
 
 double hidden(int s, double step)

@@ -2,8 +2,8 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Shapes.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,6 +17,7 @@ using conformal::morphShapes;
 using conformal::morphWeights;
 using conformal::Points;
 using conformal::Vector3;
+using shapes::moved;
 
 namespace
 {
@@ -29,34 +30,21 @@ const Mesh& sphere()
 /// A bent egg.
 Points egg()
 {
-  Points points(sphere().Positions.rows(), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const Vector3 n = sphere().Positions.row(i);
-    points.row(i) << 3.0 * n[0] + 0.4 * n[1] * n[1], 2.0 * n[1], n[2] * (1.0 + 0.3 * n[0]);
-  }
-  return points;
+  return shapes::over(sphere().Positions,
+    [](const Vector3& n)
+    { return Vector3(3.0 * n[0] + 0.4 * n[1] * n[1], 2.0 * n[1], n[2] * (1.0 + 0.3 * n[0])); });
 }
 
 /// A bar along z that is bent by an angle in its middle, about x.
 Points bar(double angle)
 {
-  Points points(sphere().Positions.rows(), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const Vector3 n = sphere().Positions.row(i);
-    const Vector3 straight(0.3 * n[0], 0.3 * n[1], 4.0 * n[2]);
-    const double share = 1.0 / (1.0 + std::exp(-12.0 * n[2]));
-    points.row(i) = Eigen::AngleAxisd(share * angle, Vector3::UnitX()) * straight;
-  }
-  return points;
-}
-
-Points moved(const Points& points, double angle, const Vector3& by)
-{
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(angle, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
-  return (points * turn.transpose()).rowwise() + by.transpose();
+  return shapes::over(sphere().Positions,
+    [=](const Vector3& n) -> Vector3
+    {
+      const Vector3 straight(0.3 * n[0], 0.3 * n[1], 4.0 * n[2]);
+      const double share = 1.0 / (1.0 + std::exp(-12.0 * n[2]));
+      return Eigen::AngleAxisd(share * angle, Vector3::UnitX()) * straight;
+    });
 }
 
 Points between(const std::vector<Points>& shapes, double factor, MorphPath path)

@@ -3,8 +3,8 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 #include "Search/TriangleTree.h"
+#include "Shapes.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,17 +30,16 @@ MappedMesh surface(int frequency, double turn)
   const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
   MappedMesh mesh;
   mesh.Triangles = sphere.Triangles;
-  mesh.SpherePositions = sphere.Positions;
-  mesh.Positions = sphere.Positions;
   const Eigen::AngleAxisd rotation(turn, Vector3(1.0, 2.0, 0.5).normalized());
-  for (Index i = 0; i < mesh.Positions.rows(); ++i)
-  {
-    Vector3 n = rotation * Vector3(sphere.Positions.row(i));
-    n[2] += 0.25 * (1.0 + n[2]) * n[0];
-    n.normalize();
-    mesh.SpherePositions.row(i) = n;
-    mesh.Positions.row(i) = Vector3(2.0 * n[0] + 0.3 * n[1] * n[1], n[1], 0.7 * n[2]);
-  }
+  mesh.SpherePositions = shapes::over(sphere.Positions,
+    [&](const Vector3& direction) -> Vector3
+    {
+      Vector3 n = rotation * direction;
+      n[2] += 0.25 * (1.0 + n[2]) * n[0];
+      return n.normalized();
+    });
+  mesh.Positions = shapes::over(mesh.SpherePositions,
+    [](const Vector3& n) { return Vector3(2.0 * n[0] + 0.3 * n[1] * n[1], n[1], 0.7 * n[2]); });
   return mesh;
 }
 

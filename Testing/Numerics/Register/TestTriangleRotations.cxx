@@ -3,8 +3,8 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Runs.h"
+#include "Shapes.h"
 
-#include <Eigen/SVD>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,14 +29,13 @@ Eigen::Matrix3d cornersOf(const Vector3& a, const Vector3& b, const Vector3& c)
 /// A bar along z whose upper half is twisted about it.
 Points twisted(const Points& sphere, double angle)
 {
-  Points points(sphere.rows(), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    const double turn = angle * (0.5 + 0.5 * std::sin(0.5 * conformal::Pi * sphere(i, 2)));
-    points.row(i) = Eigen::AngleAxisd(turn, Vector3::UnitZ()) *
-      Vector3(0.5 * sphere(i, 0), 0.3 * sphere(i, 1), 4.0 * sphere(i, 2));
-  }
-  return points;
+  return shapes::over(sphere,
+    [=](const Vector3& n) -> Vector3
+    {
+      const double turn = angle * (0.5 + 0.5 * std::sin(0.5 * conformal::Pi * n[2]));
+      return Eigen::AngleAxisd(turn, Vector3::UnitZ()) *
+        Vector3(0.5 * n[0], 0.3 * n[1], 4.0 * n[2]);
+    });
 }
 }
 

@@ -1,0 +1,35 @@
+/// Shapes over the sphere, shared by tests.
+
+#ifndef ConformalTestShapes_h
+#define ConformalTestShapes_h
+
+#include "Base/Types.h"
+
+#include <Eigen/Geometry>
+
+namespace shapes
+{
+/// What place(n) says for each direction n.
+template <typename Place>
+conformal::Points over(const conformal::Points& directions, Place place)
+{
+  conformal::Points points(directions.rows(), 3);
+  for (conformal::Index i = 0; i < points.rows(); ++i)
+  {
+    const conformal::Vector3 n = directions.row(i);
+    points.row(i) = place(n);
+  }
+  return points;
+}
+
+/// Scaled, turned about an axis that is no axis of anything, then shifted.
+inline conformal::Points moved(
+  const conformal::Points& points, double angle, const conformal::Vector3& by, double scale = 1.0)
+{
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(angle, conformal::Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  return (scale * points * turn.transpose()).rowwise() + by.transpose();
+}
+}
+
+#endif
