@@ -177,6 +177,7 @@ int vtkSphericalTemplate::RequestData(
       const double size = surfaces.numberOfPoints();
       const auto count = static_cast<double>(used.size());
       std::vector<double> work;
+      work.reserve(used.size() + 1);
       for (const std::size_t s : used)
       {
         work.push_back(800.0 * static_cast<double>(surfaces.Held[s]->GetNumberOfPoints()));

@@ -61,6 +61,7 @@ Mesh commonSphere(
   work.push_back(1000.0 * size + workOfAdaptiveSphere(sphere));
   Steps steps(run, work);
   std::vector<SphereDensity> densities;
+  densities.reserve(surfaces.size());
   for (const MappedMesh& surface : surfaces)
   {
     densities.push_back(

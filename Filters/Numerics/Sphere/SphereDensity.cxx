@@ -195,6 +195,7 @@ SphereDensity equalShares(const std::vector<SphereDensity>& densities, const Run
     double Integral;
   };
   std::vector<double> work;
+  work.reserve(densities.size());
   for (const SphereDensity& density : densities)
   {
     work.push_back(static_cast<double>(density.Directions.rows()));
