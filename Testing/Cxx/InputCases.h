@@ -17,6 +17,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkGuMeshWriter.h"
+#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkSphericalAlignment.h"
 #include "vtkSphericalHarmonics.h"
 #include "vtkSphericalMorph.h"
@@ -213,6 +214,7 @@ inline std::vector<Case> Writers()
     { "vtkFreeSurferWriter", Maker<vtkFreeSurferWriter>(), { s } },
     { "vtkGIFTIWriter", Maker<vtkGIFTIWriter>(), { s } },
     { "vtkGuMeshWriter", Maker<vtkGuMeshWriter>(), { s } },
+    { "vtkSPHARMSurfaceWriter", Maker<vtkSPHARMSurfaceWriter>(), { s } },
     { "vtkTextCloudWriter", Maker<vtkTextCloudWriter>(), { s } },
     { "vtkTexturedSurfaceWriter", Maker<vtkTexturedSurfaceWriter>(), { s, Picture } },
   };

@@ -8,6 +8,7 @@
 #include "../Formats/OFF/OFFSamples.h"
 #include "../Formats/PCD/PCDSamples.h"
 #include "../Formats/PLY/PLYSamples.h"
+#include "../Formats/SPHARM/SPHARMMeshSamples.h"
 #include "../Formats/StanfordScans/AlignedScansSamples.h"
 #include "../Formats/TextCloud/TextCloudSamples.h"
 
@@ -17,6 +18,7 @@
 #include "vtkGIFTIReader.h"
 #include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
+#include "vtkSPHARMSurfaceReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkStanfordScansReader.h"
 #include "vtkTextCloudReader.h"
@@ -63,7 +65,10 @@ inline std::vector<ReaderCase> ReaderCases()
   ReaderCase scans =
     CaseOf<vtkStanfordScansReader>(samples::AlignedScansFiles(), samples::BadAlignedScansFiles());
   scans.Beside = samples::SphereScans();
-  return { scans, CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
+  ReaderCase pairs =
+    CaseOf<vtkSPHARMSurfaceReader>(samples::SPHARMMeshFiles(), samples::BadSPHARMMeshFiles());
+  pairs.Beside = { { "a file_para", samples::SPHARMSphere() } };
+  return { scans, pairs, CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
     CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
     CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),

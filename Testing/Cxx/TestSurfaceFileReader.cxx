@@ -153,6 +153,7 @@ TEST(SurfaceFileReader, EveryReaderKnowsItsOwnFilesAndNoOthers)
   const std::vector<contract::ReaderCase> cases = contract::ReaderCases();
   for (const contract::ReaderCase& owner : cases)
   {
+    folder.write(owner.Beside);
     for (const std::string& file : owner.Files)
     {
       const std::string path = folder.write("a file", file);

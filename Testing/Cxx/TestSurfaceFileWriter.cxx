@@ -15,6 +15,7 @@
 #include "vtkGIFTIWriter.h"
 #include "vtkGuMeshWriter.h"
 #include "vtkImageData.h"
+#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkStripper.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -83,6 +84,8 @@ std::vector<WriterSetUp> WriterSetUps()
     writer->SetInputData(1, picture);
     setUps.push_back({ writer, endings });
   }
+  setUps.push_back(
+    { vtkSmartPointer<vtkSPHARMSurfaceWriter>::New(), { "_para.vtk", "_surf.vtk" } });
   return setUps;
 }
 

@@ -12,6 +12,8 @@
 #include "vtkGIFTIWriter.h"
 #include "vtkGuMeshReader.h"
 #include "vtkGuMeshWriter.h"
+#include "vtkSPHARMSurfaceReader.h"
+#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkTextCloudReader.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -173,11 +175,19 @@ using Contents = std::map<std::string, std::string>;
 std::string WhatChanged(
   const Contents& before, const Contents& after, const std::vector<std::string>& written)
 {
+  // Without the ending, and that of a sphere beside its surface.
+  const auto stem = [](const std::string& name)
+  {
+    const std::string whole = std::filesystem::path(name).stem().string();
+    const std::string sphere = "_para";
+    const bool isSphere =
+      whole.size() >= sphere.size() && whole.substr(whole.size() - sphere.size()) == sphere;
+    return isSphere ? whole.substr(0, whole.size() - sphere.size()) + "_surf" : whole;
+  };
   const auto isWritten = [&](const std::string& name)
   {
     return std::any_of(written.begin(), written.end(),
-      [&](const std::string& other)
-      { return std::filesystem::path(name).stem() == std::filesystem::path(other).stem(); });
+      [&](const std::string& other) { return stem(name) == stem(other); });
   };
   for (const auto& [name, bytes] : before)
   {
@@ -269,6 +279,8 @@ std::vector<WriterSetUp> Writers()
       Reading<vtkFreeSurferReader>, false, BadIds | BadMap },
     { "vtkFreeSurferWriter", ".curv", true, Writing<vtkFreeSurferWriter>(content(2)), {}, false,
       0 },
+    { "vtkSPHARMSurfaceWriter", "_surf.vtk", true, Writing<vtkSPHARMSurfaceWriter>(),
+      Reading<vtkSPHARMSurfaceReader>, true, BadIds | BadPoints | BadMap },
     { "vtkTexturedSurfaceWriter", ".glb", true, Writing<vtkTexturedSurfaceWriter>(textured),
       Reading<vtkGLTFReader>, true, all },
     { "vtkTexturedSurfaceWriter", ".obj", true, Writing<vtkTexturedSurfaceWriter>(textured),

@@ -250,6 +250,11 @@ class ReadFiles:
             writer.SetFileName(os.path.join(self.folder, "surface.gii"))
             assert writer.Write() == 1
             self.update("vtkGIFTIReader", writer.GetFileName())
+            writer = conformalsom.vtkSPHARMSurfaceWriter()
+            writer.SetInputData(mapped)
+            writer.SetFileName(os.path.join(self.folder, "a_surf.vtk"))
+            assert writer.Write() == 1
+            self.update("vtkSPHARMSurfaceReader", writer.GetFileName())
             self.read("vtkSPHARMCoefficientReader", "{ 1,{1.5, 2, 3}}")
 
     def put(self, name, text):

@@ -167,7 +167,8 @@ class TestFormats(unittest.TestCase):
     OURS = {"scan.ply": "ConformalPLY", "scan.off": "ConformalOFF", "scan.m": "GuMesh",
             "scan.xyz": "TextCloud", "scan.csv": "TextCloud", "scan.pts": "TextCloud",
             "scan.pcd": "PCD", "lh.white": "FreeSurfer", "scan.surf.gii": "GIFTI",
-            "scan.conf": "StanfordScans", "ply without extension": "ConformalPLY"}
+            "scan.conf": "StanfordScans", "ply without extension": "ConformalPLY",
+            "shape_surf.vtk": "SPHARMSurface"}  # with shape_para.vtk beside it
     VTKS = {"scan.obj": vtkOBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
             "scan.vtk": vtkPolyDataReader}
 
@@ -183,7 +184,8 @@ class TestFormats(unittest.TestCase):
                 ("lh.white", conformalsom.vtkFreeSurferWriter()),
                 ("scan.surf.gii", conformalsom.vtkGIFTIWriter()),
                 ("scan.obj", vtkOBJWriter()), ("scan.stl", vtkSTLWriter()),
-                ("scan.vtp", vtkXMLPolyDataWriter()), ("scan.vtk", vtkPolyDataWriter())):
+                ("scan.vtp", vtkXMLPolyDataWriter()), ("scan.vtk", vtkPolyDataWriter()),
+                ("shape_surf.vtk", vtkPolyDataWriter()), ("shape_para.vtk", vtkPolyDataWriter())):
             write(writer, cls.mesh, cls.folder, name)
         points = points_of(cls.mesh)
         lines = [" ".join(map(repr, point)) for point in points.tolist()]

@@ -8,7 +8,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
 
-OUR_READERS = [reader for reader in vars(conformalsom).values() if hasattr(reader, "CanReadFile")]
+OUR_READERS = [reader for reader in vars(conformalsom).values()
+               if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
 VTK_READERS = {
     ".obj": vtkOBJReader,
     ".stl": vtkSTLReader,

@@ -1,5 +1,6 @@
 #include "SPHARM/SPHARMCoefficients.h"
 
+#include "Bytes/FileValues.h"
 #include "Bytes/NumberText.h"
 #include "Bytes/ProgressReport.h"
 
@@ -137,20 +138,7 @@ private:
     this->Input.advance(1);
   }
 
-  void skipBlanks()
-  {
-    for (std::string_view window = this->Input.peek(1); !window.empty();
-         window = this->Input.peek(1))
-    {
-      const std::size_t length =
-        std::find_if_not(window.begin(), window.end(), isBlank) - window.begin();
-      this->Input.advance(length);
-      if (length < window.size())
-      {
-        return;
-      }
-    }
-  }
+  void skipBlanks() { TextValues(this->Input).skipBlanks(); }
 
   [[noreturn]] void failExpecting(const std::string& expected)
   {

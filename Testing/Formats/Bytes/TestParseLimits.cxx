@@ -9,6 +9,8 @@
 #include "OFF/OFFParser.h"
 #include "PCD/PCDParser.h"
 #include "PLY/PLYParser.h"
+#include "SPHARM/SPHARMCoefficients.h"
+#include "SPHARM/SPHARMMesh.h"
 #include "StanfordScans/AlignedScans.h"
 #include "TextCloud/TextCloudParser.h"
 
@@ -60,6 +62,9 @@ const Parse GuMesh = [](ByteReader& input) { return conformal::parseGuMesh(input
 const Parse Text = [](ByteReader& input) { return conformal::parseTextCloud(input); };
 const Parse Shape = [](ByteReader& input) { return conformal::parseGIFTIArrays(input); };
 const Parse Surface = [](ByteReader& input) { return conformal::parseGIFTISurface(input); };
+const Parse SPHARMCoefficients = [](ByteReader& input)
+{ return conformal::parseSPHARMCoefficients(input); };
+const Parse SPHARMMesh = [](ByteReader& input) { return conformal::parseSPHARMMesh(input); };
 const Parse FreeSurfer = [](ByteReader& input) { return conformal::parseFreeSurferSurface(input); };
 
 // A file of 5 GB: a start, then one byte for ever. Counts what is read of it.
@@ -160,6 +165,10 @@ TEST(ParseLimits, EndlessLinesAreRefusedBeforeTheyAreInMemory)
     { Surface,
       { "", "<", tag, tag + "NumberOfDataArrays=\"", tag + "NumberOfDataArrays=\"2\">",
         tag + "NumberOfDataArrays=\"2\"><!--" } },
+    { SPHARMCoefficients, { "", "{", "{ 4,{", "{ 4,{1, 2" } },
+    { SPHARMMesh,
+      { "", "# vtk DataFile Version 3.0\n", "# vtk DataFile Version 3.0\ntitle\nASCII\n",
+        "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n" } },
     { FreeSurfer,
       { "", "\xFF\xFF\xFE",
         "\xFF\xFF\xFE"

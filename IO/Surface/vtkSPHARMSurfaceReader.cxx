@@ -1,0 +1,55 @@
+#include "vtkSPHARMSurfaceReader.h"
+
+#include "Bytes/SurfacePairing.h"
+#include "SPHARM/SPHARMMesh.h"
+
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSPHARMSurfaceReader);
+
+namespace
+{
+// The sphere beside a surface, if there is a file of that name.
+std::string SphereBeside(const char* surface)
+{
+  const std::string path = conformal::sphereNameOf(surface);
+  conformal::ByteReader input;
+  return conformal::openFile(path, input).ok() ? path : "";
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSPHARMSurfaceReader::~vtkSPHARMSurfaceReader()
+{
+  delete[] this->SphereFileName;
+}
+
+//------------------------------------------------------------------------------
+int vtkSPHARMSurfaceReader::CanReadFile(const char* name)
+{
+  return Superclass::StartsLike(name, conformal::looksLikeSPHARMMesh) && !SphereBeside(name).empty()
+    ? 1
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(conformal::ByteReader& input,
+  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+{
+  const std::string sphere =
+    this->SphereFileName ? this->SphereFileName : SphereBeside(this->FileName);
+  conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, progress);
+  conformal::addSphere(
+    result, sphere, [](conformal::ByteReader& file) { return conformal::parseSPHARMMesh(file); });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkSPHARMSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SphereFileName: " << (this->SphereFileName ? this->SphereFileName : "(none)")
+     << "\n";
+}

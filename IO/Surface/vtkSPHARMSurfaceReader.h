@@ -1,0 +1,61 @@
+/**
+ * @class   vtkSPHARMSurfaceReader
+ * @brief   read surfaces of SPHARM-PDM (_surf) with their sphere (_para)
+ *
+ * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
+ * as shape_surf.vtk, text or binary. Its arrays are not read.
+ * - point array "SpherePosition" (double, 3 components), of unit length: the points of the sphere,
+ *   shape_para.vtk, which has the same polygons.
+ *
+ * vtkSurfaceFileReader describes what all readers of this module have in common.
+ *
+ * @sa
+ * vtkSurfaceFileReader vtkSPHARMSurfaceWriter vtkSPHARMCoefficientReader
+ */
+
+#ifndef vtkSPHARMSurfaceReader_h
+#define vtkSPHARMSurfaceReader_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileReader.h"
+
+class VTKIOSURFACE_EXPORT vtkSPHARMSurfaceReader : public vtkSurfaceFileReader
+{
+public:
+  static vtkSPHARMSurfaceReader* New();
+  vtkTypeMacro(vtkSPHARMSurfaceReader, vtkSurfaceFileReader);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Name of the file whose points are the places of the surface's points on the sphere. Default is
+   * none: the file shape_para.vtk of a shape_surf.vtk, or of a shape.vtk, is read if it is there.
+   */
+  vtkSetFilePathMacro(SphereFileName);
+  vtkGetFilePathMacro(SphereFileName);
+  ///@}
+
+  /**
+   * Whether a file is of this format, judged by its first bytes, and has its sphere beside it.
+   * Other legacy VTK files are left to VTK's own reader, which reads their arrays.
+   */
+  static int CanReadFile(VTK_FILEPATH const char* name);
+
+  const char* GetFileExtensions() override { return ".vtk"; }
+  const char* GetDescriptiveName() override { return "SPHARM-PDM surfaces"; }
+
+protected:
+  vtkSPHARMSurfaceReader() = default;
+  ~vtkSPHARMSurfaceReader() override;
+
+  conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
+    const std::function<bool(double)>& progress) override;
+
+private:
+  vtkSPHARMSurfaceReader(const vtkSPHARMSurfaceReader&) = delete;
+  void operator=(const vtkSPHARMSurfaceReader&) = delete;
+
+  char* SphereFileName = nullptr;
+};
+
+#endif

@@ -1,0 +1,43 @@
+/**
+ * @class   vtkSPHARMSurfaceWriter
+ * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
+ *
+ * Input port 0: vtkPolyData, triangles, with
+ * - point array "SpherePosition" (3 components).
+ *
+ * What is written are two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
+ * and shape_para.vtk beside it, whose points are SpherePosition, of unit length. (Where a name has
+ * no _surf before the extension, _para is added to it.) Numbers are written so that they are read
+ * back the same; other arrays are left out.
+ *
+ * vtkSurfaceFileWriter describes what all writers of this module have in common.
+ *
+ * @sa
+ * vtkSurfaceFileWriter vtkSPHARMSurfaceReader
+ */
+
+#ifndef vtkSPHARMSurfaceWriter_h
+#define vtkSPHARMSurfaceWriter_h
+
+#include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkSurfaceFileWriter.h"
+
+class VTKIOSURFACE_EXPORT vtkSPHARMSurfaceWriter : public vtkSurfaceFileWriter
+{
+public:
+  static vtkSPHARMSurfaceWriter* New();
+  vtkTypeMacro(vtkSPHARMSurfaceWriter, vtkSurfaceFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSPHARMSurfaceWriter() = default;
+  ~vtkSPHARMSurfaceWriter() override = default;
+
+  void WriteFiles(const std::function<bool(double)>& progress) override;
+
+private:
+  vtkSPHARMSurfaceWriter(const vtkSPHARMSurfaceWriter&) = delete;
+  void operator=(const vtkSPHARMSurfaceWriter&) = delete;
+};
+
+#endif
