@@ -3,15 +3,15 @@
  * @brief   deform a surface's map to the sphere until it corresponds to another one's
  *
  * Input port 0: vtkPolyData, the moving surface. Input port 1: vtkPolyData, the fixed surface. Both
- * closed, of genus zero, with the point array "SpherePosition" (3 components): a map that covers the
- * sphere once without folds.
+ * closed, of genus zero, with the point array "SpherePosition" (3 components): a map that covers
+ * the sphere once without folds.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the map, deformed so that points of both
  *   surfaces at the same place of the sphere correspond.
- * - point array "TargetPointIds" (idtype, 3 components): corners of the triangle of the fixed surface
- *   in which the corresponding point lies, and "TargetBarycentric" (double, 3 components): their
- *   weights, at least 0 and of sum 1.
+ * - point array "TargetPointIds" (idtype, 3 components): corners of the triangle of the fixed
+ * surface in which the corresponding point lies, and "TargetBarycentric" (double, 3 components):
+ * their weights, at least 0 and of sum 1.
  * - point array "TargetCellId" (idtype, 1 component): the cell of the fixed surface.
  *
  * Field data:
@@ -22,9 +22,10 @@
  * - "NumberOfFolds" (1 idtype): triangles of the map that are flipped, by exact arithmetic.
  *
  * Without landmarks the filter compares features of the surfaces' own: mean geodesic distance, area
- * nearby at two scales, mean curvature; and point arrays named by AddFeature(). The best of many
- * rotations are deformed, and the one that stretches least and agrees most is taken. Mirror images
- * are never tried. Two or more landmarks fix the rotation; one adds to the choice.
+ * nearby at two scales, mean curvature at two scales; and point arrays named by AddFeature(). The
+ * best of many rotations are deformed, and the one is taken that stretches least, agrees most and
+ * lies most alike after a rotation in space. Mirror images are never tried. Two or more landmarks
+ * fix the rotation; one adds to the choice.
  *
  * Landmarks are met as far as the map allows without folds; a warning says how many are not.
  *
@@ -89,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Frequency f of the finest geodesic sphere that is deformed, of 10 f^2 + 2 vertices, in [8, 128].
-   * Time grows with its square. Default is 16.
+   * Frequency f of the finest geodesic sphere that is deformed, of 10 f^2 + 2 vertices, in [8,
+   * 128]. Time grows with its square. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -110,16 +111,17 @@ public:
    * Pairs of positions that correspond, one near the moving and one near the fixed surface, as they
    * are picked on a screen: the nearest points of the surfaces are taken. Default is none.
    */
-  void AddLandmarkPosition(double x, double y, double z, double fixedX, double fixedY, double fixedZ);
+  void AddLandmarkPosition(
+    double x, double y, double z, double fixedX, double fixedY, double fixedZ);
   void RemoveAllLandmarkPositions();
   int GetNumberOfLandmarkPositions() { return static_cast<int>(this->Positions.size()); }
   ///@}
 
   ///@{
   /**
-   * Point arrays of 1 component that both surfaces have and that are to agree, with a weight, finite
-   * and at least 0; that of the stretch is 1. Each is shifted and scaled to mean 0 and variance 1
-   * over its surface. Default is none.
+   * Point arrays of 1 component that both surfaces have and that are to agree, with a weight,
+   * finite and at least 0; that of the stretch is 1. Each is shifted and scaled to mean 0 and
+   * variance 1 over its surface. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace conformal
 {
@@ -14,6 +15,8 @@ namespace
 constexpr double Met = 1e-6;
 constexpr double RepairedFraction = 0.25;
 constexpr double SmallestFraction = 1.0 / 64.0;
+constexpr double WorthARound = 0.95;  // of the sum of distances, by all widths once
+constexpr double Nearer = 1.0 - 1e-6; // likewise, by a step
 
 // The turn that brings one direction to another, no farther than a limit.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)
@@ -71,6 +74,35 @@ private:
   Points Centers, Weights;
   double Scale;
 };
+
+// For each folded triangle the nearest landmark that is not where it is to be; each once.
+std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangles,
+  const std::vector<int>& ids, const Eigen::VectorXd& left, double tolerance)
+{
+  std::vector<int> blocked;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const auto corners = triangles.row(r);
+    if (orientation(places.row(corners[0]), places.row(corners[1]), places.row(corners[2])) <= 0)
+    {
+      int nearest = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < ids.size(); ++i)
+      {
+        const double distance = (places.row(ids[i]) - places.row(corners[0])).squaredNorm();
+        if (left[static_cast<Index>(i)] > tolerance && distance < least)
+        {
+          least = distance;
+          nearest = static_cast<int>(i);
+        }
+      }
+      blocked.push_back(nearest);
+    }
+  }
+  std::sort(blocked.begin(), blocked.end());
+  blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
+  return blocked;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -87,9 +119,20 @@ LandmarkFlowResult flowToLandmarks(const Triangles& triangles, const std::vector
     }
     return result;
   };
-  Eigen::VectorXd left = errors();
+  // Those next to a folded triangle go on by a part of their way, so that the others get theirs.
+  Eigen::VectorXd left = errors(), fractions = Eigen::VectorXd::Ones(count);
   std::size_t width = 0;
-  double fraction = 1.0;
+  double atFirstWidth = left.sum();
+  const auto nextWidth = [&]()
+  {
+    fractions.setOnes();
+    ++width;
+    if (width == options.Widths.size() && left.sum() < WorthARound * atFirstWidth)
+    {
+      width = 0;
+      atFirstWidth = left.sum();
+    }
+  };
   for (int step = 0; step < options.MaximumNumberOfSteps && width < options.Widths.size() &&
        count > 0 && left.maxCoeff() > options.Tolerance;
        ++step)
@@ -99,7 +142,8 @@ LandmarkFlowResult flowToLandmarks(const Triangles& triangles, const std::vector
     for (Index i = 0; i < count; ++i)
     {
       centers.row(i) = places.row(ids[i]);
-      turns.row(i) = fraction * turnBetween(centers.row(i), targets.row(i), options.LongestStep);
+      turns.row(i) =
+        fractions[i] * turnBetween(centers.row(i), targets.row(i), options.LongestStep);
     }
     const TurnField field(centers, turns, options.Widths[width]);
     Points moved(places.rows(), 3);
@@ -112,29 +156,42 @@ LandmarkFlowResult flowToLandmarks(const Triangles& triangles, const std::vector
           moved.row(v) = turned(places.row(v), field(places.row(v)));
         }
       });
-    const bool isShort = fraction <= RepairedFraction;
-    if (countFlippedTriangles(moved, triangles) == 0 ||
-      (isShort && options.Repair && options.Repair(moved)))
+    const std::vector<int> blocked =
+      blockedLandmarks(moved, triangles, ids, left, options.Tolerance);
+    bool isShort = true;
+    for (const int i : blocked)
+    {
+      isShort = isShort && fractions[i] <= RepairedFraction;
+    }
+    if (blocked.empty() || (isShort && options.Repair && options.Repair(moved)))
     {
       std::swap(places, moved);
       const Eigen::VectorXd after = errors();
-      const bool nearer = after.sum() < left.sum();
-      if (!nearer)
+      if (after.sum() < Nearer * left.sum())
+      {
+        left = after;
+        fractions = (2.0 * fractions).cwiseMin(1.0);
+      }
+      else
       {
         std::swap(places, moved);
-        ++width;
+        nextWidth();
       }
-      left = nearer ? after : left;
-      fraction = std::min(1.0, 2.0 * fraction);
+      continue;
     }
-    else if (fraction > SmallestFraction)
+    bool moves = false;
+    for (const int i : blocked)
     {
-      fraction *= 0.5;
+      fractions[i] = fractions[i] > SmallestFraction ? 0.5 * fractions[i] : 0.0;
     }
-    else
+    for (Index i = 0; i < count; ++i)
     {
-      fraction = 1.0;
-      ++width;
+      moves = moves || (fractions[i] > 0.0 && left[i] > options.Tolerance);
+    }
+    if (!moves ||
+      std::all_of(blocked.begin(), blocked.end(), [&](int i) { return fractions[i] == 0.0; }))
+    {
+      nextWidth();
     }
   }
   run.report(1.0);

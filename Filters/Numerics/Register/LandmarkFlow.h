@@ -14,7 +14,8 @@ namespace conformal
 struct LandmarkFlowOptions
 {
   /// Chords over which a landmark carries its surroundings along, tried one after the other: the
-  /// widest first, a narrower one where that would fold a triangle.
+  /// widest first, a narrower one where that would fold a triangle; again from the widest as long
+  /// as that is worth it.
   std::vector<double> Widths = { 0.8, 0.5, 0.3, 0.15, 0.07, 0.03, 0.015 };
   double Tolerance = 1e-9;         ///< distance at which a landmark is met
   double LongestStep = 0.1;        ///< radians
@@ -31,8 +32,9 @@ struct LandmarkFlowResult
 };
 
 /// Each step turns every vertex x by a vector omega(x), a sum of Gaussians at the landmarks, solved
-/// for so that each of them goes straight to its target. A step that would fold a triangle, by
-/// exact arithmetic, is halved.
+/// for so that each of them goes straight to its target. Where a triangle would fold, by exact
+/// arithmetic, the nearest landmark that is on its way goes on by half as much, down to none, and
+/// the others get theirs.
 /// @param[in] triangles   #F by 3, of a map to the sphere without flipped triangles
 /// @param[in] ids         of the vertices that are landmarks, each once
 /// @param[in] targets     one unit vector for each

@@ -2,6 +2,7 @@
 
 #include "Linear/EdgeWeights.h"
 #include "Mesh/MeshTopology.h"
+#include "Register/TriangleStretch.h"
 #include "Sphere/SphereOrientation.h"
 
 #include <Eigen/SparseCholesky>
@@ -169,7 +170,9 @@ public:
       const auto p = edge(1), q = edge(2);
       this->Metrics[r] = { p.dot(p), p.dot(q), q.dot(q) };
       area += areaOf(this->Metrics[r]);
+      this->SphereMetrics.push_back(this->sphereMetricAt(moving.Grid.mesh().Positions, r));
     }
+    this->BarrierUnit = weights.Barrier / (16.0 * Pi);
     this->StretchUnit = weights.Stretch / (4.0 * area);
     for (const SpherePair& pair : pairs)
     {
@@ -189,28 +192,10 @@ public:
       this->linearize(places);
       const double before = energy.Total;
       bool fell = false;
-      for (int attempt = 0; attempt < 8 && !fell; ++attempt)
+      for (int attempt = 0; attempt < 3 && !fell; ++attempt)
       {
-        const Eigen::VectorXd move = this->solve(damping);
-        const double longest = this->longestOf(move);
-        if (!(longest > 0.0) || !std::isfinite(longest))
-        {
-          break;
-        }
-        Points moved = this->moved(places, move, std::min(1.0, LongestMove / longest));
-        if (countFlippedTriangles(moved, this->Corners) == 0)
-        {
-          this->look(moved, this->There);
-          const RegistrationEnergy other = this->energyAt(moved, this->There);
-          fell = other.Total < energy.Total;
-          if (fell)
-          {
-            energy = other;
-            places = std::move(moved);
-            std::swap(this->Here, this->There);
-          }
-        }
-        damping = fell ? std::max(1e-5, damping / 3.0) : 5.0 * damping;
+        fell = this->goAlong(this->solve(damping), places, energy);
+        damping = fell ? std::max(1e-5, damping / 3.0) : 30.0 * damping;
       }
       // The stretch is never below 1.
       if (!fell || before - energy.Total < options.Tolerance * (before - this->Weights.Stretch))
@@ -223,13 +208,7 @@ public:
   }
 
 private:
-  using Metric = std::array<double, 3>; // of edges p and q: p.p, p.q, q.q
   static constexpr double LongestMove = 0.3;
-
-  static double areaOf(const Metric& m)
-  {
-    return 0.5 * std::sqrt(std::max(0.0, m[0] * m[2] - m[1] * m[1]));
-  }
 
   // Look up what is at the places.
   void look(const Points& places, Lookup& found) const
@@ -262,7 +241,7 @@ private:
     }
   }
 
-  Metric metricAt(const Points& places, const Lookup& found, Index r) const
+  TriangleMetric metricAt(const Points& places, const Lookup& found, Index r) const
   {
     const auto ids = this->Corners.row(r);
     const Vector3 p = found.At[ids[1]].Position - found.At[ids[0]].Position,
@@ -274,16 +253,44 @@ private:
       q.dot(q) + share * n.dot(n) };
   }
 
+  TriangleMetric sphereMetricAt(const Points& places, Index r) const
+  {
+    const auto ids = this->Corners.row(r);
+    const Vector3 m = places.row(ids[1]) - places.row(ids[0]),
+                  n = places.row(ids[2]) - places.row(ids[0]);
+    return { m.dot(m), m.dot(n), n.dot(n) };
+  }
+
+  // A triangle of what corresponds, and of the sphere, with these shares of either metric.
+  MovingTriangle triangleAt(const Points& places, Index r, double surface, double sphere) const
+  {
+    const auto ids = this->Corners.row(r);
+    const double side = std::sqrt(surface), other = std::sqrt(sphere);
+    std::array<Eigen::Matrix<double, 6, 1>, 3> corners;
+    std::array<Eigen::Matrix<double, 6, 2>, 3> slopes;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Found& at = this->Here.At[ids[k]];
+      corners[k] << side * at.Position, other * places.row(ids[k]).transpose();
+      slopes[k] << side * at.Slope, other * at.Along;
+    }
+    MovingTriangle result;
+    result.P = corners[1] - corners[0];
+    result.Q = corners[2] - corners[0];
+    result.PByUnknowns << -slopes[0], slopes[1], Eigen::Matrix<double, 6, 2>::Zero();
+    result.QByUnknowns << -slopes[0], Eigen::Matrix<double, 6, 2>::Zero(), slopes[2];
+    return result;
+  }
+
   RegistrationEnergy energyAt(const Points& places, const Lookup& found) const
   {
     RegistrationEnergy energy;
     for (Index r = 0; r < this->Corners.rows(); ++r)
     {
-      const Metric &g = this->Metrics[r], h = this->metricAt(places, found, r);
-      const double product = g[0] * h[2] + g[2] * h[0] - 2.0 * g[1] * h[1];
-      const double a = areaOf(g), b = areaOf(h);
-      energy.Stretch += 0.5 * (a + b) * (0.25 * product * (1.0 / (a * a) + 1.0 / (b * b)) - 4.0);
+      energy.Stretch += triangleStretch(this->Metrics[r], this->metricAt(places, found, r));
+      energy.Barrier += triangleStretch(this->SphereMetrics[r], this->sphereMetricAt(places, r));
     }
+    energy.Barrier *= this->BarrierUnit;
     energy.Stretch = 1.0 + energy.Stretch * this->StretchUnit / this->Weights.Stretch;
     for (Index i = 0; i < this->Size; ++i)
     {
@@ -298,7 +305,7 @@ private:
       energy.Landmarks += (this->placeOf(anchor, places) - anchor.To).squaredNorm();
     }
     energy.Landmarks /= std::max<std::size_t>(1, this->Anchors.size());
-    energy.Total = this->Weights.Stretch * energy.Stretch + energy.Features +
+    energy.Total = this->Weights.Stretch * energy.Stretch + energy.Barrier + energy.Features +
       this->Weights.Landmarks * energy.Landmarks;
     return energy;
   }
@@ -318,53 +325,23 @@ private:
   {
     this->Matrix.clear();
     this->Gradient = Eigen::VectorXd::Zero(2 * this->Size);
-    const double share = this->Weights.Sphere;
     for (Index r = 0; r < this->Corners.rows(); ++r)
     {
       const auto ids = this->Corners.row(r);
-      const Metric &g = this->Metrics[r], h = this->metricAt(places, this->Here, r);
-      const double product = g[0] * h[2] + g[2] * h[0] - 2.0 * g[1] * h[1];
-      const double a = areaOf(g), b = areaOf(h);
-      const double inverses = 1.0 / (a * a) + 1.0 / (b * b);
-      const double factor = 0.125 * (a + b) * inverses; // of the product
-      // By b, whose slope in the entries of h is that of adj(h) over 8 b.
-      const double fall =
-        (0.25 * (a + b) * product / (b * b * b) - 0.5 * (0.25 * product * inverses - 4.0)) /
-        (8.0 * b);
-      const double unit = this->StretchUnit;
-      // Of the energy by h's entries.
-      const Metric slope = { unit * (factor * g[2] - fall * h[2]),
-        unit * 2.0 * (-factor * g[1] + fall * h[1]), unit * (factor * g[0] - fall * h[0]) };
-      const Vector3 p = this->Here.At[ids[1]].Position - this->Here.At[ids[0]].Position,
-                    q = this->Here.At[ids[2]].Position - this->Here.At[ids[0]].Position,
-                    m = places.row(ids[1]) - places.row(ids[0]),
-                    n = places.row(ids[2]) - places.row(ids[0]);
-      const Vector3 byP = 2.0 * slope[0] * p + slope[1] * q,
-                    byQ = slope[1] * p + 2.0 * slope[2] * q;
-      const Vector3 byM = share * (2.0 * slope[0] * m + slope[1] * n),
-                    byN = share * (slope[1] * m + 2.0 * slope[2] * n);
-      const std::array<Vector3, 3> forces = { -(byP + byQ), byP, byQ },
-                                   sphereForces = { -(byM + byN), byM, byN };
-      // adj(g) as a form of the corners.
-      Eigen::Matrix3d form;
-      form(1, 1) = g[2];
-      form(2, 2) = g[0];
-      form(1, 2) = form(2, 1) = -g[1];
-      form(0, 1) = form(1, 0) = g[1] - g[2];
-      form(0, 2) = form(2, 0) = g[1] - g[0];
-      form(0, 0) = g[0] + g[2] - 2.0 * g[1];
-      form *= 2.0 * factor * unit;
+      const TriangleForm stretch = triangleStretchForm(this->Metrics[r],
+                           this->triangleAt(places, r, 1.0, this->Weights.Sphere)),
+                         barrier = triangleStretchForm(
+                           this->SphereMetrics[r], this->triangleAt(places, r, 0.0, 1.0));
+      const Eigen::Matrix<double, 6, 1> slope =
+        this->StretchUnit * stretch.Slope + this->BarrierUnit * barrier.Slope;
+      const Eigen::Matrix<double, 6, 6> stiffness =
+        this->StretchUnit * stretch.Stiffness + this->BarrierUnit * barrier.Stiffness;
       for (int i = 0; i < 3; ++i)
       {
-        const Found& at = this->Here.At[ids[i]];
-        this->Gradient.segment<2>(2 * ids[i]) +=
-          at.Slope.transpose() * forces[i] + at.Along.transpose() * sphereForces[i];
+        this->Gradient.segment<2>(2 * ids[i]) += slope.segment<2>(2 * i);
         for (int j = 0; j <= i; ++j)
         {
-          const Found& other = this->Here.At[ids[j]];
-          this->Matrix.add(ids[i], ids[j],
-            form(i, j) *
-              (at.Slope.transpose() * other.Slope + share * at.Along.transpose() * other.Along));
+          this->Matrix.add(ids[i], ids[j], stiffness.block<2, 2>(2 * i, 2 * j));
         }
       }
     }
@@ -449,6 +426,71 @@ private:
     return result;
   }
 
+  // As far along a move as it takes for the energy to fall; whether it does.
+  bool goAlong(const Eigen::VectorXd& move, Points& places, RegistrationEnergy& energy)
+  {
+    const double longest = this->longestOf(move);
+    if (!(longest > 0.0) || !std::isfinite(longest))
+    {
+      return false;
+    }
+    double factor = std::min(1.0, LongestMove / longest);
+    for (int attempt = 0; attempt < 8; ++attempt, factor *= 0.5)
+    {
+      Points moved = this->moved(places, move, factor);
+      if (!this->unfold(places, moved))
+      {
+        continue;
+      }
+      this->look(moved, this->There);
+      const RegistrationEnergy other = this->energyAt(moved, this->There);
+      if (other.Total < energy.Total)
+      {
+        energy = other;
+        places = std::move(moved);
+        std::swap(this->Here, this->There);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Take back what moves of the corners of folded triangles, half of it at a time.
+  bool unfold(const Points& places, Points& moved) const
+  {
+    constexpr int attempts = 12, halvings = 8; // then all of it
+    for (int attempt = 0; attempt < attempts; ++attempt)
+    {
+      const double kept = attempt < halvings ? 0.5 : 0.0;
+      std::vector<char> back(this->Size, 0);
+      bool folded = false;
+      for (Index r = 0; r < this->Corners.rows(); ++r)
+      {
+        const auto ids = this->Corners.row(r);
+        if (orientation(moved.row(ids[0]), moved.row(ids[1]), moved.row(ids[2])) <= 0)
+        {
+          folded = true;
+          for (int k = 0; k < 3; ++k)
+          {
+            back[ids[k]] = 1;
+          }
+        }
+      }
+      if (!folded)
+      {
+        return true;
+      }
+      for (Index i = 0; i < this->Size; ++i)
+      {
+        if (back[i])
+        {
+          moved.row(i) = (kept * moved.row(i) + (1.0 - kept) * places.row(i)).normalized();
+        }
+      }
+    }
+    return false;
+  }
+
   const SampledSurface& Moving;
   const SampledSurface& Fixed;
   RegistrationWeights Weights;
@@ -457,9 +499,10 @@ private:
   Adjacency Neighbors;
   BlockMatrix Matrix;
   Lookup Here, There;
-  std::vector<Metric> Metrics;
+  std::vector<TriangleMetric> Metrics;
   Eigen::VectorXd Shares, Gradient, Stiffness;
-  double StretchUnit = 1.0;
+  double StretchUnit = 1.0, BarrierUnit = 0.0;
+  std::vector<TriangleMetric> SphereMetrics;
   std::vector<Anchor> Anchors;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Factor;
   bool Analyzed = false;

@@ -30,6 +30,8 @@ struct RegistrationWeights
 {
   double Stretch = 1.0;         ///< of the symmetric Dirichlet energy
   double Sphere = 0.1;          ///< of the sphere's metric in the surfaces'
+  double Barrier = 0.02;        ///< of the symmetric Dirichlet energy of the sphere itself, which
+                                ///< grows without limit where a triangle is about to fold
   std::vector<double> Features; ///< #K, of the squared differences
   double Landmarks = 0.0;       ///< of the squared distances
 };
@@ -37,6 +39,7 @@ struct RegistrationWeights
 struct RegistrationEnergy
 {
   double Stretch = 0.0;   ///< symmetric Dirichlet energy; 1 if both surfaces are isometric
+  double Barrier = 0.0;   ///< weighted, 0 where the sphere is only turned
   double Features = 0.0;  ///< weighted mean square difference
   double Landmarks = 0.0; ///< mean square distance
   double Total = 0.0;
@@ -49,8 +52,9 @@ struct DescentOptions
   double Tolerance = 5e-3; ///< relative fall of what the energy is above its least
 };
 
-/// Move the vertices of the moving surface's sphere to where the energy is least, by damped
-/// Gauss-Newton steps, each shortened until the energy falls and no triangle folds.
+/// Move the vertices of the moving surface's sphere to where the energy is least, by Newton steps
+/// without the negative part of the stretch's second derivatives: first each vertex of a folded
+/// triangle goes back by halves until none is, then all are shortened until the energy falls.
 ///
 /// With J the map of a triangle from one surface to the other, the stretch is the mean of
 /// (|J|^2 + |J^-1|^2) / 4 over both areas: 1 where the map keeps lengths, and more elsewhere. The

@@ -14,7 +14,7 @@ namespace conformal
 {
 struct GeodesicFeatureOptions
 {
-  int NumberOfSources = 150; ///< spread evenly over the surface
+  int NumberOfSources = 120; ///< spread evenly over the surface
   /// Of the area's square root, each for a feature: how much area is that near.
   std::vector<double> Radii = { 0.17, 0.35 };
 };

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -20,17 +21,24 @@ namespace conformal
 {
 namespace
 {
-constexpr int CoarsestFrequency = 8, FeatureFrequency = 24;
-constexpr int NumberOfStarts = 8, NumberKept = 6;
+constexpr int CoarsestFrequency = 8, FeatureFrequency = 20;
+constexpr int NumberOfStarts = 8, NumberKept = 6, NumberOfFinalists = 2;
+constexpr double NearLowest = 1.05;  // what a finalist's score may be above the lowest one
+constexpr double PoseWeight = 3.0;   // of 1 less the correlation of positions, in the score
+constexpr double HoldAtTheEnd = 0.1; // of the sphere's weights
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
 constexpr double Tolerance = 2e-3; // of the energy's fall in a step
 constexpr double LandmarkWeight = 200.0;
 constexpr double SphereWeight = 0.2; // of the sphere's metric in the surfaces'
-// Of the mean distance, the areas around and the curvature, against a stretch of 1.
-constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2 };
+// Of the mean distance, the areas around and the curvatures, against a stretch of 1.
+constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2, 0.2 };
 const std::vector<double> AreaRadii = { 0.17, 0.35 };
-constexpr double CurvatureScale = 0.21;
-constexpr double Saturation = 8.5; // curvatures far above that of a sphere say little more
+// Of curvatures: how far they are smoothed, and what of them says all there is to say.
+struct CurvatureFeature
+{
+  double Scale, Saturation;
+};
+constexpr CurvatureFeature CurvatureFeatures[] = { { 0.21, 8.5 }, { 0.07, 17.0 } };
 
 // A surface of the unit sphere's area, its map turned right side out, with all features.
 class PreparedSurface
@@ -104,9 +112,14 @@ private:
     GeodesicFeatureOptions options;
     options.Radii = AreaRadii;
     const Rows distances = geodesicFeatures(even, options, run);
-    this->Shape.resize(distances.rows(), distances.cols() + 1);
-    this->Shape << distances,
-      (smoothMeanCurvature(even, CurvatureScale).array() / Saturation).atan().matrix();
+    Index column = distances.cols();
+    this->Shape.resize(distances.rows(), column + std::size(CurvatureFeatures));
+    this->Shape.leftCols(column) = distances;
+    for (const CurvatureFeature& feature : CurvatureFeatures)
+    {
+      this->Shape.col(column++) =
+        (smoothMeanCurvature(even, feature.Scale).array() / feature.Saturation).atan().matrix();
+    }
     normalizeFeatures(this->Shape, vertexAreas(even.Positions, even.Triangles));
   }
 
@@ -178,17 +191,30 @@ public:
     const SampledSurface target = this->Fixed.sampled(2 * CoarsestFrequency);
     const RegistrationEnergy before =
       this->descendAt(target, 0, this->Before = this->Grid.Grid.mesh().Positions);
-    RegistrationEnergy energy = this->chooseStart(rotations, target, steps.next());
+    std::vector<Candidate> candidates = this->bestStarts(rotations, target, steps.next());
     for (const int frequency : frequencies)
     {
-      const Run part = steps.next();
       SampledSurface finer = this->Moving.sampled(frequency);
-      this->Places = carried(this->Grid.Grid, this->Places, finer.Grid.mesh().Positions);
+      for (Candidate& candidate : candidates)
+      {
+        candidate.Places = carried(this->Grid.Grid, candidate.Places, finer.Grid.mesh().Positions);
+      }
       this->Grid = std::move(finer);
-      energy = this->descendAt(this->Fixed.sampled(2 * frequency), FineSteps, this->Places, part);
+      const SampledSurface sampled = this->Fixed.sampled(2 * frequency);
+      const Run part = steps.next();
+      this->descendFrom(candidates, sampled, FineSteps, part.part(0.0, 0.7));
+      candidates.resize(1);
+      if (frequency == frequencies.back())
+      {
+        // What keeps triangles from folding on the way also keeps the map what it was.
+        this->Options.Weights.Sphere *= HoldAtTheEnd;
+        this->Options.Weights.Barrier *= HoldAtTheEnd;
+        this->descendFrom(candidates, sampled, FineSteps, part.part(0.7, 1.0));
+      }
     }
+    this->Places = candidates.front().Places;
     this->DifferenceBefore = before.Features;
-    return energy;
+    return candidates.front().Energy;
   }
 
   Points places(const Points& directions) const
@@ -216,6 +242,13 @@ public:
   double DifferenceBefore = 0.0;
 
 private:
+  struct Candidate
+  {
+    Points Places;
+    RegistrationEnergy Energy;
+    double Score = 0.0; // the energy, and what the surfaces differ as rigid ones
+  };
+
   std::vector<Eigen::Matrix3d> rotations(const Run& run) const
   {
     if (this->Pairs.size() >= 2)
@@ -250,33 +283,57 @@ private:
     return descend(this->Grid, target, this->Pairs, options, places, run);
   }
 
-  // A few steps from each rotation, then all from the best ones: which one ends lowest.
-  RegistrationEnergy chooseStart(
-    const std::vector<Eigen::Matrix3d>& rotations, const SampledSurface& target, const Run& run)
+  // Descend from each of them; the best one comes first.
+  void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
+    int numberOfSteps, const Run& run) const
   {
-    struct Candidate
+    forBlocksReporting(run, static_cast<Index>(candidates.size()), 1,
+      [&](Index i, Index)
+      {
+        Candidate& one = candidates[i];
+        one.Energy = this->descendAt(target, numberOfSteps, one.Places);
+        one.Score = one.Energy.Total + PoseWeight * this->poseDifference(one.Places);
+      });
+    std::stable_sort(candidates.begin(), candidates.end(),
+      [](const Candidate& a, const Candidate& b) { return a.Score < b.Score; });
+  }
+
+  // 1 less the correlation of corresponding positions, after the best rotation. A head and a tail
+  // may look alike where nothing but distances along the surface is seen.
+  double poseDifference(const Points& places) const
+  {
+    Points here = this->Grid.Values.leftCols<3>(),
+           there = sampleAt(this->Fixed.Own, this->Fixed.Surface.Positions, places);
+    Eigen::VectorXd weights = vertexAreas(here, this->Grid.Grid.mesh().Triangles);
+    weights /= weights.sum();
+    for (Points* positions : { &here, &there })
     {
-      Points Places;
-      RegistrationEnergy Energy;
-    };
+      const Eigen::RowVector3d mean = weights.transpose() * *positions;
+      positions->rowwise() -= mean;
+      *positions /= std::sqrt(weights.dot(positions->rowwise().squaredNorm()));
+    }
+    const Points turned = here * closestRotation(here, there, weights).transpose();
+    return 1.0 - weights.dot(turned.cwiseProduct(there).rowwise().sum());
+  }
+
+  // A few steps from each rotation, then all from the best ones: those that end near the lowest.
+  std::vector<Candidate> bestStarts(const std::vector<Eigen::Matrix3d>& rotations,
+    const SampledSurface& target, const Run& run) const
+  {
     std::vector<Candidate> candidates(rotations.size());
-    const auto all = [&](int numberOfSteps, const Run& part)
-    {
-      forBlocksReporting(part, static_cast<Index>(candidates.size()), 1,
-        [&](Index i, Index)
-        { candidates[i].Energy = this->descendAt(target, numberOfSteps, candidates[i].Places); });
-      std::stable_sort(candidates.begin(), candidates.end(),
-        [](const Candidate& a, const Candidate& b) { return a.Energy.Total < b.Energy.Total; });
-    };
     for (std::size_t i = 0; i < rotations.size(); ++i)
     {
       candidates[i].Places = this->Grid.Grid.mesh().Positions * rotations[i].transpose();
     }
-    all(FirstSteps, run.part(0.0, 0.5));
+    this->descendFrom(candidates, target, FirstSteps, run.part(0.0, 0.5));
     candidates.resize(std::min<std::size_t>(candidates.size(), NumberKept));
-    all(CoarseSteps, run.part(0.5, 1.0));
-    this->Places = candidates.front().Places;
-    return candidates.front().Energy;
+    this->descendFrom(candidates, target, CoarseSteps, run.part(0.5, 1.0));
+    const double limit = NearLowest * candidates.front().Score;
+    const auto isNear = [&](const Candidate& one) { return one.Score <= limit; };
+    candidates.erase(
+      std::find_if_not(candidates.begin(), candidates.end(), isNear), candidates.end());
+    candidates.resize(std::min<std::size_t>(candidates.size(), NumberOfFinalists));
+    return candidates;
   }
 
   const PreparedSurface& Moving;

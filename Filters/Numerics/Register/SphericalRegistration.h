@@ -49,14 +49,15 @@ struct SphericalRegistrationResult
 };
 
 /// Steps: a rotation, by two or more landmarks or the best of several by features; a descent from
-/// each on stretch and features, of which the one with the least energy is carried on to finer
-/// spheres; the moving surface's vertices are carried along; at last a flow to the landmarks.
+/// each on stretch and features, of which the one is carried on to finer spheres whose energy is
+/// least and whose corresponding positions agree best after a rotation, since a head and a tail may
+/// look alike along the surface; at last, one that is held less to the map as it was. The moving
+/// surface's vertices are carried along; then they flow to the landmarks.
 /// A deformation that folds a triangle is undone as far as it takes.
 /// Rotation and Moebius are those closest to the landmarks or, without any, to the deformation.
 ///
 /// @param[in] landmarks       pairs of vertices, of the moving and of the fixed surface, each
-/// vertex
-///                            of the moving one once
+///                            vertex of the moving one once
 /// @param[in] featureWeights  #K, at least 0
 /// @throws std::invalid_argument if a map folds, or landmarks are too few for the space
 /// @throws Aborted

@@ -40,7 +40,7 @@ TEST(SphericalRegistration, FindsAKnownWarp)
   SphericalRegistrationOptions options;
   options.Frequency = 32;
   const auto result = registerSpheres(moving, fixed, {}, {}, options);
-  EXPECT_LT(meanAngle(result.SpherePositions, fixed.Surface.SpherePositions), 1.0);
+  EXPECT_LT(meanAngle(result.SpherePositions, fixed.Surface.SpherePositions), 0.5);
   EXPECT_EQ(result.NumberOfFolds, 0);
   EXPECT_LT(result.AgreementBefore, 0.5);
   EXPECT_GT(result.AgreementAfter, 0.99);
