@@ -375,6 +375,17 @@ void AddNumber(vtkFieldData* data, const char* name, long long value)
 }
 
 //------------------------------------------------------------------------------
+void AddTuple(vtkFieldData* data, const char* name, const double* values, int components)
+{
+  RequireFinite(values, components, name);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->InsertNextTuple(values);
+  data->AddArray(array);
+}
+
+//------------------------------------------------------------------------------
 void LengthsFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what)
 {

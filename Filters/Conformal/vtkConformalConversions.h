@@ -130,6 +130,9 @@ void AddLengths(vtkFieldData* data, const char* name, std::vector<double> length
 void AddNumber(vtkFieldData* data, const char* name, double value);
 void AddNumber(vtkFieldData* data, const char* name, long long value);
 
+/// Add an array of one tuple of doubles.
+void AddTuple(vtkFieldData* data, const char* name, const double* values, int components);
+
 /// Lengths and coordinates, or areas, in place, from a frame to the user's unit.
 /// @param[in] size  how many numbers
 /// @param[in] what  names them

@@ -7,7 +7,6 @@
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -79,15 +78,6 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   }
   return { map, conformal::carryMap(points, other, steps.next()),
     conformal::vertexAreas(points, triangles) };
-}
-
-void AddTuple(vtkFieldData* data, const char* name, const double* values, int components)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->InsertNextTuple(values);
-  data->AddArray(array);
 }
 }
 
@@ -170,9 +160,9 @@ int vtkSphericalAlignment::RequestData(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map);
       vtkFieldData* data = output->GetFieldData();
       vtkConformalConversions::AddNumber(data, "AlignmentError", result.Error);
-      AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
+      vtkConformalConversions::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
       const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
-      AddTuple(data, "AlignmentRotation", rows.data(), 9);
+      vtkConformalConversions::AddTuple(data, "AlignmentRotation", rows.data(), 9);
     });
 }
 

@@ -170,7 +170,7 @@ void AddTable(vtkTable* table, const conformal::Columns& coefficients,
 }
 
 // The columns of an array, with its name.
-void AddArray(vtkPointData* data, const ChosenArray& chosen, const conformal::Columns& values)
+void AddRebuilt(vtkPointData* data, const ChosenArray& chosen, const conformal::Columns& values)
 {
   if (!values.allFinite())
   {
@@ -218,15 +218,6 @@ void AddSummary(vtkFieldData* data, const conformal::Columns& coefficients,
   }
 }
 
-void AddTuple(vtkFieldData* data, const char* name, const double* values, int components)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->InsertNextTuple(values);
-  data->AddArray(array);
-}
-
 void AddAlignment(vtkFieldData* data, const conformal::HarmonicAlignment& alignment,
   const conformal::CoordinateFrame& frame)
 {
@@ -234,9 +225,9 @@ void AddAlignment(vtkFieldData* data, const conformal::HarmonicAlignment& alignm
   const RowMajor map = alignment.MapRotation, surface = alignment.SurfaceRotation;
   conformal::Vector3 center = alignment.Center;
   vtkConformalConversions::LengthsFromFrame(center.data(), 3, frame, "SurfaceCenter");
-  AddTuple(data, "MapRotation", map.data(), 9);
-  AddTuple(data, "SurfaceRotation", surface.data(), 9);
-  AddTuple(data, "SurfaceCenter", center.data(), 3);
+  vtkConformalConversions::AddTuple(data, "MapRotation", map.data(), 9);
+  vtkConformalConversions::AddTuple(data, "SurfaceRotation", surface.data(), 9);
+  vtkConformalConversions::AddTuple(data, "SurfaceCenter", center.data(), 3);
 }
 
 double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal::Points& rebuilt)
@@ -375,7 +366,7 @@ int vtkSphericalHarmonics::RequestData(
         AddVectors(result->GetPointData(), SpherePositionName(), made.SpherePositions);
         for (const ChosenArray& chosen : arrays)
         {
-          AddArray(result->GetPointData(), chosen,
+          AddRebuilt(result->GetPointData(), chosen,
             made.Values.middleCols(chosen.First - 3, chosen.Components));
         }
       }
@@ -389,7 +380,7 @@ int vtkSphericalHarmonics::RequestData(
           mesh.SpherePositions * alignment.MapRotation.transpose());
         for (const ChosenArray& chosen : arrays)
         {
-          AddArray(
+          AddRebuilt(
             result->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
         }
       }

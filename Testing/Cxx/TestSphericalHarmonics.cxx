@@ -430,6 +430,8 @@ TEST_F(SphericalHarmonics, BadArraysAreRefused)
   this->Surface->GetPointData()->GetArray("Number")->SetTuple1(
     5, std::numeric_limits<double>::infinity());
   this->ExpectRefused("the point array \"Number\" has values that are not finite");
+  this->Surface->GetPointData()->GetArray("Number")->Fill(1.7e308);
+  this->ExpectRefused("are too large for their harmonics");
 }
 
 TEST_F(SphericalHarmonics, BadReferencesAreRefused)

@@ -19,7 +19,7 @@ from helpers import pictures, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGeodesicSphereSource,
-    vtkGlobalConformalMap, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
+    vtkConformalPLYReader, vtkGlobalConformalMap, vtkSphericalHarmonics, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
     vtkSurfaceMismatch)
 from obtuse import obtuse_surface
 
@@ -316,6 +316,26 @@ class TestPictures(unittest.TestCase):
             scenes.append(pictures.scene(
                 pictures.mesh_actor(sampled.GetOutput()), "sampled by it", self.camera()))
         self.expect_row("AdaptiveSphere", scenes)
+
+    def test_harmonics_of_the_bunny(self):
+        path = os.path.join(os.environ.get("CONFORMALSOM_SCAN_DIR", ""), "stanford-bunny-closed.ply")
+        if not os.path.exists(path):
+            self.skipTest("stanford-bunny-closed.ply is not in CONFORMALSOM_SCAN_DIR")
+        reader = vtkConformalPLYReader()
+        reader.SetFileName(path)
+        reader.Update()
+        mapped = conformal_map(reader.GetOutput(), balance=0.5)
+        camera = lambda: pictures.camera_on(mapped, VIEW, UP, PANEL[0] / PANEL[1], azimuth=18)
+        scenes = []
+        for degree in (4, 12, 20, 60):
+            harmonics = vtkSphericalHarmonics()
+            harmonics.SetInputData(mapped)
+            harmonics.SetDegree(degree)
+            harmonics.Update()
+            scenes.append(pictures.scene(
+                pictures.actor_of(harmonics.GetOutput()), f"L = {degree}", camera()))
+        scenes.append(pictures.scene(pictures.actor_of(mapped), "The scan", camera()))
+        self.expect_row("SphericalHarmonics", scenes)
 
 
 class TestWebs(unittest.TestCase):

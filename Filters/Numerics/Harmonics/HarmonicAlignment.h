@@ -28,11 +28,11 @@ struct HarmonicAlignment
 
 /// Along the axes of the ellipsoid that the harmonics of degree 1 make of the sphere, as in
 /// \cite Brechbuehler1995 and in SPHARM-PDM. The places on the sphere where its longest, middle and
-/// shortest axes end come to the x, y and z axis, and so do the axes themselves; its center comes to
-/// the origin. Of the two ends of the longest and the middle axis that one is positive to which the
-/// surface reaches farther, by the third moment over the sphere; where both are alike, the one whose
-/// place on the sphere has a positive largest coordinate. Axes of equal length are taken as they
-/// come.
+/// shortest axes end come to the x, y and z axis, and so do the axes themselves; its center comes
+/// to the origin. Of the two ends of the longest and the middle axis that one is positive to which
+/// the surface reaches farther, by the third moment over the sphere; where both are alike, the one
+/// whose place on the sphere has a positive largest coordinate. Axes of equal length are taken as
+/// they come.
 /// @param[in] coefficients  (L + 1)^2 by 3, of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 

@@ -1,5 +1,6 @@
 #include "Harmonics/HarmonicFit.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Harmonics/HarmonicGrid.h"
 #include "Harmonics/SphericalHarmonics.h"
@@ -98,6 +99,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const SphereLocator locator(mesh.SpherePositions, triangles, steps.next());
   const Run sampling = steps.next();
   const Points directions = grid.directions();
+  const double share = 4.0 * Pi / static_cast<double>(grid.size()), leastArea = 1e-200;
   samples.Values.resize(grid.size(), values.cols());
   samples.Density.resize(grid.size());
   samples.Counted.resize(grid.size());
@@ -114,9 +116,11 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
         {
           samples.Values.row(i) += at.Barycentric[k] * values.row(triangles(hint, k));
         }
-        samples.Density[i] = areaVector(mesh.Positions, triangles, hint).norm() /
-          areaVector(mesh.SpherePositions, triangles, hint).norm();
-        samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : samples.Density[i];
+        const double area = areaVector(mesh.Positions, triangles, hint).norm();
+        const double onSphere = areaVector(mesh.SpherePositions, triangles, hint).norm();
+        samples.Density[i] = area / std::max(onSphere, leastArea);
+        // A node in a sliver stands for no more than the sliver.
+        samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : area / std::max(onSphere, share);
       }
     });
   return samples;
@@ -145,6 +149,7 @@ struct ColumnGroup
 constexpr int MostSteps = 200;
 constexpr double ExpectedSteps = 25.0;
 constexpr double WantedAccuracy = 1e-28; // of the square of the residual
+constexpr double LargestResidual = 1e-8;
 
 // Reports how far the residual has fallen, which it does by a factor from step to step.
 class Descent
@@ -214,6 +219,10 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   Columns moments = harmonicMoments(
     mesh.SpherePositions, samples.VertexAreas.asDiagonal() * values, degree, steps.next());
   moments += grid.analyze(samples.Counted.asDiagonal() * samples.Values, degree, run.unwatched());
+  if (!moments.allFinite())
+  {
+    throw std::overflow_error("values are too large for their harmonics");
+  }
   ConjugateGradientsOptions options;
   options.NumberOfSteps = MostSteps;
   options.Accuracy = WantedAccuracy;
@@ -222,6 +231,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   {
     const Index first = 3 * group, size = std::min<Index>(3, values.cols() - first);
     ColumnGroup own(moments, first);
+    const double before = own.Values.norm();
     Descent descent(steps.next());
     const Points solution = conjugateGradients(
       own.Values, [&](const Points& c, Points& product) { product = timesDensity(density, c); },
@@ -231,6 +241,12 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
         descent.report(residual.cwiseProduct(product).sum());
       },
       options);
+    if (!(own.Values.norm() <= LargestResidual * before))
+    {
+      throw NumericalFailure("the harmonics were not found within " + std::to_string(MostSteps) +
+        " steps: the map to the sphere is too uneven. Map the surface with an AreaBalance, or take "
+        "a lower Degree.");
+    }
     coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
   }
   return coefficients;
