@@ -379,21 +379,17 @@ private:
   SurfaceShapes Shapes;
 };
 
-// The moving surface's vertices along with the deformation, or with as much of it as leaves no
-// triangle flipped.
-Points carriedWithoutFolds(
-  const PreparedSurface& moving, const Registration& registration, const FoldRepair& repair)
+// The moving surface's vertices along with a part of the deformation, or with as much of it as
+// leaves no triangle flipped.
+Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& registration,
+  const FoldRepair& repair, double most)
 {
   const MappedMesh& mesh = moving.Surface;
-  for (double fraction = 1.0; fraction > 0.1; fraction *= 0.7)
+  for (double fraction = most; fraction > 0.1; fraction *= 0.7)
   {
     Points places = fraction == 1.0 ? registration.places(mesh.SpherePositions)
                                     : registration.placesAt(fraction, mesh.SpherePositions);
-    if (countFlippedTriangles(places, mesh.Triangles) == 0)
-    {
-      return places;
-    }
-    if (repair(places))
+    if (countFlippedTriangles(places, mesh.Triangles) == 0 || repair(places))
     {
       return places;
     }
@@ -463,11 +459,27 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
   if (diffeomorphic)
   {
     const FoldRepair repair(from.Surface);
-    result.SpherePositions = carriedWithoutFolds(from, registration, repair);
     LandmarkFlowOptions flowing;
     flowing.Repair = repair;
-    const LandmarkFlowResult flow = flowToLandmarks(
-      from.Surface.Triangles, ids, targets, result.SpherePositions, flowing, steps.next());
+    // Landmarks that cannot be met after the whole deformation may be after less of it.
+    LandmarkFlowResult flow;
+    const Run landmarking = steps.next();
+    for (const double most : { 1.0, 0.5, 0.0 })
+    {
+      const Run part = landmarking.part(0.5 * (1.0 - most), 0.5 * (2.0 - most));
+      Points places = carriedWithoutFolds(from, registration, repair, most);
+      const LandmarkFlowResult found =
+        flowToLandmarks(from.Surface.Triangles, ids, targets, places, flowing, part);
+      if (most == 1.0 || found.Error < flow.Error)
+      {
+        flow = found;
+        result.SpherePositions = std::move(places);
+      }
+      if (flow.NumberOfUnmet == 0)
+      {
+        break;
+      }
+    }
     result.NumberOfUnmetLandmarks = flow.NumberOfUnmet;
   }
   else
