@@ -10,8 +10,10 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 #include <limits>
@@ -114,14 +116,21 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
 //------------------------------------------------------------------------------
 void SetImageInformation(vtkInformation* info, const int size[2])
 {
+  SetImageInformation(info, size, 0.0, 0.0, 1.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void SetImageInformation(
+  vtkInformation* info, const int size[2], double x, double y, double width, double height)
+{
   if (size[0] < 1 || size[1] < 1 || size[1] > std::numeric_limits<int>::max() / size[0])
   {
     throw std::invalid_argument(
       "ImageSize must be at least (1, 1), with at most 2147483647 pixels");
   }
   const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
-  const double spacing[3] = { 1.0 / size[0], 1.0 / size[1], 1.0 };
-  const double origin[3] = { 0.5 / size[0], 0.5 / size[1], 0.0 };
+  const double spacing[3] = { width / size[0], height / size[1], 1.0 };
+  const double origin[3] = { x + 0.5 * width / size[0], y + 0.5 * height / size[1], 0.0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
@@ -145,5 +154,45 @@ vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataA
 bool HoldsWholeNumbers(vtkDataArray* array)
 {
   return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name)
+{
+  vtkDataArray* array = name.empty() ? data->GetPointData()->GetScalars()
+                                     : data->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::invalid_argument(name.empty()
+        ? "the source has no active scalars to bake; set ArrayName"
+        : "no point array " + name + " to bake");
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+conformal::PixelSink PixelPainter(
+  vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
+{
+  const bool isWhole = HoldsWholeNumbers(values);
+  return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const conformal::SurfacePlace& place = places[i];
+      const vtkIdType pixel = first + static_cast<vtkIdType>(i);
+      const bool isHole = place.Ids[0] < 0;
+      holes->SetValue(pixel, isHole);
+      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+      {
+        double sum = 0.0;
+        for (int k = 0; k < 3 && !isHole; ++k)
+        {
+          sum += place.Weights[k] * values->GetComponent(place.Ids[k], c);
+        }
+        pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
+      }
+    }
+  };
 }
 }

@@ -19,7 +19,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
@@ -31,19 +30,6 @@ vtkCxxSetObjectMacro(vtkSphericalTextureImage, Controller, vtkMultiProcessContro
 
 namespace
 {
-vtkDataArray* ArrayOf(vtkPointSet* data, const std::string& name)
-{
-  vtkDataArray* array = name.empty() ? data->GetPointData()->GetScalars()
-                                     : data->GetPointData()->GetArray(name.c_str());
-  if (!array)
-  {
-    throw std::invalid_argument(name.empty()
-        ? "the source has no active scalars to bake; set ArrayName"
-        : "no point array " + name + " to bake");
-  }
-  return array;
-}
-
 // This process's part of an array that a part without points does not have.
 vtkSmartPointer<vtkDataArray> OwnPart(
   vtkPointSet* source, const std::string& name, vtkConformalConversions::Processes& processes)
@@ -64,7 +50,7 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   std::string shape;
   if (hasPoints)
   {
-    own = ArrayOf(source, name);
+    own = vtkConformalConversions::ArrayToBake(source, name);
     shape = shapeOf(own);
   }
   const std::string expected = processes.textOf(first, shape);
@@ -122,32 +108,6 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
       }
     }
   }
-}
-
-// Writes what each pixel shows.
-conformal::PixelSink Painter(
-  vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
-{
-  const bool isWhole = vtkConformalConversions::HoldsWholeNumbers(values);
-  return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
-  {
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      const conformal::SurfacePlace& place = places[i];
-      const vtkIdType pixel = first + static_cast<vtkIdType>(i);
-      const bool isHole = place.Ids[0] < 0;
-      holes->SetValue(pixel, isHole);
-      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
-      {
-        double sum = 0.0;
-        for (int k = 0; k < 3 && !isHole; ++k)
-        {
-          sum += place.Weights[k] * values->GetComponent(place.Ids[k], c);
-        }
-        pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
-      }
-    }
-  };
 }
 }
 
@@ -232,7 +192,7 @@ int vtkSphericalTextureImage::RequestData(
       const vtkSmartPointer<vtkDataArray> values = isShared
         ? OwnPart(source, arrayName, processes)
         : vtkSmartPointer<vtkDataArray>(
-            source ? ArrayOf(source, arrayName) : ArrayOf(surface, arrayName));
+            source ? ArrayToBake(source, arrayName) : ArrayToBake(surface, arrayName));
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
       vtkNew<vtkUnsignedCharArray> holes;
@@ -259,7 +219,7 @@ int vtkSphericalTextureImage::RequestData(
         image = ToSphereImage(surface->GetFieldData());
       }
       const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      const conformal::PixelSink sink = Painter(values, pixels, holes);
+      const conformal::PixelSink sink = PixelPainter(values, pixels, holes);
       if (source)
       {
         const conformal::PointView points = ViewPoints(source->GetPoints(), frame, sourceCopy);

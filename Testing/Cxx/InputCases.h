@@ -3,6 +3,8 @@
 #define InputCases_h
 
 #include "vtkAdaptiveSphere.h"
+#include "vtkBodyMap.h"
+#include "vtkBodyMapImage.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYWriter.h"
@@ -85,6 +87,18 @@ inline vtkSmartPointer<vtkDataSet> Picture()
   return image;
 }
 
+/// Longitudes and latitudes.
+inline vtkSmartPointer<vtkDataSet> Places()
+{
+  const vtkSmartPointer<vtkDataSet> places = Surface();
+  auto* points = vtkPolyData::SafeDownCast(places)->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, 2.0 * static_cast<double>(i), 80.0 - static_cast<double>(i), 0.0);
+  }
+  return places;
+}
+
 /// A set-up of an algorithm, and what its ports take.
 struct Case
 {
@@ -130,6 +144,9 @@ inline std::vector<Case> Filters()
           filter->SetDensityToImage();
         }),
       { s, p } },
+    { "vtkBodyMap", Maker<vtkBodyMap>(), { s, Places } },
+    { "vtkBodyMapImage",
+      Maker<vtkBodyMapImage>([](vtkBodyMapImage* filter) { filter->SetImageSize(16, 8); }), { s } },
     { "vtkConformalDistortion", Maker<vtkConformalDistortion>(), { s } },
     { "vtkConformalSOM",
       Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetFrequency(3); }), { s, s } },

@@ -66,6 +66,26 @@ inline vtkNew<vtkPolyData> Head(int frequency, double angle)
   return head;
 }
 
+/// A body of two lobes of different size with a neck between them, as some comets are, around the
+/// origin; mapped by where its points are seen from there. 10 f^2 + 2 points.
+inline vtkNew<vtkPolyData> TwoLobes(int frequency)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(frequency);
+  source->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(source->GetOutput());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    const double neck = 1.0 - 0.55 * std::exp(-8.0 * p[0] * p[0]);
+    surface->GetPoints()->SetPoint(
+      i, neck * (1.8 + 0.4 * p[0]) * p[0], 1.1 * neck * p[1], neck * (1.0 + 0.1 * p[1]) * p[2]);
+  }
+  return surface;
+}
+
 /// Polygons written anew, changed one by one: change(cell, ids) returns whether to keep it.
 template <typename Change>
 void ChangePolygons(vtkPolyData* surface, Change change)

@@ -2,6 +2,7 @@
 #include "FilterContract.h"
 #include "MeshFixtures.h"
 #include "vtkAdaptiveSphere.h"
+#include "vtkBodyMap.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
 #include "vtkConsistentRemesh.h"
@@ -362,6 +363,15 @@ std::vector<Case> Cases()
       filter->SetIndicatorToWindingNumbers();
       filter->SetSpacing(0.1);
       return Run(filter);
+    } });
+  cases.push_back({ "MapsABody",
+    [](double scale)
+    {
+      vtkNew<vtkBodyMap> filter;
+      filter->SetInputData(Mesh(scale));
+      return Run(filter,
+        { "Height", "BodyNorthPole", "BodySouthPole", "BodyMarker", "ReferenceCenter",
+          "ReferenceRadii" });
     } });
   cases.push_back({ "Repairs",
     [](double scale)

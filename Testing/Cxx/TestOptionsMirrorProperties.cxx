@@ -17,9 +17,13 @@
 #include "StanfordScans/AlignedScans.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "TextCloud/TextCloudParser.h"
+#include "Texture/BodyCoordinates.h"
+#include "Texture/MapImage.h"
 #include "Texture/SphericalTexture.h"
 #include "Texture/SphericalTextureBlend.h"
 #include "vtkAdaptiveSphere.h"
+#include "vtkBodyMap.h"
+#include "vtkBodyMapImage.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
 #include "vtkConsistentRemesh.h"
@@ -208,6 +212,30 @@ TEST(OptionsMirrorProperties, GenusZeroRepair)
   EXPECT_EQ(vtkGenusZeroRepair::OPEN_HOLE, static_cast<int>(Type::OpenHole));
   EXPECT_EQ(vtkGenusZeroRepair::CUT_HANDLE, static_cast<int>(Type::CutHandle));
   EXPECT_EQ(vtkGenusZeroRepair::FILLED_TUNNEL, static_cast<int>(Type::FilledTunnel));
+}
+
+TEST(OptionsMirrorProperties, BodyMap)
+{
+  const conformal::BodyCoordinatesOptions options;
+  vtkNew<vtkBodyMap> filter;
+  EXPECT_EQ(conformal::Vector3(filter->GetCenter()), options.Center);
+  EXPECT_EQ(conformal::Vector3(filter->GetRotationAxis()), options.RotationAxis);
+  EXPECT_EQ(filter->GetUseMarkerPoint(), options.UseMarkerPoint);
+  EXPECT_EQ(conformal::Vector3(filter->GetMarkerPoint()), options.MarkerPoint);
+}
+
+TEST(OptionsMirrorProperties, BodyMapImage)
+{
+  const conformal::MapImage image;
+  vtkNew<vtkBodyMapImage> filter;
+  EXPECT_EQ(filter->GetProjection(), static_cast<int>(image.Projection));
+  EXPECT_EQ(filter->GetCentralLongitude(), image.CentralLongitude);
+  using conformal::MapProjection;
+  using Filter = vtkBodyMapImage;
+  EXPECT_EQ(Filter::EQUIRECTANGULAR, static_cast<int>(MapProjection::Equirectangular));
+  EXPECT_EQ(Filter::LAMBERT_AZIMUTHAL, static_cast<int>(MapProjection::LambertAzimuthal));
+  EXPECT_EQ(Filter::MOLLWEIDE, static_cast<int>(MapProjection::Mollweide));
+  EXPECT_EQ(Filter::PEIRCE_QUINCUNCIAL, static_cast<int>(MapProjection::PeirceQuincuncial));
 }
 
 TEST(OptionsMirrorProperties, GlobalConformalMap)

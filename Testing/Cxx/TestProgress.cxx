@@ -18,6 +18,8 @@
 
 #include "../TemporaryFolder.h"
 #include "vtkAdaptiveSphere.h"
+#include "vtkBodyMap.h"
+#include "vtkBodyMapImage.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalOFFReader.h"
 #include "vtkConformalPLYReader.h"
@@ -776,6 +778,10 @@ TEST(Progress, OfMeasures)
   ExpectEven("GenusZeroRepair", Of<vtkGenusZeroRepair>(fine));
   ExpectEven("GenusZeroRepair of handles",
     Of<vtkGenusZeroRepair>(fixtures::SphereWithHandles(20, 60).Get()));
+  ExpectEven("BodyMap", Of<vtkBodyMap>(fixtures::TwoLobes(150).Get()));
+  ExpectEven("BodyMapImage",
+    Of<vtkBodyMapImage>(
+      Colored(surface), [](vtkBodyMapImage* image) { image->SetProjectionToPeirceQuincuncial(); }));
   ExpectEven("SphericalAlignment", Of<Alignment>(surface, reference(Head(60))));
   ExpectEven("SphericalAlignment to a fine mesh", Of<Alignment>(surface, reference(fine)));
   ExpectEven("SphericalAlignment, Moebius",

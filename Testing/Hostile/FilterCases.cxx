@@ -2,6 +2,8 @@
 #include "SetUps.h"
 
 #include "vtkAdaptiveSphere.h"
+#include "vtkBodyMap.h"
+#include "vtkBodyMapImage.h"
 #include "vtkConformalDistortion.h"
 #include "vtkConformalSOM.h"
 #include "vtkConsistentRemesh.h"
@@ -178,6 +180,32 @@ std::vector<SetUp> Hulls()
           f->SetSpacing(0.08);
         }),
       BadPoints | BadIds, true } };
+}
+
+std::vector<SetUp> BodyMaps()
+{
+  using F = vtkBodyMap;
+  constexpr unsigned int reads = BadPoints | BadIds | BadMap;
+  SetUp map = { "vtkBodyMap", "", true, On<F>([](F*, vtkPolyData*) {}), reads };
+  map.Properties = { Vector3("Center", &F::SetCenter), Vector3("RotationAxis", &F::SetRotationAxis),
+    Switch("UseMarkerPoint", &F::SetUseMarkerPoint), Vector3("MarkerPoint", &F::SetMarkerPoint),
+    Integer("Reference", &F::SetReference), Number("GraticuleSpacing", &F::SetGraticuleSpacing) };
+  using I = vtkBodyMapImage;
+  SetUp image = { "vtkBodyMapImage", "", true,
+    On<I>(
+      [](I* f, vtkPolyData*)
+      {
+        f->SetImageSize(24, 12);
+        f->SetArrayName("SpherePosition");
+        f->GeneratePositionsOn();
+      }),
+    BadIds | BadMap };
+  image.Properties = { Name("ArrayName", &I::SetArrayName),
+    Integer("Projection", &I::SetProjection), Number("CentralLongitude", &I::SetCentralLongitude),
+    Vector2<I, int>("ImageSize", &I::SetImageSize),
+    Number("GraticuleSpacing", &I::SetGraticuleSpacing),
+    Switch("GeneratePositions", &I::SetGeneratePositions) };
+  return { map, image };
 }
 
 SetUp Repair()
@@ -781,7 +809,7 @@ std::vector<Case> FilterCases()
   for (const std::vector<SetUp>& setUps :
     { Learners(), Hulls(), Maps(), CurvedSurfaces(), AdaptiveSpheres(), TextureMaps(),
       TextureImages(), Alignments(), Harmonics(), Morphs(), Registrations(), Remeshes(),
-      Templates(), Resamplings(), Measures(), { Blend(), Repair() } })
+      Templates(), Resamplings(), Measures(), BodyMaps(), { Blend(), Repair() } })
   {
     for (SetUp setUp : setUps)
     {

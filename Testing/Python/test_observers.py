@@ -14,7 +14,7 @@ import numpy as np
 
 import conformalsom
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
     vtkSphericalHarmonics, vtkSphericalHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
@@ -102,6 +102,8 @@ FILTERS = {
     "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),
     "hull": lambda: with_inputs(vtkGenusZeroHull, surface(), Spacing=0.08),
     "repair": lambda: with_inputs(vtkGenusZeroRepair, surface(60)),
+    "body map": lambda: with_inputs(vtkBodyMap, surface(), surface(20)),
+    "body map image": lambda: with_inputs(vtkBodyMapImage, surface(), ImageSize=(200, 100)),
     "sphere": lambda: with_inputs(vtkGeodesicSphereSource, Frequency=100),
     "map": lambda: with_inputs(vtkGlobalConformalMap, surface()),
     "alignment": lambda: with_inputs(vtkSphericalAlignment, surface(), surface(turn=0.3)),

@@ -15,7 +15,7 @@ import conformalsom
 from helpers.builtin_figure import bear, figure_cloud
 from helpers.textures import checkerboard
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
+    vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalHarmonics, vtkSphericalHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
@@ -150,10 +150,20 @@ def beside_the_chain(stages):
     template.SetMeanFrequency(8)
     template.SetMaximumNumberOfRounds(1)
     template.Update()
+    body = vtkBodyMap()
+    body.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    body.SetPlacesData(torus())
+    body.Update()
+    chart = vtkBodyMapImage()
+    chart.SetInputConnection(body.GetOutputPort())
+    chart.SetArrayName("Height")
+    chart.SetImageSize(40, 20)
+    chart.GeneratePositionsOn()
+    chart.Update()
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair)
+    filters = (check, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

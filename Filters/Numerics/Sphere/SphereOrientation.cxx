@@ -81,6 +81,25 @@ int orientation(const Vector3& a, const Vector3& b, const Vector3& c)
 }
 
 //------------------------------------------------------------------------------
+Triangles turnedOutward(const Triangles& triangles, const Points& spherePositions)
+{
+  double volume = 0.0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const Vector3 a = spherePositions.row(triangles(r, 0)),
+                  b = spherePositions.row(triangles(r, 1)),
+                  c = spherePositions.row(triangles(r, 2));
+    volume += a.cross(b).dot(c);
+  }
+  Triangles result = triangles;
+  if (volume < 0.0)
+  {
+    result.col(1).swap(result.col(2));
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 Index countFlippedTriangles(const Points& spherePositions, const Triangles& triangles)
 {
   Index count = 0;

@@ -14,6 +14,10 @@ namespace conformal
 /// @param[in] a, b, c  of about unit length
 int orientation(const Vector3& a, const Vector3& b, const Vector3& c);
 
+/// The triangles of a map to the sphere, all turned over if most of the sphere sees them clockwise,
+/// as where the map is mirrored: SphereLocator wants them counter-clockwise.
+Triangles turnedOutward(const Triangles& triangles, const Points& spherePositions);
+
 /// How many triangles of a map to the sphere are clockwise seen from outside, or flat.
 Index countFlippedTriangles(const Points& spherePositions, const Triangles& triangles);
 }

@@ -6,6 +6,7 @@
 #include "Search/PointTree.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/SphereLocator.h"
+#include "Sphere/SphereOrientation.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,25 +19,6 @@ namespace conformal
 namespace
 {
 constexpr double WorkOfLocator = 400.0, WorkOfPixel = 350.0; // for each triangle, for each pixel
-
-// The locator wants triangles counter-clockwise on the sphere; a mirrored map has them turned.
-Triangles turnedOutwards(const Triangles& triangles, const Points& spherePositions)
-{
-  double volume = 0.0;
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    const Vector3 a = spherePositions.row(triangles(r, 0)),
-                  b = spherePositions.row(triangles(r, 1)),
-                  c = spherePositions.row(triangles(r, 2));
-    volume += a.cross(b).dot(c);
-  }
-  Triangles result = triangles;
-  if (volume < 0.0)
-  {
-    result.col(1).swap(result.col(2));
-  }
-  return result;
-}
 
 SurfacePlace placeIn(const Triangles& triangles, int triangle, const Vector3& barycentric)
 {
@@ -57,7 +39,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
 // To another surface's place; the hint is what it was told or left there for the pixel before.
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
-void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid,
+void paint(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
   const Replace& replace, double pixelWork, const PixelSink& sink, const Run& run)
 {
   if (grid.Width < 1 || grid.Height < 1)
@@ -73,7 +55,7 @@ void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid&
       WorkOfLocator * static_cast<double>(surface.Triangles.rows()),
       pixelWork * static_cast<double>(grid.size()) });
   steps.next();
-  const Triangles triangles = turnedOutwards(surface.Triangles, surface.SpherePositions);
+  const Triangles triangles = turnedOutward(surface.Triangles, surface.SpherePositions);
   const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
   constexpr Index blockSize = 1 << 10;
   forBlocksReporting(steps.next(), grid.size(), blockSize,
@@ -83,7 +65,12 @@ void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid&
       int hint = -1;
       for (Index i = begin; i < end; ++i)
       {
-        const SphereLocation location = locator.locate(textureToSphere(grid.middleOf(i), image));
+        Vector3 n;
+        if (!direction(i, n))
+        {
+          continue;
+        }
+        const SphereLocation location = locator.locate(n);
         if (location.Triangle >= 0)
         {
           places[i - begin] =
@@ -92,6 +79,15 @@ void paint(const MappedMesh& surface, const SphereImage& image, const PixelGrid&
       }
       sink(begin, places);
     });
+}
+
+PixelDirection directionsOf(const SphereImage& image, const PixelGrid& grid)
+{
+  return [&image, &grid](Index pixel, Vector3& n)
+  {
+    n = textureToSphere(grid.middleOf(pixel), image);
+    return true;
+  };
 }
 
 // The closest places of a cloud, or of a surface, of which processes have parts.
@@ -203,12 +199,19 @@ Points pixelPositions(
 }
 
 //------------------------------------------------------------------------------
+void paintSphere(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
+  const PixelSink& sink, const Run& run)
+{
+  paint(
+    surface, direction, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel,
+    sink, run);
+}
+
+//------------------------------------------------------------------------------
 void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const Run& run)
 {
-  paint(
-    surface, image, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel, sink,
-    run);
+  paintSphere(surface, directionsOf(image, grid), grid, sink, run);
 }
 
 //------------------------------------------------------------------------------
@@ -226,7 +229,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const ClosestPlaces closest(cloud, cloudTriangles, {}, steps.next());
   unitBoxOf(surface.Positions); // throws where they are not finite
   paint(
-    surface, image, grid,
+    surface, directionsOf(image, grid), grid,
     [&](const SurfacePlace& place, int& hint)
     { return closest(positionOf(place, surface.Positions), hint).Place; },
     pixelWork, sink, steps.next());

@@ -20,6 +20,15 @@ namespace conformal
 /// for other pixels each time. Ids are -1 where the map to the sphere has a hole.
 using PixelSink = std::function<void(Index firstPixel, const std::vector<SurfacePlace>& places)>;
 
+/// Says which direction on the sphere a pixel shows; false if it shows none. May be called from
+/// several threads at once.
+using PixelDirection = std::function<bool(Index pixel, Vector3& direction)>;
+
+/// Find the point of the surface for every pixel that shows a direction.
+/// @throws std::invalid_argument if there are no pixels or no triangles
+void paintSphere(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
+  const PixelSink& sink, const Run& run = {});
+
 /// Find the point of the surface for every pixel: the direction of its middle is located on the
 /// sphere. Pixels in the margins show what the sphere has beyond the seams.
 /// @throws std::invalid_argument if there are no pixels or no triangles

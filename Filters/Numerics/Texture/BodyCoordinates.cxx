@@ -1,0 +1,373 @@
+#include "Texture/BodyCoordinates.h"
+
+#include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Search/TriangleTree.h"
+#include "Sphere/MoebiusTransform.h"
+#include "Sphere/SphereLocator.h"
+#include "Sphere/SphereOrientation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace conformal
+{
+namespace
+{
+constexpr double Degree = Pi / 180.0;
+
+// A point of the surface by its triangle.
+struct BodyPoint
+{
+  int Triangle = -1;
+  Vector3 Barycentric = Vector3::Zero();
+};
+
+Vector3 mixed(const Points& positions, const Triangles& triangles, const BodyPoint& point)
+{
+  Vector3 sum = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += point.Barycentric[k] * positions.row(triangles(point.Triangle, k)).transpose();
+  }
+  return sum;
+}
+
+// Of the points in which a line meets the surface the one farthest along it, if that is ahead of
+// its origin; none else.
+BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const Vector3& direction)
+{
+  constexpr double tolerance = 1e-12; // for lines that pass between two triangles by rounding
+  const Vector3 u = direction.unitOrthogonal(), v = direction.cross(u);
+  BodyPoint best;
+  double farthest = 0.0;
+  for (int r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    Vector2 flat[3];
+    Vector3 along;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 p = surface.Positions.row(surface.Triangles(r, k)).transpose() - origin;
+      flat[k] = { p.dot(u), p.dot(v) };
+      along[k] = p.dot(direction);
+    }
+    Vector3 weights;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector2 &a = flat[next(k)], &b = flat[previous(k)];
+      weights[k] = a[0] * b[1] - a[1] * b[0];
+    }
+    const double area = weights.sum();
+    if (!(std::abs(area) > 0.0) || (weights / area).minCoeff() < -tolerance)
+    {
+      continue;
+    }
+    weights = (weights / area).cwiseMax(0.0);
+    weights /= weights.sum();
+    if (weights.dot(along) > farthest)
+    {
+      farthest = weights.dot(along);
+      best = { r, weights };
+    }
+  }
+  return best;
+}
+
+BodyPoint closestTo(const MappedMesh& surface, const Vector3& x)
+{
+  BodyPoint best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    const FootPoint foot = closestPointOfTriangle(x, surface.Positions.row(surface.Triangles(r, 0)),
+      surface.Positions.row(surface.Triangles(r, 1)),
+      surface.Positions.row(surface.Triangles(r, 2)));
+    if (foot.SquareDistance < least)
+    {
+      least = foot.SquareDistance;
+      best = { r, foot.Barycentric };
+    }
+  }
+  return best;
+}
+
+Vector3 towardsLongitudeZero(const Vector3& axis)
+{
+  constexpr double parallel = 0.999;
+  const Vector3 x = std::abs(axis[0]) < parallel ? Vector3::UnitX() : Vector3::UnitY();
+  return (x - x.dot(axis) * axis).normalized();
+}
+
+Eigen::VectorXd areasOfVertices(const MappedMesh& surface)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(surface.Positions.rows());
+  for (Index r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    const double area = areaVector(surface.Positions, surface.Triangles, r).norm();
+    for (int k = 0; k < 3; ++k)
+    {
+      areas[surface.Triangles(r, k)] += area / 3.0;
+    }
+  }
+  return areas;
+}
+
+// How far along an axis to move a map, as a rapidity, so that as much weight is on either side.
+double balancingRapidity(const Eigen::VectorXd& heights, const Eigen::VectorXd& weights)
+{
+  constexpr int steps = 60;
+  double low = -30.0, high = 30.0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double middle = 0.5 * (low + high), up = std::exp(middle), down = std::exp(-middle);
+    double sum = 0.0;
+    for (Index v = 0; v < heights.size(); ++v)
+    {
+      const double north = up * (1.0 + heights[v]), south = down * (1.0 - heights[v]);
+      sum += weights[v] * (north - south) / (north + south);
+    }
+    (sum < 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Bring the places of the poles to where they belong, and that of the marker to longitude 0.
+void moveToPoles(Points& map, const Vector3& north, const Vector3& south, const Vector3& marker,
+  const Eigen::VectorXd& areas)
+{
+  const Vector3 sum = north + south;
+  const double cosine = 0.5 * sum.norm(), sine = 0.5 * (north - south).norm();
+  // The point of the ball halfway between them goes to the middle; then they are opposite.
+  MoebiusTransform first;
+  first.Center = cosine > 0.0 ? Vector3(cosine / (1.0 + sine) * sum.normalized()) : Vector3::Zero();
+  const Vector3 axis = (first(north) - first(south)).normalized();
+  first.applyTo(map);
+  MoebiusTransform second;
+  second.Center = -std::tanh(0.5 * balancingRapidity(map * axis, areas)) * axis;
+  second.applyTo(map);
+  const Vector3 meridian = second(first(marker));
+  const Vector3 x = (meridian - meridian.dot(axis) * axis).normalized();
+  Eigen::Matrix3d rotation;
+  rotation << x, axis.cross(x), axis;
+  map *= rotation;
+  for (Index v = 0; v < map.rows(); ++v)
+  {
+    map.row(v).normalize();
+  }
+}
+
+void requirePoint(const BodyPoint& point, const char* message)
+{
+  if (point.Triangle < 0)
+  {
+    throw std::invalid_argument(message);
+  }
+}
+
+double radiusOf(const Points& positions)
+{
+  return 0.5 * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+}
+
+//------------------------------------------------------------------------------
+BodyCoordinates findBodyCoordinates(
+  const MappedMesh& surface, const BodyCoordinatesOptions& options, const Run& run)
+{
+  if (surface.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  if (!surface.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points of the surface are not finite");
+  }
+  if (!options.Center.allFinite() || !options.RotationAxis.allFinite() ||
+    !options.MarkerPoint.allFinite() || !(options.RotationAxis.stableNorm() > 0.0))
+  {
+    throw std::invalid_argument(
+      "Center, RotationAxis and MarkerPoint must be finite, and RotationAxis not zero");
+  }
+  const auto size = static_cast<double>(surface.Triangles.rows());
+  Steps steps(run, { 25.0 * size, 25.0 * size, 25.0 * size, 200.0 * size });
+  const Vector3 axis = options.RotationAxis.stableNormalized();
+  steps.next();
+  const BodyPoint north = farthestAlong(surface, options.Center, axis);
+  requirePoint(north, "the rotation axis does not meet the surface to the north of Center");
+  steps.next();
+  const BodyPoint south = farthestAlong(surface, options.Center, -axis);
+  requirePoint(south, "the rotation axis does not meet the surface to the south of Center");
+  steps.next();
+  const BodyPoint marker = options.UseMarkerPoint
+    ? closestTo(surface, options.MarkerPoint)
+    : farthestAlong(surface, options.Center, towardsLongitudeZero(axis));
+  requirePoint(marker,
+    "no point of the surface lies from Center towards longitude 0; set UseMarkerPoint and "
+    "MarkerPoint");
+  const Run moving = steps.next();
+
+  BodyCoordinates result;
+  result.SpherePositions = surface.SpherePositions;
+  result.NorthPole = mixed(surface.Positions, surface.Triangles, north);
+  result.SouthPole = mixed(surface.Positions, surface.Triangles, south);
+  result.Marker = mixed(surface.Positions, surface.Triangles, marker);
+  const bool isMirrored = signedVolume(surface.SpherePositions, surface.Triangles) *
+      signedVolume(surface.Positions, surface.Triangles) <
+    0.0;
+  if (isMirrored)
+  {
+    result.SpherePositions.col(2) *= -1.0;
+  }
+  const Eigen::VectorXd areas = areasOfVertices(surface);
+  const auto placeOf = [&](const BodyPoint& point) -> Vector3
+  { return mixed(result.SpherePositions, surface.Triangles, point).normalized(); };
+  // The transform moves vertices, and triangles between them stay flat: so it has to be repeated
+  // until the points between are where they belong.
+  constexpr int mostRounds = 12;
+  constexpr double tolerance = 1e-14;
+  for (int i = 0; i < mostRounds; ++i)
+  {
+    moving.report(1.0 - std::pow(0.2, i)); // most are done in one or two
+    const Vector3 toNorth = placeOf(north), toSouth = placeOf(south), toMarker = placeOf(marker);
+    if (!((toNorth - toSouth).norm() > 1e-9))
+    {
+      throw std::invalid_argument("both poles have the same place on the sphere");
+    }
+    if ((toMarker - toNorth).norm() < 1e-9 || (toMarker - toSouth).norm() < 1e-9)
+    {
+      throw std::invalid_argument("the marker is a pole, where there is no longitude");
+    }
+    const double off = (toNorth - Vector3::UnitZ()).norm() + (toSouth + Vector3::UnitZ()).norm() +
+      std::abs(std::atan2(toMarker[1], toMarker[0]));
+    if (i > 0 && off < tolerance)
+    {
+      break;
+    }
+    moveToPoles(result.SpherePositions, toNorth, toSouth, toMarker, areas);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Vector2 toLongitudeLatitude(const Vector3& n)
+{
+  double longitude = std::atan2(n[1], n[0]) / Degree;
+  longitude += longitude < 0.0 ? 360.0 : 0.0;
+  return { longitude < 360.0 ? longitude : 0.0, std::atan2(n[2], std::hypot(n[0], n[1])) / Degree };
+}
+
+//------------------------------------------------------------------------------
+Vector3 toDirection(const Vector2& longitudeLatitude)
+{
+  const double longitude = longitudeLatitude[0] * Degree, latitude = longitudeLatitude[1] * Degree;
+  return { std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+    std::sin(latitude) };
+}
+
+//------------------------------------------------------------------------------
+Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run)
+{
+  Steps steps(run,
+    { 400.0 * static_cast<double>(body.Triangles.rows()),
+      350.0 * static_cast<double>(directions.rows()) });
+  const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
+  const SphereLocator locator(body.SpherePositions, triangles, steps.next());
+  Points result(directions.rows(), 3);
+  constexpr Index blockSize = 1 << 10;
+  forBlocksReporting(steps.next(), directions.rows(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        const SphereLocation location = locator.locate(directions.row(i));
+        result.row(i) = location.Triangle < 0
+          ? Vector3(Vector3::Constant(std::numeric_limits<double>::infinity()))
+          : mixed(body.Positions, triangles, { location.Triangle, location.Barycentric });
+      }
+    });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing, const Run& run)
+{
+  if (!(spacing >= 1.0 && spacing <= 90.0))
+  {
+    throw std::invalid_argument("the spacing of the graticule must be in [1, 90] degrees");
+  }
+  if (body.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  std::vector<GraticuleLine> lines;
+  for (double degrees = 0.0; degrees < 360.0 - 1e-9; degrees += spacing)
+  {
+    lines.push_back({ true, degrees, {} });
+  }
+  const int parallels = static_cast<int>(std::ceil(90.0 / spacing - 1e-9)) - 1;
+  for (int i = -parallels; i <= parallels; ++i)
+  {
+    lines.push_back({ false, i * spacing, {} });
+  }
+  const auto count = static_cast<double>(lines.size());
+  Steps steps(run, { 200.0 * static_cast<double>(body.Triangles.rows()), 3e5 * count });
+  const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
+  const SphereLocator locator(body.SpherePositions, triangles, steps.next());
+  const double step = 0.01 * radiusOf(body.Positions);
+  forBlocksReporting(steps.next(), static_cast<Index>(lines.size()), 1,
+    [&](Index begin, Index)
+    {
+      GraticuleLine& line = lines[begin];
+      const double first = line.IsMeridian ? -90.0 : 0.0, last = line.IsMeridian ? 90.0 : 360.0;
+      int hint = -1;
+      const auto at = [&](double t) -> Vector3
+      {
+        const SphereLocation location = locator.locate(
+          toDirection(line.IsMeridian ? Vector2(line.Degrees, t) : Vector2(t, line.Degrees)), hint);
+        hint = location.Triangle;
+        return location.Triangle < 0
+          ? Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()))
+          : mixed(body.Positions, triangles, { location.Triangle, location.Barycentric });
+      };
+      std::vector<Vector3> found;
+      const std::function<void(double, const Vector3&, double, const Vector3&, int)> fill =
+        [&](double from, const Vector3& a, double to, const Vector3& b, int depth)
+      {
+        if (depth > 0 && !((a - b).norm() <= step))
+        {
+          const double middle = 0.5 * (from + to);
+          const Vector3 between = at(middle);
+          fill(from, a, middle, between, depth - 1);
+          fill(middle, between, to, b, depth - 1);
+        }
+        else if (b.allFinite())
+        {
+          found.push_back(b);
+        }
+      };
+      constexpr int pieces = 90, mostHalvings = 8;
+      Vector3 before = at(first);
+      if (before.allFinite())
+      {
+        found.push_back(before);
+      }
+      for (int i = 1; i <= pieces; ++i)
+      {
+        const double from = first + (last - first) * (i - 1) / pieces,
+                     to = first + (last - first) * i / pieces;
+        const Vector3 here = at(to);
+        fill(from, before, to, here, mostHalvings);
+        before = here;
+      }
+      line.Positions.resize(static_cast<Index>(found.size()), 3);
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        line.Positions.row(static_cast<Index>(i)) = found[i];
+      }
+    });
+  return lines;
+}
+}

@@ -1,0 +1,67 @@
+#include "Texture/MapImage.h"
+
+#include "Texture/BodyCoordinates.h"
+
+#include <cmath>
+
+namespace conformal
+{
+namespace
+{
+constexpr int Outside = -1;
+
+// A number for the cell of a graticule that a direction lies in.
+int cellOf(const Vector3& n, double spacing)
+{
+  constexpr int columns = 1000, rowsBelow = 100; // more than there are
+  const Vector2 degrees = toLongitudeLatitude(n);
+  // Around the poles, where meridians crowd, only those of every 90 degrees go on.
+  const double last = spacing * (std::ceil(90.0 / spacing - 1e-9) - 1.0);
+  const bool isNearPole = std::abs(degrees[1]) > last;
+  const int row = static_cast<int>(std::floor(degrees[1] / spacing)) + rowsBelow;
+  return columns * row +
+    static_cast<int>(std::floor(degrees[0] / (isNearPole ? 90.0 : spacing)));
+}
+}
+
+//------------------------------------------------------------------------------
+void paintMap(const MappedMesh& body, const MapImage& image, const PixelSink& sink, const Run& run)
+{
+  paintSphere(
+    body, [&](Index pixel, Vector3& n) { return image.directionOf(pixel, n); }, image.Grid, sink,
+    run);
+}
+
+//------------------------------------------------------------------------------
+MapMarks markMap(const MapImage& image, double spacing, const Run& run)
+{
+  const PixelGrid& grid = image.Grid;
+  MapMarks marks;
+  marks.OutsideMap.resize(grid.size());
+  marks.Graticule.assign(spacing > 0.0 ? grid.size() : 0, 0);
+  std::vector<int> cells(marks.Graticule.size());
+  constexpr Index blockSize = 1 << 12;
+  forBlocksReporting(run, grid.size(), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        Vector3 n;
+        const bool isOnMap = image.directionOf(i, n);
+        marks.OutsideMap[i] = !isOnMap;
+        if (spacing > 0.0)
+        {
+          cells[i] = isOnMap ? cellOf(n, spacing) : Outside;
+        }
+      }
+    });
+  for (Index i = 0; i < static_cast<Index>(cells.size()); ++i)
+  {
+    const auto isOther = [&](Index other)
+    { return cells[i] != Outside && cells[other] != Outside && cells[i] != cells[other]; };
+    const bool hasRight = (i + 1) % grid.Width != 0, hasAbove = i + grid.Width < grid.size();
+    marks.Graticule[i] = (hasRight && isOther(i + 1)) || (hasAbove && isOther(i + grid.Width));
+  }
+  return marks;
+}
+}

@@ -1,0 +1,279 @@
+#include "Texture/MapProjection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+
+namespace conformal
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+const double Sqrt2 = std::sqrt(2.0);
+constexpr double Degree = Pi / 180.0;
+constexpr double Lemniscate = 2.62205755429211981; // half a period of its sine
+
+// The sphere turned by the central longitude, so that it is at 0.
+Vector3 turned(const Vector3& n, double degrees)
+{
+  const double c = std::cos(degrees * Degree), s = std::sin(degrees * Degree);
+  return { c * n[0] + s * n[1], c * n[1] - s * n[0], n[2] };
+}
+
+// Mollweide's angle from the pole: 2 t - sin 2 t = 2 pi sin^2(c / 2) for a distance c from it.
+double sweep(double t)
+{
+  if (t < 0.05)
+  {
+    const double u = 2.0 * t, square = u * u;
+    return u * square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0)));
+  }
+  return 2.0 * t - std::sin(2.0 * t);
+}
+
+double mollweideAngle(double sineOfHalf)
+{
+  const double wanted = 2.0 * Pi * sineOfHalf * sineOfHalf;
+  double t = std::min(std::cbrt(0.75 * wanted), 0.5 * Pi);
+  constexpr int most = 30;
+  for (int i = 0; i < most && t > 0.0; ++i)
+  {
+    const double slope = 4.0 * std::sin(t) * std::sin(t);
+    const double step = (sweep(t) - wanted) / slope;
+    t = std::clamp(t - step, 0.25 * t, 0.5 * Pi);
+    if (std::abs(step) <= 1e-16 * t)
+    {
+      break;
+    }
+  }
+  return t;
+}
+
+Vector2 toMollweide(const Vector3& n)
+{
+  const double radius = std::hypot(n[0], n[1]);
+  const double fromPole = std::atan2(radius, std::abs(n[2]));
+  const double t = mollweideAngle(std::sin(0.5 * fromPole));
+  return { 2.0 * Sqrt2 / Pi * std::atan2(n[1], n[0]) * std::sin(t),
+    std::copysign(Sqrt2 * std::cos(t), n[2]) };
+}
+
+bool fromMollweide(const Vector2& place, Vector3& n)
+{
+  const double cosine = std::abs(place[1]) / Sqrt2;
+  if (cosine > 1.0)
+  {
+    return false;
+  }
+  const double t = std::acos(cosine), width = 2.0 * Sqrt2 * std::sin(t);
+  if (std::abs(place[0]) > width)
+  {
+    return false;
+  }
+  const double longitude = width > 0.0 ? Pi * place[0] / width : 0.0;
+  const double fromPole = 2.0 * std::asin(std::min(1.0, std::sqrt(sweep(t) / (2.0 * Pi))));
+  n = { std::sin(fromPole) * std::cos(longitude), std::sin(fromPole) * std::sin(longitude),
+    std::copysign(std::cos(fromPole), place[1]) };
+  return true;
+}
+
+// Around the nearer pole, seen from outside, at 0; longitude 0 runs down. So the hemispheres, one
+// beside the other, touch where they have the same point of the equator.
+Vector2 toHemisphere(const Vector3& n)
+{
+  const double scale = std::sqrt(2.0 / (1.0 + std::abs(n[2])));
+  return { n[2] >= 0.0 ? scale * n[1] : -scale * n[1], -scale * n[0] };
+}
+
+Vector2 toLambert(const Vector3& n)
+{
+  return toHemisphere(n) + Vector2(n[2] >= 0.0 ? -Sqrt2 : Sqrt2, 0.0);
+}
+
+bool fromLambert(const Vector2& place, Vector3& n)
+{
+  const bool isNorth = place[0] < 0.0;
+  const double x = place[0] + (isNorth ? Sqrt2 : -Sqrt2);
+  const Vector2 p = { isNorth ? x : -x, -place[1] };
+  const double square = p.squaredNorm();
+  constexpr double rim = 2.0 * (1.0 + 1e-15); // the equator itself belongs to both
+  if (square > rim)
+  {
+    return false;
+  }
+  const double scale = std::sqrt(1.0 - square / 4.0), z = std::max(0.0, 1.0 - square / 2.0);
+  n = Vector3(scale * p[1], scale * p[0], isNorth ? z : -z).normalized();
+  return true;
+}
+
+// Carlson's integral of the first kind, by duplication, for z = 1.
+Complex carlsonRF(Complex x, Complex y)
+{
+  Complex z = 1.0, mean, dx, dy, dz;
+  constexpr int most = 30;
+  for (int i = 0; i < most; ++i)
+  {
+    mean = (x + y + z) / 3.0;
+    dx = 1.0 - x / mean;
+    dy = 1.0 - y / mean;
+    dz = 1.0 - z / mean;
+    constexpr double near = 1e-3; // the series below is of seventh order
+    if (std::max({ std::abs(dx), std::abs(dy), std::abs(dz) }) < near)
+    {
+      break;
+    }
+    const Complex a = std::sqrt(x), b = std::sqrt(y), c = std::sqrt(z);
+    const Complex sum = a * b + b * c + c * a;
+    x = 0.25 * (x + sum);
+    y = 0.25 * (y + sum);
+    z = 0.25 * (z + sum);
+  }
+  const Complex second = dx * dy - dz * dz, third = dx * dy * dz;
+  return (1.0 - second / 10.0 + third / 14.0 + second * second / 24.0 -
+           3.0 * second * third / 44.0) /
+    std::sqrt(mean);
+}
+
+// Integral of 1 / sqrt(1 - t^4) to a point of the unit disk: the inverse of the lemniscate's sine.
+Complex lemniscateArcsine(const Complex& s)
+{
+  return s * carlsonRF(1.0 - s * s, 1.0 + s * s);
+}
+
+// Coefficients c of sl z = sum of c[k] z^(4 k + 1), from sl'' = -2 sl^3.
+std::array<double, 10> seriesOfSine()
+{
+  std::array<double, 10> c = { 1.0 };
+  for (std::size_t k = 1; k < c.size(); ++k)
+  {
+    double cube = 0.0; // of the powers before
+    for (std::size_t a = 0; a < k; ++a)
+    {
+      for (std::size_t b = 0; a + b < k; ++b)
+      {
+        cube += c[a] * c[b] * c[k - 1 - a - b];
+      }
+    }
+    const auto n = static_cast<double>(k);
+    c[k] = -2.0 * cube / (4.0 * n * (4.0 * n + 1.0));
+  }
+  return c;
+}
+
+// Of a place in the diamond: the series at half of it, where ten terms are enough, and the formula
+// for twice an argument.
+Complex lemniscateSine(const Complex& z)
+{
+  static const std::array<double, 10> series = seriesOfSine();
+  const Complex half = 0.5 * z, square = half * half, fourth = square * square;
+  Complex sum = 0.0;
+  for (std::size_t k = series.size(); k-- > 0;)
+  {
+    sum = sum * fourth + series[k];
+  }
+  const Complex s = half * sum, power = s * s * s * s;
+  return 2.0 * s * std::sqrt(1.0 - power) / (1.0 + power);
+}
+
+// Across the side of the diamond in which a hemisphere lies, to or from the corner beyond it.
+Complex mirrored(const Complex& z)
+{
+  const double half = 0.5 * Lemniscate;
+  return { std::copysign(half - std::abs(z.imag()), z.real()),
+    std::copysign(half - std::abs(z.real()), z.imag()) };
+}
+
+// The hemisphere of the nearer pole, stereographic, is a disk; the arcsine makes it a diamond.
+Vector2 toPeirce(const Vector3& n)
+{
+  Complex disk = Complex(n[1], -n[0]) / (1.0 + std::abs(n[2]));
+  const double radius = std::abs(disk);
+  disk = radius > 1.0 ? disk / radius : disk;
+  Complex z = lemniscateArcsine(disk);
+  z = n[2] >= 0.0 ? z : mirrored(z);
+  return { z.real(), z.imag() };
+}
+
+bool fromPeirce(const Vector2& place, Vector3& n)
+{
+  const double half = 0.5 * Lemniscate;
+  if (place.cwiseAbs().maxCoeff() > half)
+  {
+    return false;
+  }
+  Complex z(place[0], place[1]);
+  const bool isNorth = std::abs(z.real()) + std::abs(z.imag()) <= half;
+  const Complex disk = lemniscateSine(isNorth ? z : mirrored(z));
+  const double square = std::norm(disk);
+  const double height = std::max(0.0, 1.0 - square);
+  n = Vector3(-2.0 * disk.imag(), 2.0 * disk.real(), isNorth ? height : -height).normalized();
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+Vector2 halfSizeOfMap(MapProjection projection)
+{
+  switch (projection)
+  {
+    case MapProjection::Equirectangular:
+      return { 180.0, 90.0 };
+    case MapProjection::PeirceQuincuncial:
+      return { 0.5 * Lemniscate, 0.5 * Lemniscate };
+    default:
+      return { 2.0 * Sqrt2, Sqrt2 };
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector2 sphereToMap(const Vector3& direction, MapProjection projection, double centralLongitude)
+{
+  const Vector3 n = turned(direction, centralLongitude);
+  switch (projection)
+  {
+    case MapProjection::LambertAzimuthal:
+      return toLambert(n);
+    case MapProjection::Mollweide:
+      return toMollweide(n);
+    case MapProjection::PeirceQuincuncial:
+      return toPeirce(n);
+    default:
+      return Vector2(std::atan2(n[1], n[0]), std::atan2(n[2], std::hypot(n[0], n[1]))) / Degree;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool mapToSphere(
+  const Vector2& place, MapProjection projection, double centralLongitude, Vector3& direction)
+{
+  Vector3 n;
+  bool isOnMap = false;
+  switch (projection)
+  {
+    case MapProjection::LambertAzimuthal:
+      isOnMap = fromLambert(place, n);
+      break;
+    case MapProjection::Mollweide:
+      isOnMap = fromMollweide(place, n);
+      break;
+    case MapProjection::PeirceQuincuncial:
+      isOnMap = fromPeirce(place, n);
+      break;
+    default:
+    {
+      const double longitude = place[0] * Degree, latitude = place[1] * Degree;
+      isOnMap = std::abs(place[0]) <= 180.0 && std::abs(place[1]) <= 90.0;
+      n = { std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
+        std::sin(latitude) };
+      break;
+    }
+  }
+  if (isOnMap)
+  {
+    direction = turned(n, -centralLongitude);
+  }
+  return isOnMap;
+}
+}
