@@ -1,5 +1,6 @@
 #include "vtkTextCloudReader.h"
 
+#include "PlateModel/PlateModelParser.h"
 #include "TextCloud/TextCloudParser.h"
 
 #include "vtkObjectFactory.h"
@@ -9,7 +10,10 @@ vtkStandardNewMacro(vtkTextCloudReader);
 //------------------------------------------------------------------------------
 int vtkTextCloudReader::CanReadFile(const char* name)
 {
-  return Superclass::StartsLike(name, conformal::looksLikeTextCloud) ? 1 : 0;
+  // A count and numbered rows may be the vertices of a plate model.
+  const auto looksRight = [](std::string_view start)
+  { return conformal::looksLikeTextCloud(start) && !conformal::looksLikePlateModel(start); };
+  return Superclass::StartsLike(name, looksRight) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "../Formats/OFF/OFFSamples.h"
 #include "../Formats/PCD/PCDSamples.h"
 #include "../Formats/PLY/PLYSamples.h"
+#include "../Formats/PlateModel/PlateModelSamples.h"
 #include "../Formats/SPHARM/SPHARMMeshSamples.h"
 #include "../Formats/StanfordScans/AlignedScansSamples.h"
 #include "../Formats/TextCloud/TextCloudSamples.h"
@@ -18,6 +19,7 @@
 #include "vtkGIFTIReader.h"
 #include "vtkGuMeshReader.h"
 #include "vtkPCDReader.h"
+#include "vtkPlateModelReader.h"
 #include "vtkSPHARMSurfaceReader.h"
 #include "vtkSmartPointer.h"
 #include "vtkStanfordScansReader.h"
@@ -71,6 +73,7 @@ inline std::vector<ReaderCase> ReaderCases()
   return { scans, pairs, CaseOf<vtkConformalPLYReader>(samples::PLYFiles(), samples::BadPLYFiles()),
     CaseOf<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles()),
     CaseOf<vtkPCDReader>(samples::PCDFiles(), samples::BadPCDFiles()),
+    CaseOf<vtkPlateModelReader>(samples::PlateModelFiles(), samples::BadPlateModelFiles()),
     CaseOf<vtkGuMeshReader>(samples::GuMeshFiles(), samples::BadGuMeshFiles()),
     CaseOf<vtkFreeSurferReader>(samples::FreeSurferFiles(), samples::BadFreeSurferFiles()),
     CaseOf<vtkGIFTIReader>(samples::GIFTIFiles(), samples::BadGIFTIFiles()),

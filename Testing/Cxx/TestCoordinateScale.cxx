@@ -369,6 +369,7 @@ std::vector<Case> Cases()
     {
       vtkNew<vtkBodyMap> filter;
       filter->SetInputData(Mesh(scale));
+      filter->SetPlacesData(Mesh(1.0)); // degrees
       return Run(filter,
         { "Height", "BodyNorthPole", "BodySouthPole", "BodyMarker", "ReferenceCenter",
           "ReferenceRadii" });

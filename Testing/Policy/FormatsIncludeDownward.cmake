@@ -2,7 +2,7 @@
 # two units (a header and its source) include each other, not even through others.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Bytes Files PLY OFF PCD GuMesh FreeSurfer GIFTI TextCloud SPHARM StanfordScans Textured)
+set(rooms Bytes Files PLY OFF PCD GuMesh FreeSurfer GIFTI PlateModel TextCloud SPHARM StanfordScans Textured)
 set(below_Bytes)
 foreach (room IN LISTS rooms)
   if (NOT room STREQUAL "Bytes")

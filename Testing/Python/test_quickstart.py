@@ -167,7 +167,7 @@ class TestFormats(unittest.TestCase):
     OURS = {"scan.ply": "ConformalPLY", "scan.off": "ConformalOFF", "scan.m": "GuMesh",
             "scan.xyz": "TextCloud", "scan.csv": "TextCloud", "scan.pts": "TextCloud",
             "scan.pcd": "PCD", "lh.white": "FreeSurfer", "scan.surf.gii": "GIFTI",
-            "scan.conf": "StanfordScans", "ply without extension": "ConformalPLY",
+            "scan.conf": "StanfordScans", "scan.tab": "PlateModel", "ply without extension": "ConformalPLY",
             "shape_surf.vtk": "SPHARMSurface"}  # with shape_para.vtk beside it
     VTKS = {"scan.obj": vtkOBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
             "scan.vtk": vtkPolyDataReader}
@@ -189,7 +189,13 @@ class TestFormats(unittest.TestCase):
             write(writer, cls.mesh, cls.folder, name)
         points = points_of(cls.mesh)
         lines = [" ".join(map(repr, point)) for point in points.tolist()]
+        polygons = cls.mesh.GetPolys()
+        plates = [[polygons.GetConnectivityArray().GetValue(3 * row + corner) + 1 for corner in range(3)]
+                  for row in range(polygons.GetNumberOfCells())]
         for name, text in (
+                ("scan.tab", [str(len(lines)), *(f"{row} {line}" for row, line in enumerate(lines, 1)),
+                              str(len(plates)),
+                              *(" ".join(map(str, [row, *ids])) for row, ids in enumerate(plates, 1))]),
                 ("scan.xyz", lines),
                 ("scan.csv", ["x,y,z", *(line.replace(" ", ",") for line in lines)]),
                 ("scan.pts", [str(len(lines)), *lines]),

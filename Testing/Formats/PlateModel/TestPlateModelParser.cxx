@@ -1,0 +1,92 @@
+#include "PlateModel/PlateModelParser.h"
+
+#include "PlateModelSamples.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using conformal::ByteReader;
+using conformal::looksLikePlateModel;
+using conformal::ParseCode;
+using conformal::parsePlateModel;
+using conformal::SurfaceResult;
+
+namespace
+{
+SurfaceResult parse(const std::string& text)
+{
+  ByteReader input(text);
+  return parsePlateModel(input);
+}
+
+double coordinate(const SurfaceResult& result, std::size_t index)
+{
+  double value = 0.0;
+  std::memcpy(&value, result.Data.Points.Values.data() + index * sizeof(double), sizeof(double));
+  return value;
+}
+
+std::vector<std::int64_t> idsOf(const SurfaceResult& result)
+{
+  const auto& ids = result.Data.PolygonIds;
+  return { ids.data(), ids.data() + ids.size() };
+}
+}
+
+// However rows are numbered, it is the same tetrahedron.
+TEST(PlateModelParser, ReadsTablesAndVerAlike)
+{
+  const std::vector<std::int64_t> tetrahedron = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
+  for (const std::string& text : { samples::NumberedPlates(), samples::VerPlates() })
+  {
+    const SurfaceResult result = parse(text);
+    ASSERT_EQ(result.Status.Code, ParseCode::Ok) << result.Status.Message;
+    ASSERT_EQ(result.Data.Points.numberOfTuples(), 4u);
+    EXPECT_EQ(coordinate(result, 3), 1.5);
+    EXPECT_EQ(coordinate(result, 11), 1e-3);
+    EXPECT_EQ(idsOf(result), tetrahedron);
+  }
+}
+
+TEST(PlateModelParser, CountsFromZeroWhereAPlateDoes)
+{
+  const SurfaceResult result = parse("3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n1\n0 0 1 2\n");
+  ASSERT_EQ(result.Status.Code, ParseCode::Ok);
+  EXPECT_EQ(idsOf(result), (std::vector<std::int64_t>{ 0, 1, 2 }));
+  EXPECT_EQ(
+    idsOf(parse("3 1\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n")), (std::vector<std::int64_t>{ 0, 1, 2 }));
+  EXPECT_EQ(idsOf(parse("4 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n")),
+    (std::vector<std::int64_t>{ 0, 1, 2 }));
+}
+
+TEST(PlateModelParser, ReadsAllGoodAndRefusesAllBadFiles)
+{
+  for (const std::string& text : samples::PlateModelFiles())
+  {
+    EXPECT_EQ(parse(text).Status.Code, ParseCode::Ok) << text;
+    EXPECT_TRUE(looksLikePlateModel(text)) << text;
+  }
+  for (const std::string& text : samples::BadPlateModelFiles())
+  {
+    EXPECT_NE(parse(text).Status.Code, ParseCode::Ok) << text;
+  }
+}
+
+TEST(PlateModelParser, DropsPlatesOfARepeatedVertex)
+{
+  const SurfaceResult result = parse(samples::replaced(samples::VerPlates(), "1 2 4", "1 2 2"));
+  ASSERT_EQ(result.Status.Code, ParseCode::Ok);
+  EXPECT_EQ(result.Data.DroppedPolygons, 1u);
+  EXPECT_EQ(result.Data.PolygonIds.size(), 9u);
+}
+
+TEST(PlateModelParser, TakesNoOtherTables)
+{
+  for (const char* text : { "", "4\n", "4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "2 1\n0 0 0\n1 1 1\n",
+         "4 4 6\n0 0 0\n1 0 0\n0 1 0\n", "3\n7 0 0 0\n8 0 0 0\n9 0 0 0\n", "a b\n1 2 3\n",
+         "0 0 0\n1 0 0\n0 1 0\n1 1 1\n" })
+  {
+    EXPECT_FALSE(looksLikePlateModel(text)) << text;
+  }
+}
