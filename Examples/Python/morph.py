@@ -211,11 +211,11 @@ def corresponding(models, landmarks, args):
 def draw(names, args):
     models = [model_of(name) for name in names]
     landmarks = landmarks_of(args.landmarks, models) or [[] for _ in models]
-    models = [placed(model) for model in models]
-    for model, points in zip(models[1:], landmarks[1:]):
+    models = [mapped(placed(model), args.balance) for model in models]
+    models = corresponding(models, landmarks, args)
+    for model, points in zip(models[1:], landmarks[1:] if args.mean else landmarks[-1:]):
         if points:
             turn_to(model, points, models[0], landmarks[0])
-    models = corresponding([mapped(model, args.balance) for model in models], landmarks, args)
     if args.mean:
         draw_mean(models, args)
     else:
