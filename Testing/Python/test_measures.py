@@ -1,15 +1,20 @@
 """The measures against others of the same things: VTK's own locators and plain NumPy."""
+import os
+import tempfile
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import (
     vtkGenericCell, vtkStaticCellLocator, vtkStaticPointLocator)
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+from vtkmodules.vtkIOImage import vtkTIFFReader, vtkTIFFWriter
 
-from conformalsom import vtkConformalDistortion, vtkGeodesicSphereSource, vtkSurfaceMismatch
+from conformalsom import (
+    vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkGeodesicSphereSource, vtkSurfaceMismatch)
+from helpers.world_file import write_world_file
 
 
 def ellipsoid(frequency, scale, shift=(0, 0, 0)):
@@ -156,6 +161,46 @@ def corner_angles(triangle):
         result.append(np.degrees(np.arccos(u @ v / np.linalg.norm(u) / np.linalg.norm(v))))
     return np.array(result)
 
+
+class TestBodyMapFiles(unittest.TestCase):
+    """A map of latitudes as a picture and its world file, read by what others would do with them."""
+
+    def test_world_file_says_where_pixels_are(self):
+        body = vtkBodyMap()
+        body.SetInputData(ellipsoid(40, (3.0, 2.0, 1.0)))
+        chart = vtkBodyMapImage()
+        chart.SetInputConnection(body.GetOutputPort())
+        chart.SetArrayName("Latitude")
+        chart.SetImageSize(90, 60)
+        chart.Update()
+        image = chart.GetOutput()
+        for name in [image.GetPointData().GetArrayName(i)
+                     for i in range(image.GetPointData().GetNumberOfArrays())]:
+            if name != "Latitude":
+                image.GetPointData().RemoveArray(name)
+        numbers = vtk_to_numpy(image.GetPointData().GetScalars()).astype(np.float32)
+        single = numpy_to_vtk(numbers, deep=1)
+        image.GetPointData().SetScalars(single)
+        with tempfile.TemporaryDirectory() as folder:
+            picture, world = os.path.join(folder, "map.tif"), os.path.join(folder, "map.tfw")
+            writer = vtkTIFFWriter()
+            writer.SetFileName(picture)
+            writer.SetInputData(image)
+            writer.Write()
+            write_world_file(image, world)
+            reader = vtkTIFFReader()
+            reader.SetFileName(picture)
+            reader.SetOrientationType(4)  # the top row last, as in images of VTK
+            reader.Update()
+            with open(world, encoding="ascii") as file:
+                across, *skew, down, left, top = map(float, file.read().split())
+        self.assertEqual(skew, [0.0, 0.0])
+        self.assertAlmostEqual(left, -178.0)
+        self.assertAlmostEqual(top, 88.5)
+        self.assertAlmostEqual(left + 89 * across, 178.0)
+        found = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(60, 90)[::-1]
+        for row in range(60):  # from the top
+            np.testing.assert_allclose(found[row], top + row * down, atol=1.5)
 
 if __name__ == "__main__":
     unittest.main()

@@ -43,8 +43,8 @@ void paintMap(
 /// What of an image is no map, and where its lines are.
 struct MapMarks
 {
-  std::vector<unsigned char> OutsideMap; ///< #pixels: 1 beyond the outline
-  std::vector<unsigned char> Graticule;  ///< #pixels: 1 on a line; empty without lines
+  std::vector<unsigned char> OutsideMap; ///< of each pixel: 1 beyond the outline
+  std::vector<unsigned char> Graticule;  ///< of each pixel: 1 on a line; empty without lines
 };
 
 /// Lines run between pixels of which one is beyond a meridian or a parallel and the other is not.

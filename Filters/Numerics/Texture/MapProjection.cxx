@@ -185,7 +185,8 @@ Complex mirrored(const Complex& z)
     std::copysign(half - std::abs(z.real()), z.imag()) };
 }
 
-// The hemisphere of the nearer pole, stereographic, is a disk; the arcsine makes it a diamond.
+// The hemisphere of the nearer pole, stereographic, is a disk; the arcsine makes it a diamond. The
+// disk has half the scale of the sphere at the pole.
 Vector2 toPeirce(const Vector3& n)
 {
   Complex disk = Complex(n[1], -n[0]) / (1.0 + std::abs(n[2]));
@@ -193,17 +194,17 @@ Vector2 toPeirce(const Vector3& n)
   disk = radius > 1.0 ? disk / radius : disk;
   Complex z = lemniscateArcsine(disk);
   z = n[2] >= 0.0 ? z : mirrored(z);
-  return { z.real(), z.imag() };
+  return { 2.0 * z.real(), 2.0 * z.imag() };
 }
 
 bool fromPeirce(const Vector2& place, Vector3& n)
 {
   const double half = 0.5 * Lemniscate;
-  if (place.cwiseAbs().maxCoeff() > half)
+  if (place.cwiseAbs().maxCoeff() > 2.0 * half)
   {
     return false;
   }
-  Complex z(place[0], place[1]);
+  const Complex z(0.5 * place[0], 0.5 * place[1]);
   const bool isNorth = std::abs(z.real()) + std::abs(z.imag()) <= half;
   const Complex disk = lemniscateSine(isNorth ? z : mirrored(z));
   const double square = std::norm(disk);
@@ -221,7 +222,7 @@ Vector2 halfSizeOfMap(MapProjection projection)
     case MapProjection::Equirectangular:
       return { 180.0, 90.0 };
     case MapProjection::PeirceQuincuncial:
-      return { 0.5 * Lemniscate, 0.5 * Lemniscate };
+      return { Lemniscate, Lemniscate };
     default:
       return { 2.0 * Sqrt2, Sqrt2 };
   }

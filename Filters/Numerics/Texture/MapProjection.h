@@ -9,15 +9,15 @@ namespace conformal
 {
 using Vector2 = Eigen::Vector2d;
 
-/// All but Equirectangular are in units of the sphere's radius, which has its true scale in the
-/// middle of Lambert's hemispheres and, along its meridian, of Mollweide's and Peirce's map.
+/// All but Equirectangular are in units of the sphere's radius: areas of the second and third are
+/// those of the sphere, the scale of the last is true at the north pole.
 enum class MapProjection
 {
   Equirectangular,  ///< degrees from the central meridian, and of latitude: 360 by 180
   LambertAzimuthal, ///< equal areas; the northern hemisphere left, the southern right
   Mollweide,        ///< equal areas; an ellipse, 2 : 1
-  /// conformal but at four points of the equator \cite Peirce1879, by an integral of \cite
-  /// Carlson1995; a square with the north pole in the middle and the south pole in the corners
+  /// conformal but at four points of the equator, \cite Peirce1879 (by an integral of
+  /// \cite Carlson1995); a square with the north pole in the middle, the south pole in the corners
   PeirceQuincuncial
 };
 

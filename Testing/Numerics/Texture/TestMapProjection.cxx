@@ -103,7 +103,7 @@ TEST(MapProjection, KnowsThePolesAndTheCentralMeridian)
   EXPECT_LT((sphereToMap(south, All[3], 0.0).cwiseAbs() - Vector2(corner, corner)).norm(), 1e-13);
   EXPECT_LT((sphereToMap(zero, All[3], 0.0) - Vector2(0, -corner)).norm(), 1e-7);
   EXPECT_LT((sphereToMap(east, All[3], 0.0) - Vector2(corner, 0)).norm(), 1e-7);
-  EXPECT_NEAR(corner, 1.31102877714605990, 1e-15); // a quarter of the lemniscate
+  EXPECT_NEAR(corner, 2.62205755429211981, 1e-15); // half of the lemniscate
 }
 
 // Lambert's and Mollweide's maps keep areas, Peirce's keeps angles; nothing is mirrored.
@@ -140,6 +140,9 @@ TEST(MapProjection, KeepsAreasOrAngles)
     EXPECT_NEAR(north.squaredNorm() / scale, 1.0, 1e-5) << n.transpose();
     EXPECT_NEAR(east.dot(north) / scale, 0.0, 1e-5);
   }
+  Vector2 east, north;
+  derivatives(Vector3(1e-4, 0, 1).normalized(), MapProjection::PeirceQuincuncial, east, north);
+  EXPECT_NEAR(east.norm(), 1.0, 1e-6); // true to scale at the pole
 }
 
 TEST(MapProjection, HasNothingBeyondItsOutline)
@@ -149,6 +152,6 @@ TEST(MapProjection, HasNothingBeyondItsOutline)
   EXPECT_FALSE(mapToSphere({ 0.0, 1.4 }, All[1], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 2.5, 1.2 }, All[2], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 0.0, 1.5 }, All[2], 0.0, n));
-  EXPECT_FALSE(mapToSphere({ 1.4, 0.0 }, All[3], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 2.7, 0.0 }, All[3], 0.0, n));
   EXPECT_EQ(n[0], 7.0);
 }
