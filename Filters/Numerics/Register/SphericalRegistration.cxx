@@ -466,7 +466,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
     const Run landmarking = steps.next();
     for (const double most : { 1.0, 0.5, 0.0 })
     {
-      const Run part = landmarking.part(0.5 * (1.0 - most), 0.5 * (2.0 - most));
+      const Run part = landmarking.part(0.5 * (1.0 - most), 0.5 * (1.5 - most));
       Points places = carriedWithoutFolds(from, registration, repair, most);
       const LandmarkFlowResult found =
         flowToLandmarks(from.Surface.Triangles, ids, targets, places, flowing, part);
