@@ -10,6 +10,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import compare_surfaces
 from conformalsom import vtkGeodesicSphereSource
@@ -132,6 +133,29 @@ class TestExamples(unittest.TestCase):
             scores = [float(line.split()[4]) for line in lines[-3:]]
             self.assertIn(scores, (sorted(scores), sorted(scores, reverse=True)))
             self.assertTrue(scan_files.read_models([mean])["mean"].GetPointData().HasArray("ShapeMode2"))
+
+    def test_a_body_gets_a_map_with_its_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = write_model(folder, "body", 12, 0.4) + ".off"
+            for projection, size in (("Mollweide", (200, 100)), ("PeirceQuincuncial", (200, 200))):
+                with self.subTest(projection):
+                    image = os.path.join(folder, projection + ".png")
+                    completed = run("body_map.py", path, "--projection", projection, "--width", "200", "--output", image)
+                    self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+                    reader = vtkPNGReader()
+                    reader.SetFileName(image)
+                    reader.Update()
+                    self.assertEqual(reader.GetOutput().GetDimensions()[:2], size)
+                    colors = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+                    self.assertGreater(len(np.unique(colors, axis=0)), 100)
+                    with open(image[:-4] + ".pgw", encoding="ascii") as file:
+                        place = [float(line) for line in file]
+                    self.assertEqual(len(place), 6)
+                    self.assertAlmostEqual(place[0], -place[3])
+                    self.assertAlmostEqual(place[4], -place[0] * (size[0] - 1) / 2)  # the map's middle is 0, 0
+            completed = run("body_map.py", "missing.off")
+            self.assertEqual((completed.returncode, completed.stderr), (1, "body_map: missing.off: no such file\n"))
+            self.assertEqual(run("body_map.py", path, "--output", path).returncode, 2)
 
     def test_shown_landmarks_are_met(self):
         """Those beside the pictures of Correspondence.md lie on their models, and ask for no fold."""
