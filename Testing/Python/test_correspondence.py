@@ -187,9 +187,9 @@ class TestCompareRegistrations(unittest.TestCase):
         with open(os.path.join(self.folder, name + ".landmarks"), "w", encoding="ascii") as file:
             file.writelines(f"{point}\n" for point in landmarks)
 
-    def run_script(self, *arguments):
+    def run_script(self, *arguments, script="compare_registrations.py"):
         return subprocess.run(
-            [sys.executable, os.path.join(BENCHMARKS, "compare_registrations.py"), *arguments],
+            [sys.executable, os.path.join(BENCHMARKS, script), *arguments],
             capture_output=True, text=True, check=False)
 
     def test_errors_are_lengths_along_edges(self):
@@ -219,6 +219,15 @@ class TestCompareRegistrations(unittest.TestCase):
             self.assertEqual(line.split()[-2], "0")  # flips
         self.assertIn("0*: ", lines[3])
         self.assertIn("1: ", lines[3])
+
+    def test_curvature_alone_finds_most_of_a_warp(self):
+        run = self.run_script(os.path.join(self.folder, "straight.off"), "--frequency", "8", "--copy", "10",
+                              script="register_warped_copy.py")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        words = run.stdout.splitlines()[-1].replace(",", "").split()
+        before, after = (float(words[words.index(name) + 1]) for name in ("before", "after"))
+        self.assertLess(after, 0.5 * before)
+        self.assertIn("0 folds", run.stdout)
 
     def test_bad_input_ends_with_a_message(self):
         self.write("straight", shape_at(uneven_sphere(8, 0.0)[1]), [0, 642, 3, 4, 5, 6])
