@@ -178,12 +178,12 @@ public:
   RegistrationEnergy run(int finest, const Run& run)
   {
     std::vector<int> frequencies;
-    std::vector<double> work = { 3.0, 10.0 };
+    std::vector<double> work = { 3.0, 8.5 };
     for (int frequency = CoarsestFrequency; frequency < finest;)
     {
       frequency = std::min(finest, 2 * frequency);
       frequencies.push_back(frequency);
-      work.push_back(0.03 * frequency * frequency);
+      work.push_back(0.037 * frequency * frequency);
     }
     Steps steps(run, work);
     const std::vector<Eigen::Matrix3d> rotations = this->rotations(steps.next());
@@ -287,13 +287,29 @@ private:
   void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
     int numberOfSteps, const Run& run) const
   {
-    forBlocksReporting(run, static_cast<Index>(candidates.size()), 1,
-      [&](Index i, Index)
+    // Few at a time, since each takes long and progress is told in between; one tells its own.
+    constexpr std::size_t together = 2;
+    const auto size = static_cast<double>(candidates.size());
+    for (std::size_t start = 0; start < candidates.size(); start += together)
+    {
+      const std::size_t end = std::min(candidates.size(), start + together);
+      const Run part = run.part(static_cast<double>(start) / size, static_cast<double>(end) / size);
+      const auto descendOne = [&](Candidate& one, const Run& watched)
       {
-        Candidate& one = candidates[i];
-        one.Energy = this->descendAt(target, numberOfSteps, one.Places);
+        one.Energy = this->descendAt(target, numberOfSteps, one.Places, watched);
         one.Score = one.Energy.Total + PoseWeight * this->poseDifference(one.Places);
-      });
+      };
+      if (end - start == 1)
+      {
+        descendOne(candidates[start], part);
+      }
+      else
+      {
+        forBlocks(part, static_cast<Index>(end - start), 1,
+          [&](Index i, Index) { descendOne(candidates[start + i], Run()); });
+      }
+      part.report(1.0);
+    }
     std::stable_sort(candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.Score < b.Score; });
   }
@@ -411,7 +427,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
   const auto size = static_cast<double>(moving.Surface.Positions.rows());
   const auto fixedSize = static_cast<double>(fixed.Surface.Positions.rows());
   Steps steps(run,
-    { 3e8 + 2e3 * size, 3e8 + 2e3 * fixedSize, 1e9, 2e3 * size,
+    { 8e7 + 2e3 * size, 8e7 + 2e3 * fixedSize, diffeomorphic ? 1e9 : 5.5e8, 2e3 * size,
       200.0 * size * static_cast<double>(landmarks.size()) });
   const PreparedSurface from(moving, withShape, "moving", steps.next());
   const PreparedSurface to(fixed, withShape, "fixed", steps.next());
