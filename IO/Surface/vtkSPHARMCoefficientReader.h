@@ -2,20 +2,20 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
- * Output port 0: vtkTable as vtkSphericalHarmonics makes it, a row for each harmonic: columns
+ * Output port 0: vtkTable as vtkSurfaceHarmonics makes it, a row for each harmonic: columns
  * "Degree", "Order" (int) and "X", "Y", "Z" (double). Numbers are those of real orthonormal
- * harmonics without the Condon-Shortley phase, so that vtkSphericalHarmonicsSource makes the
+ * harmonics without the Condon-Shortley phase, so that vtkSurfaceHarmonicsSource makes the
  * surface of the file: those of orders above 0 are (-1)^m / sqrt(2) times the file's.
  *
  * SPHARM-PDM's own surfaces (..._SPHARM.vtk) are evaluated at the points opposite to those of its
- * sphere mesh: their points are those of vtkSphericalHarmonicsSource at minus that direction.
+ * sphere mesh: their points are those of vtkSurfaceHarmonicsSource at minus that direction.
  *
  * A file that breaks the rules or ends early gives an error with its line, an empty output, and an
  * error code of vtkErrorCode. A reader that is asked to abort gives an empty output without an
  * error.
  *
  * @sa
- * vtkSPHARMCoefficientWriter vtkSphericalHarmonicsSource vtkSphericalHarmonics
+ * vtkSPHARMCoefficientWriter vtkSurfaceHarmonicsSource vtkSurfaceHarmonics
  */
 
 #ifndef vtkSPHARMCoefficientReader_h

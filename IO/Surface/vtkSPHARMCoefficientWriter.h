@@ -2,7 +2,7 @@
  * @class   vtkSPHARMCoefficientWriter
  * @brief   write spherical-harmonic coefficients for SPHARM-PDM (.coef)
  *
- * Input port 0: vtkTable as vtkSphericalHarmonics makes it: columns "Degree", "Order", "X", "Y" and
+ * Input port 0: vtkTable as vtkSurfaceHarmonics makes it: columns "Degree", "Order", "X", "Y" and
  * "Z". Other columns are left out. Numbers are written with 15 digits, in SPHARM-PDM's own
  * normalization, so that its programs make the same surface of them; vtkSPHARMCoefficientReader
  * reads them back.
@@ -10,7 +10,7 @@
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa
- * vtkSPHARMCoefficientReader vtkSphericalHarmonics vtkSurfaceFileWriter
+ * vtkSPHARMCoefficientReader vtkSurfaceHarmonics vtkSurfaceFileWriter
  */
 
 #ifndef vtkSPHARMCoefficientWriter_h

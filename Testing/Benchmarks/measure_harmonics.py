@@ -13,7 +13,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from conformalsom import vtkConformalPLYReader, vtkGlobalConformalMap, vtkSphericalHarmonics
+from conformalsom import vtkConformalPLYReader, vtkGlobalConformalMap, vtkSurfaceHarmonics
 
 BALANCES = (0.0, 0.25, 0.5, 1.0)
 DEGREES = (12, 20, 32, 64, 128)
@@ -26,7 +26,7 @@ def largest_radius(surface):
 
 def measure(mapped, degree):
     """Distance and seconds."""
-    harmonics = vtkSphericalHarmonics()
+    harmonics = vtkSurfaceHarmonics()
     harmonics.SetInputData(mapped)
     harmonics.SetDegree(degree)
     start = time.process_time()

@@ -21,7 +21,7 @@
 #include "vtkGuMeshWriter.h"
 #include "vtkSPHARMSurfaceWriter.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSphericalHarmonics.h"
+#include "vtkSurfaceHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -182,8 +182,8 @@ inline std::vector<Case> Filters()
           }
         }),
       { s, s } },
-    { "vtkSphericalHarmonics",
-      Maker<vtkSphericalHarmonics>([](vtkSphericalHarmonics* filter) { filter->SetDegree(5); }),
+    { "vtkSurfaceHarmonics",
+      Maker<vtkSurfaceHarmonics>([](vtkSurfaceHarmonics* filter) { filter->SetDegree(5); }),
       { s } },
     { "vtkSphericalMorph",
       Maker<vtkSphericalMorph>([](vtkSphericalMorph* filter) { filter->SetNumberOfPoints(500); }),

@@ -14,8 +14,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSphericalHarmonics.h"
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -564,7 +564,7 @@ std::vector<Case> Cases()
   cases.push_back({ "FitsHarmonics",
     [](double scale)
     {
-      vtkNew<vtkSphericalHarmonics> filter;
+      vtkNew<vtkSurfaceHarmonics> filter;
       filter->SetInputData(Mesh(scale, 9));
       filter->SetDegree(6);
       filter->SetAlignmentToMapAndSurface();
@@ -575,7 +575,7 @@ std::vector<Case> Cases()
   cases.push_back({ "RebuildsFromHarmonics",
     [](double scale)
     {
-      vtkNew<vtkSphericalHarmonics> filter;
+      vtkNew<vtkSurfaceHarmonics> filter;
       filter->SetInputData(Mesh(1.0, 9));
       filter->SetDegree(6);
       filter->Update();
@@ -589,7 +589,7 @@ std::vector<Case> Cases()
           column->SetValue(i, scale * std::round(0x1p20 * column->GetValue(i)) * 0x1p-20);
         }
       }
-      vtkNew<vtkSphericalHarmonicsSource> source;
+      vtkNew<vtkSurfaceHarmonicsSource> source;
       source->SetInputData(table);
       source->SetFrequency(6);
       return Run(source);

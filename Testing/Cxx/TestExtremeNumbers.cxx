@@ -10,7 +10,7 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSphericalHarmonics.h"
+#include "vtkSurfaceHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -174,7 +174,7 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
       vtkDataObject* block = vtkMultiBlockDataSet::SafeDownCast(output)->GetBlock(0);
       return Written(block->GetAttributesAsFieldData(vtkDataObject::POINT), "SpherePosition");
     });
-  vtkNew<vtkSphericalHarmonics> harmonics;
+  vtkNew<vtkSurfaceHarmonics> harmonics;
   harmonics->SetDegree(4);
   add("harmonics", harmonics, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalMorph> morph;

@@ -33,8 +33,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSphericalHarmonics.h"
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -543,7 +543,7 @@ TEST(Progress, OfTheConsistentRemesh)
 
 TEST(Progress, OfTheHarmonics)
 {
-  using Harmonics = vtkSphericalHarmonics;
+  using Harmonics = vtkSurfaceHarmonics;
   const auto of = [](int degree, int lattice, int alignment)
   {
     return [=](Harmonics* harmonics)
@@ -554,25 +554,25 @@ TEST(Progress, OfTheHarmonics)
     };
   };
   const auto fine = Head(120), coarse = Head(30), limbs = Limbs(60);
-  ExpectEven("SphericalHarmonics of low degree",
+  ExpectEven("SurfaceHarmonics of low degree",
     Of<Harmonics>(fine, of(8, Harmonics::INPUT, Harmonics::NONE)));
-  ExpectEven("SphericalHarmonics on a geodesic sphere",
+  ExpectEven("SurfaceHarmonics on a geodesic sphere",
     Of<Harmonics>(limbs, of(40, Harmonics::GEODESIC, Harmonics::MAP)));
-  ExpectEven("SphericalHarmonics of a coarse mesh",
+  ExpectEven("SurfaceHarmonics of a coarse mesh",
     Of<Harmonics>(coarse, of(80, Harmonics::INPUT, Harmonics::MAP_AND_SURFACE)));
 }
 
 TEST(Progress, OfTheHarmonicsSource)
 {
-  vtkNew<vtkSphericalHarmonics> harmonics;
+  vtkNew<vtkSurfaceHarmonics> harmonics;
   harmonics->SetInputData(Head(20));
   harmonics->SetDegree(30);
   harmonics->Update();
   const vtkSmartPointer<vtkDataObject> table = harmonics->GetOutputDataObject(1);
-  ExpectEven("SphericalHarmonicsSource",
+  ExpectEven("SurfaceHarmonicsSource",
     [=]()
     {
-      const auto source = vtkSmartPointer<vtkSphericalHarmonicsSource>::New();
+      const auto source = vtkSmartPointer<vtkSurfaceHarmonicsSource>::New();
       source->SetInputDataObject(table);
       source->SetFrequency(100);
       return source;

@@ -5,7 +5,7 @@
 #include "../TemporaryFolder.h"
 #include "FilterContract.h"
 #include "ReaderCases.h"
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonicsSource.h"
 
 #include "vtkErrorCode.h"
 #include "vtkMath.h"
@@ -55,7 +55,7 @@ TEST(SPHARMCoefficientReader, SurfaceIsTheOneThatTheFileSays)
   const TemporaryFolder folder;
   const TableReading reading(folder.write("shape.coef", text + "}"));
   EXPECT_FALSE(reading.Seen.Error()) << reading.Seen.ErrorMessage();
-  vtkNew<vtkSphericalHarmonicsSource> source;
+  vtkNew<vtkSurfaceHarmonicsSource> source;
   source->SetInputConnection(reading.Reader->GetOutputPort());
   source->SetFrequency(4);
   source->Update();

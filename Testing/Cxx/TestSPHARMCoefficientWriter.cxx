@@ -5,7 +5,7 @@
 #include "FilterContract.h"
 #include "MeshFixtures.h"
 #include "vtkSPHARMCoefficientReader.h"
-#include "vtkSphericalHarmonics.h"
+#include "vtkSurfaceHarmonics.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -17,7 +17,7 @@
 
 TEST(SPHARMCoefficientWriter, HarmonicsAreReadBackToFifteenDigits)
 {
-  vtkNew<vtkSphericalHarmonics> harmonics;
+  vtkNew<vtkSurfaceHarmonics> harmonics;
   harmonics->SetInputData(fixtures::Ellipsoid(12));
   harmonics->SetDegree(9);
   harmonics->Update();

@@ -15,8 +15,8 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSphericalHarmonics.h"
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -644,14 +644,14 @@ std::vector<SetUp> Templates()
 
 std::vector<SetUp> Harmonics()
 {
-  using F = vtkSphericalHarmonics;
+  using F = vtkSurfaceHarmonics;
   constexpr unsigned int reads = BadPoints | BadIds | BadMap;
   // The output has the input's own polygons, as they are turned.
-  SetUp own = { "vtkSphericalHarmonics", "Input", true,
+  SetUp own = { "vtkSurfaceHarmonics", "Input", true,
     On<F>([](F* f, vtkPolyData*) { f->SetDegree(4); }), reads, false, false };
   own.Properties = { Integer("Degree", &F::SetDegree), Integer("Lattice", &F::SetLattice),
     Integer("Alignment", &F::SetAlignment) };
-  SetUp geodesic = { "vtkSphericalHarmonics", "Geodesic", true,
+  SetUp geodesic = { "vtkSurfaceHarmonics", "Geodesic", true,
     On<F>(
       [](F* f, vtkPolyData*)
       {
@@ -726,11 +726,11 @@ SetUp Source()
 
 SetUp HarmonicsSource()
 {
-  using F = vtkSphericalHarmonicsSource;
-  SetUp source = { "vtkSphericalHarmonicsSource", "", true,
+  using F = vtkSurfaceHarmonicsSource;
+  SetUp source = { "vtkSurfaceHarmonicsSource", "", true,
     [](vtkDataObject*, vtkPolyData* good) -> vtkSmartPointer<vtkAlgorithm>
     {
-      vtkNew<vtkSphericalHarmonics> harmonics;
+      vtkNew<vtkSurfaceHarmonics> harmonics;
       harmonics->SetInputData(good);
       harmonics->SetDegree(4);
       const auto made = vtkSmartPointer<F>::New();

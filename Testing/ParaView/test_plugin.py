@@ -31,6 +31,11 @@ def hints(tag):
             yield element.get("name"), hint
 
 
+def extension_of_tables(hint):
+    """Whether files of a hint hold a table, not a surface."""
+    return hint.get("extensions") == "coef"
+
+
 class TestPlugin(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -41,6 +46,9 @@ class TestPlugin(unittest.TestCase):
         cls.surface = simple.CurvedSeamlessSurface(Input=cls.mesh, Frequency=16)
         cls.painted = simple.SphericalTextureMap(
             Input=cls.surface, Projection="Octahedral", SplitSeam=1)
+        harmonics = simple.SurfaceHarmonics(Input=cls.surface, Degree=4)
+        harmonics.UpdatePipeline()
+        cls.harmonics = servermanager.OutputPort(harmonics, 1)
         cls.picture = simple.PNGSeriesReader(FileNames=[scenes.write_picture(cls.temporary.name)])
 
     @classmethod
@@ -155,10 +163,11 @@ class TestPlugin(unittest.TestCase):
         self.painted.UpdatePipeline()
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
         for name, hint in hints("WriterFactory"):
+            source = self.harmonics if extension_of_tables(hint) else servermanager.OutputPort(self.painted)
             for extension in hint.get("extensions").split():
                 with self.subTest(extension):
                     writer = factory.CreateWriter(self.path("x." + extension),
-                                                  self.painted.SMProxy, 0, False)
+                                                  source.SMProxy, source.Port, False)
                     self.assertEqual(writer.GetXMLName(), name)
 
     def test_readers_are_offered_for_their_extensions(self):
@@ -173,7 +182,8 @@ class TestPlugin(unittest.TestCase):
             for extension in hint.get("extensions").split():
                 with self.subTest(extension):
                     path = self.path("offered." + extension)
-                    writer(Input=self.surface, FileName=path).UpdatePipeline()
+                    writer(Input=self.harmonics if extension_of_tables(hint) else self.surface,
+                           FileName=path).UpdatePipeline()
                     offered = factory.GetReaders(path, session)
                     self.assertIn(name, [offered.GetString(i)
                                          for i in range(offered.GetNumberOfStrings())])

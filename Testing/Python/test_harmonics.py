@@ -9,8 +9,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom import (
     vtkConformalPLYReader, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSPHARMCoefficientReader,
-    vtkSPHARMCoefficientWriter, vtkSPHARMSurfaceReader, vtkSPHARMSurfaceWriter, vtkSphericalHarmonics,
-    vtkSphericalHarmonicsSource)
+    vtkSPHARMCoefficientWriter, vtkSPHARMSurfaceReader, vtkSPHARMSurfaceWriter, vtkSurfaceHarmonics,
+    vtkSurfaceHarmonicsSource)
 
 SCANS = os.environ.get("CONFORMALSOM_SCAN_DIR", "")
 
@@ -33,7 +33,7 @@ def pear(frequency=30):
 
 
 def harmonics_of(surface, degree, **properties):
-    harmonics = vtkSphericalHarmonics()
+    harmonics = vtkSurfaceHarmonics()
     harmonics.SetInputData(surface)
     harmonics.SetDegree(degree)
     for name, value in properties.items():
@@ -92,7 +92,7 @@ class TestFiles(unittest.TestCase):
         self.assertEqual(writer.Write(), 1)
         reader = vtkSPHARMCoefficientReader()
         reader.SetFileName(writer.GetFileName())
-        source = vtkSphericalHarmonicsSource()
+        source = vtkSurfaceHarmonicsSource()
         source.SetInputConnection(reader.GetOutputPort())
         source.SetFrequency(30)
         source.Update()

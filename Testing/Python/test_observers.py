@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
-    vtkSphericalHarmonics, vtkSphericalHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
            "gii": "GIFTI", "white": "FreeSurfer"}
@@ -78,7 +78,7 @@ def aligned_by_landmarks():
 
 
 def coefficients():
-    harmonics = with_inputs(vtkSphericalHarmonics, surface(), Degree=12)
+    harmonics = with_inputs(vtkSurfaceHarmonics, surface(), Degree=12)
     harmonics.Update()
     return harmonics.GetCoefficients()
 
@@ -115,8 +115,8 @@ FILTERS = {
     "image of a source": lambda: with_inputs(
         vtkSphericalTextureImage, surface(), surface(20), ImageSize=(100, 100)),
     "remesh": lambda: with_inputs(vtkConsistentRemesh, surface(), NumberOfPoints=1000),
-    "harmonics": lambda: with_inputs(vtkSphericalHarmonics, surface(), Degree=12, Alignment=2),
-    "harmonics source": lambda: with_inputs(vtkSphericalHarmonicsSource, coefficients(), Frequency=60),
+    "harmonics": lambda: with_inputs(vtkSurfaceHarmonics, surface(), Degree=12, Alignment=2),
+    "harmonics source": lambda: with_inputs(vtkSurfaceHarmonicsSource, coefficients(), Frequency=60),
     "morph": lambda: with_inputs(vtkSphericalMorph, surface(), surface(20, 0.3), NumberOfPoints=2000, Path=1),
     "registration": lambda: with_inputs(vtkSphericalRegistration, surface(), surface(20, 0.3), Frequency=8),
     "resampling": lambda: with_inputs(vtkSphericalResample, surface(), surface(30), MaskArrayName="Weights"),

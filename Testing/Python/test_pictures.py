@@ -19,7 +19,7 @@ from helpers import pictures, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGeodesicSphereSource,
-    vtkConformalPLYReader, vtkGlobalConformalMap, vtkSphericalHarmonics, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
+    vtkConformalPLYReader, vtkGlobalConformalMap, vtkSurfaceHarmonics, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
     vtkSurfaceMismatch)
 from obtuse import obtuse_surface
 
@@ -328,7 +328,7 @@ class TestPictures(unittest.TestCase):
         camera = lambda: pictures.camera_on(mapped, VIEW, UP, PANEL[0] / PANEL[1], azimuth=18)
         scenes = []
         for degree in (4, 12, 20, 60):
-            harmonics = vtkSphericalHarmonics()
+            harmonics = vtkSurfaceHarmonics()
             harmonics.SetInputData(mapped)
             harmonics.SetDegree(degree)
             harmonics.Update()

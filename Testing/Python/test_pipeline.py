@@ -17,7 +17,7 @@ from helpers.textures import checkerboard
 from conformalsom import (
     vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
-    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSphericalHarmonics, vtkSphericalHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkGlobalConformalMap, vtkSphericalAlignment, vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceMismatch)
 
 PROMISE = os.path.join(
@@ -120,11 +120,11 @@ def beside_the_chain(stages):
     resample.SetSourceConnection(stages["vtkSurfaceMismatch"].GetOutputPort())
     resample.SetMaskArrayName("Distance")
     resample.Update()
-    harmonics = vtkSphericalHarmonics()
+    harmonics = vtkSurfaceHarmonics()
     harmonics.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     harmonics.SetDegree(8)
     harmonics.Update()
-    rebuilt = vtkSphericalHarmonicsSource()
+    rebuilt = vtkSurfaceHarmonicsSource()
     rebuilt.SetInputConnection(harmonics.GetOutputPort(1))
     rebuilt.SetFrequency(5)
     rebuilt.Update()

@@ -53,7 +53,7 @@ class Proxy:
                     yield element
 
     def is_writer(self):
-        return self.core is not self.shown
+        return self.name.endswith("Writer")
 
 
 def setters(cls):
@@ -173,7 +173,7 @@ class TestProxies(unittest.TestCase):
     def test_ports_are_those_of_the_class(self, proxy):
         inputs = proxy.properties("InputProperty")
         ports = sorted(int(element.get("port_index", 0)) for element in inputs)
-        if proxy.is_writer():
+        if proxy.core is not proxy.shown:
             ports.insert(0, 0)  # given by ParaView's own writer around ours
         self.assertEqual(ports, list(range(proxy.object.GetNumberOfInputPorts())))
         for element in inputs:
@@ -264,6 +264,9 @@ class TestProxies(unittest.TestCase):
         if not proxy.is_writer():
             return
         hint = proxy.shown.find("Hints/WriterFactory")
+        if proxy.name == "SPHARMSurfaceWriter":
+            self.assertIsNone(hint)  # .vtk is ParaView's own
+            return
         self.assertIn("(Conformal SOM)", hint.get("file_description"))
         reader = "vtk" + proxy.name.replace("Writer", "Reader")
         known = ".glb"

@@ -1,8 +1,8 @@
-#include "vtkSphericalHarmonics.h"
+#include "vtkSurfaceHarmonics.h"
 
 #include "FilterContract.h"
 #include "MeshFixtures.h"
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonicsSource.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
@@ -105,10 +105,10 @@ double FieldValue(vtkDataObject* data, const char* name, vtkIdType i = 0)
   return array ? array->GetComponent(i, 0) : std::numeric_limits<double>::quiet_NaN();
 }
 
-class SphericalHarmonics : public testing::Test
+class SurfaceHarmonics : public testing::Test
 {
 protected:
-  SphericalHarmonics()
+  SurfaceHarmonics()
   {
     this->Filter->SetInputData(this->Surface);
     this->Filter->SetDegree(8);
@@ -131,12 +131,12 @@ protected:
   }
 
   vtkSmartPointer<vtkPolyData> Surface = Pear();
-  vtkNew<vtkSphericalHarmonics> Filter;
+  vtkNew<vtkSurfaceHarmonics> Filter;
   contract::Observed Seen{ this->Filter };
 };
 }
 
-TEST_F(SphericalHarmonics, EllipsoidHasItsCoefficients)
+TEST_F(SurfaceHarmonics, EllipsoidHasItsCoefficients)
 {
   this->Filter->SetInputData(fixtures::Ellipsoid(20));
   this->Run();
@@ -166,7 +166,7 @@ TEST_F(SphericalHarmonics, EllipsoidHasItsCoefficients)
   EXPECT_LT(FieldValue(output, "RootMeanSquareDistance"), 1e-12);
 }
 
-TEST_F(SphericalHarmonics, InputIsRebuiltOnItsMesh)
+TEST_F(SurfaceHarmonics, InputIsRebuiltOnItsMesh)
 {
   vtkNew<vtkPolyData> before;
   before->DeepCopy(this->Surface);
@@ -201,7 +201,7 @@ TEST_F(SphericalHarmonics, InputIsRebuiltOnItsMesh)
   EXPECT_NEAR(FieldValue(output, "HarmonicPower_Pair", 0), 25.0, 1e-11);
 }
 
-TEST_F(SphericalHarmonics, LowDegreesAreLessThanAll)
+TEST_F(SurfaceHarmonics, LowDegreesAreLessThanAll)
 {
   this->Run();
   vtkNew<vtkTable> all;
@@ -219,13 +219,13 @@ TEST_F(SphericalHarmonics, LowDegreesAreLessThanAll)
   EXPECT_NEAR(bounds[1] - bounds[0], 0.0, 1e-13); // a point
 }
 
-TEST_F(SphericalHarmonics, GeodesicSphereIsWhatTheSourceMakes)
+TEST_F(SurfaceHarmonics, GeodesicSphereIsWhatTheSourceMakes)
 {
   this->Filter->SetLatticeToGeodesic();
   this->Filter->SetFrequency(9);
   this->Filter->AddPointArray("Number");
   this->Run();
-  vtkNew<vtkSphericalHarmonicsSource> source;
+  vtkNew<vtkSurfaceHarmonicsSource> source;
   source->SetInputConnection(this->Filter->GetOutputPort(1));
   source->SetFrequency(9);
   source->Update();
@@ -244,7 +244,7 @@ TEST_F(SphericalHarmonics, GeodesicSphereIsWhatTheSourceMakes)
   EXPECT_LT(FieldValue(this->Filter->GetOutput(), "RootMeanSquareDistance"), 1e-12);
 }
 
-TEST_F(SphericalHarmonics, SpectrumDoesNotDependOnRotations)
+TEST_F(SurfaceHarmonics, SpectrumDoesNotDependOnRotations)
 {
   this->Run();
   std::vector<double> power, spectrum;
@@ -263,7 +263,7 @@ TEST_F(SphericalHarmonics, SpectrumDoesNotDependOnRotations)
   EXPECT_GT(spectrum[2], 0.01);
 }
 
-TEST_F(SphericalHarmonics, AlignedSurfacesAreTheSame)
+TEST_F(SurfaceHarmonics, AlignedSurfacesAreTheSame)
 {
   this->Filter->SetAlignmentToMapAndSurface();
   this->Run();
@@ -296,14 +296,14 @@ TEST_F(SphericalHarmonics, AlignedSurfacesAreTheSame)
 }
 
 // The harmonics of what is written are those that are written.
-TEST_F(SphericalHarmonics, AlignedOutputHasTheAlignedCoefficients)
+TEST_F(SurfaceHarmonics, AlignedOutputHasTheAlignedCoefficients)
 {
-  for (const int alignment : { vtkSphericalHarmonics::MAP, vtkSphericalHarmonics::MAP_AND_SURFACE })
+  for (const int alignment : { vtkSurfaceHarmonics::MAP, vtkSurfaceHarmonics::MAP_AND_SURFACE })
   {
     this->Filter->SetInputData(Turned(this->Surface));
     this->Filter->SetAlignment(alignment);
     this->Run();
-    vtkNew<vtkSphericalHarmonics> again;
+    vtkNew<vtkSurfaceHarmonics> again;
     again->SetInputConnection(this->Filter->GetOutputPort());
     again->SetDegree(8);
     again->Update();
@@ -311,7 +311,7 @@ TEST_F(SphericalHarmonics, AlignedOutputHasTheAlignedCoefficients)
   }
 }
 
-TEST_F(SphericalHarmonics, ReferenceDecidesWhereAxesPoint)
+TEST_F(SurfaceHarmonics, ReferenceDecidesWhereAxesPoint)
 {
   this->Run();
   vtkNew<vtkTable> reference;
@@ -332,7 +332,7 @@ TEST_F(SphericalHarmonics, ReferenceDecidesWhereAxesPoint)
   EXPECT_LT(Difference(reference, this->Filter->GetCoefficients()), 1e-10);
 }
 
-TEST_F(SphericalHarmonics, ThreadsChangeNoBit)
+TEST_F(SurfaceHarmonics, ThreadsChangeNoBit)
 {
   this->Filter->SetAlignmentToMapAndSurface();
   vtkSMPTools::Initialize(1);
@@ -345,7 +345,7 @@ TEST_F(SphericalHarmonics, ThreadsChangeNoBit)
   vtkSMPTools::Initialize();
 }
 
-TEST_F(SphericalHarmonics, RunsOnlyWhenModifiedAndPrints)
+TEST_F(SurfaceHarmonics, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetDegree(3); });
   contract::ExpectRunsOnlyWhenModified(
@@ -364,13 +364,13 @@ TEST_F(SphericalHarmonics, RunsOnlyWhenModifiedAndPrints)
   EXPECT_EQ(this->Filter->GetDegree(), 256);
 }
 
-TEST_F(SphericalHarmonics, StopsWhenAsked)
+TEST_F(SurfaceHarmonics, StopsWhenAsked)
 {
   contract::ExpectStopsWhenAsked(this->Filter);
 }
 
 // Half the number of points that degree 24 has unknowns: places inside the triangles count.
-TEST_F(SphericalHarmonics, MoreHarmonicsThanPointsAreDefined)
+TEST_F(SurfaceHarmonics, MoreHarmonicsThanPointsAreDefined)
 {
   this->Filter->SetInputData(Pear(5));
   this->Filter->SetDegree(24);
@@ -382,7 +382,7 @@ TEST_F(SphericalHarmonics, MoreHarmonicsThanPointsAreDefined)
 //------------------------------------------------------------------------------
 // What happens on bad input.
 
-TEST_F(SphericalHarmonics, EmptyInputGivesAWarningAndNothing)
+TEST_F(SurfaceHarmonics, EmptyInputGivesAWarningAndNothing)
 {
   this->Filter->SetInputData(vtkNew<vtkPolyData>());
   this->Run();
@@ -391,7 +391,7 @@ TEST_F(SphericalHarmonics, EmptyInputGivesAWarningAndNothing)
   EXPECT_EQ(this->Filter->GetCoefficients()->GetNumberOfColumns(), 0);
 }
 
-TEST_F(SphericalHarmonics, SurfacesWithoutAUsableMapAreRefused)
+TEST_F(SurfaceHarmonics, SurfacesWithoutAUsableMapAreRefused)
 {
   vtkDataArray* sphere = this->Surface->GetPointData()->GetArray("SpherePosition");
   const double opposite[] = { -sphere->GetComponent(99, 0), -sphere->GetComponent(99, 1),
@@ -404,7 +404,7 @@ TEST_F(SphericalHarmonics, SurfacesWithoutAUsableMapAreRefused)
   this->ExpectRefused("the surface has no point array SpherePosition");
 }
 
-TEST_F(SphericalHarmonics, BadSurfacesAreRefused)
+TEST_F(SurfaceHarmonics, BadSurfacesAreRefused)
 {
   this->Surface->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   this->ExpectRefused("some points of the surface are not finite");
@@ -421,7 +421,7 @@ TEST_F(SphericalHarmonics, BadSurfacesAreRefused)
   this->ExpectRefused("the surface has no area");
 }
 
-TEST_F(SphericalHarmonics, BadArraysAreRefused)
+TEST_F(SurfaceHarmonics, BadArraysAreRefused)
 {
   this->Filter->AddPointArray("Missing");
   this->ExpectRefused("the surface has no point array \"Missing\" of numbers");
@@ -434,7 +434,7 @@ TEST_F(SphericalHarmonics, BadArraysAreRefused)
   this->ExpectRefused("are too large for their harmonics");
 }
 
-TEST_F(SphericalHarmonics, BadReferencesAreRefused)
+TEST_F(SurfaceHarmonics, BadReferencesAreRefused)
 {
   vtkNew<vtkTable> reference;
   this->Filter->SetReferenceData(reference);

@@ -1,4 +1,4 @@
-#include "vtkSphericalHarmonics.h"
+#include "vtkSurfaceHarmonics.h"
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
@@ -28,7 +28,7 @@
 #include <stdexcept>
 #include <utility>
 
-vtkStandardNewMacro(vtkSphericalHarmonics);
+vtkStandardNewMacro(vtkSurfaceHarmonics);
 
 namespace
 {
@@ -115,7 +115,7 @@ conformal::Columns ReferenceOf(vtkTable* table, const conformal::CoordinateFrame
 conformal::HarmonicAlignment AlignmentOf(const conformal::Columns& coefficients,
   vtkTable* reference, int kind, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  const bool movesSurface = kind == vtkSphericalHarmonics::MAP_AND_SURFACE;
+  const bool movesSurface = kind == vtkSurfaceHarmonics::MAP_AND_SURFACE;
   const conformal::Columns coordinates = coefficients.leftCols(3);
   if (reference)
   {
@@ -239,14 +239,14 @@ double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal
 }
 
 //------------------------------------------------------------------------------
-vtkSphericalHarmonics::vtkSphericalHarmonics()
+vtkSurfaceHarmonics::vtkSurfaceHarmonics()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonics::AddPointArray(const char* name)
+void vtkSurfaceHarmonics::AddPointArray(const char* name)
 {
   const std::string added = name ? name : "";
   const bool isThere =
@@ -259,7 +259,7 @@ void vtkSphericalHarmonics::AddPointArray(const char* name)
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonics::RemoveAllPointArrays()
+void vtkSurfaceHarmonics::RemoveAllPointArrays()
 {
   if (!this->PointArrays.empty())
   {
@@ -269,25 +269,25 @@ void vtkSphericalHarmonics::RemoveAllPointArrays()
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonics::SetReferenceConnection(vtkAlgorithmOutput* output)
+void vtkSurfaceHarmonics::SetReferenceConnection(vtkAlgorithmOutput* output)
 {
   this->SetInputConnection(1, output);
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonics::SetReferenceData(vtkTable* reference)
+void vtkSurfaceHarmonics::SetReferenceData(vtkTable* reference)
 {
   this->SetInputData(1, reference);
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkSphericalHarmonics::GetCoefficients()
+vtkTable* vtkSurfaceHarmonics::GetCoefficients()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 //------------------------------------------------------------------------------
-int vtkSphericalHarmonics::FillInputPortInformation(int port, vtkInformation* info)
+int vtkSurfaceHarmonics::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
@@ -295,14 +295,14 @@ int vtkSphericalHarmonics::FillInputPortInformation(int port, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
-int vtkSphericalHarmonics::FillOutputPortInformation(int port, vtkInformation* info)
+int vtkSurfaceHarmonics::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkSphericalHarmonics::RequestData(
+int vtkSurfaceHarmonics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
@@ -396,7 +396,7 @@ int vtkSphericalHarmonics::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonics::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSurfaceHarmonics::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const lattices[] = { "Input", "Geodesic" };
   static const char* const alignments[] = { "None", "Map", "MapAndSurface" };

@@ -1,4 +1,4 @@
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonicsSource.h"
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
@@ -17,17 +17,17 @@
 
 #include <vector>
 
-vtkStandardNewMacro(vtkSphericalHarmonicsSource);
+vtkStandardNewMacro(vtkSurfaceHarmonicsSource);
 
 //------------------------------------------------------------------------------
-int vtkSphericalHarmonicsSource::FillInputPortInformation(int, vtkInformation* info)
+int vtkSurfaceHarmonicsSource::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkSphericalHarmonicsSource::RequestData(
+int vtkSurfaceHarmonicsSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const auto table = vtkConformalConversions::Held(vtkTable::GetData(inputVector[0]));
@@ -71,7 +71,7 @@ int vtkSphericalHarmonicsSource::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkSphericalHarmonicsSource::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSurfaceHarmonicsSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Frequency: " << this->Frequency << "\n";

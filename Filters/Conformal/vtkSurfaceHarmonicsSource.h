@@ -1,5 +1,5 @@
 /**
- * @class   vtkSphericalHarmonicsSource
+ * @class   vtkSurfaceHarmonicsSource
  * @brief   a surface from its spherical harmonics
  *
  * Input port 0: vtkTable with a row for each harmonic of degrees 0 to L, at most 1024, in any
@@ -13,23 +13,23 @@
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - a point array (double, 1 component) of each other column, by its name.
  *
- * vtkSphericalHarmonics makes such tables and says which harmonics they are of.
+ * vtkSurfaceHarmonics makes such tables and says which harmonics they are of.
  *
  * @sa
- * vtkSphericalHarmonics vtkGeodesicSphereSource
+ * vtkSurfaceHarmonics vtkGeodesicSphereSource
  */
 
-#ifndef vtkSphericalHarmonicsSource_h
-#define vtkSphericalHarmonicsSource_h
+#ifndef vtkSurfaceHarmonicsSource_h
+#define vtkSurfaceHarmonicsSource_h
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalHarmonicsSource : public vtkPolyDataAlgorithm
+class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceHarmonicsSource : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSphericalHarmonicsSource* New();
-  vtkTypeMacro(vtkSphericalHarmonicsSource, vtkPolyDataAlgorithm);
+  static vtkSurfaceHarmonicsSource* New();
+  vtkTypeMacro(vtkSurfaceHarmonicsSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -50,15 +50,15 @@ public:
   ///@}
 
 protected:
-  vtkSphericalHarmonicsSource() = default;
-  ~vtkSphericalHarmonicsSource() override = default;
+  vtkSurfaceHarmonicsSource() = default;
+  ~vtkSurfaceHarmonicsSource() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkSphericalHarmonicsSource(const vtkSphericalHarmonicsSource&) = delete;
-  void operator=(const vtkSphericalHarmonicsSource&) = delete;
+  vtkSurfaceHarmonicsSource(const vtkSurfaceHarmonicsSource&) = delete;
+  void operator=(const vtkSurfaceHarmonicsSource&) = delete;
 
   int Frequency = 36;
   int ReconstructionDegree = 1024;

@@ -1,5 +1,5 @@
 /**
- * @class   vtkSphericalHarmonics
+ * @class   vtkSurfaceHarmonics
  * @brief   the spherical harmonics of a mapped surface and of arrays on it
  *
  * Input port 0: vtkPolyData, a closed surface; polygons and strips are cut into triangles. With
@@ -52,11 +52,11 @@
  * positive direction points.
  *
  * @sa
- * vtkSphericalHarmonicsSource vtkGlobalConformalMap vtkConsistentRemesh
+ * vtkSurfaceHarmonicsSource vtkGlobalConformalMap vtkConsistentRemesh
  */
 
-#ifndef vtkSphericalHarmonics_h
-#define vtkSphericalHarmonics_h
+#ifndef vtkSurfaceHarmonics_h
+#define vtkSurfaceHarmonics_h
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
@@ -66,11 +66,11 @@
 
 class vtkTable;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalHarmonics : public vtkPolyDataAlgorithm
+class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceHarmonics : public vtkPolyDataAlgorithm
 {
 public:
-  static vtkSphericalHarmonics* New();
-  vtkTypeMacro(vtkSphericalHarmonics, vtkPolyDataAlgorithm);
+  static vtkSurfaceHarmonics* New();
+  vtkTypeMacro(vtkSurfaceHarmonics, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Alignments
@@ -164,16 +164,16 @@ public:
   vtkTable* GetCoefficients();
 
 protected:
-  vtkSphericalHarmonics();
-  ~vtkSphericalHarmonics() override = default;
+  vtkSurfaceHarmonics();
+  ~vtkSurfaceHarmonics() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkSphericalHarmonics(const vtkSphericalHarmonics&) = delete;
-  void operator=(const vtkSphericalHarmonics&) = delete;
+  vtkSurfaceHarmonics(const vtkSurfaceHarmonics&) = delete;
+  void operator=(const vtkSurfaceHarmonics&) = delete;
 
   int Degree = 20;
   int ReconstructionDegree = 256;

@@ -1,4 +1,4 @@
-#include "vtkSphericalHarmonicsSource.h"
+#include "vtkSurfaceHarmonicsSource.h"
 
 #include "FilterContract.h"
 
@@ -15,10 +15,10 @@
 namespace
 {
 /// A sphere of radius 2 around (5, 0, 0), its rows from the last to the first, and a height.
-class SphericalHarmonicsSource : public testing::Test
+class SurfaceHarmonicsSource : public testing::Test
 {
 protected:
-  SphericalHarmonicsSource()
+  SurfaceHarmonicsSource()
   {
     const double zero = std::sqrt(4.0 * vtkMath::Pi()), one = std::sqrt(4.0 * vtkMath::Pi() / 3.0);
     vtkNew<vtkStringArray> remarks;
@@ -76,12 +76,12 @@ protected:
   }
 
   vtkNew<vtkTable> Table;
-  vtkNew<vtkSphericalHarmonicsSource> Source;
+  vtkNew<vtkSurfaceHarmonicsSource> Source;
   contract::Observed Seen{ this->Source };
 };
 }
 
-TEST_F(SphericalHarmonicsSource, SphereIsASphere)
+TEST_F(SurfaceHarmonicsSource, SphereIsASphere)
 {
   this->Run();
   EXPECT_FALSE(this->Seen.Error() || this->Seen.Warning());
@@ -102,7 +102,7 @@ TEST_F(SphericalHarmonicsSource, SphereIsASphere)
   }
 }
 
-TEST_F(SphericalHarmonicsSource, DegreesAreCutOff)
+TEST_F(SurfaceHarmonicsSource, DegreesAreCutOff)
 {
   this->Source->SetReconstructionDegree(0);
   this->Run();
@@ -112,14 +112,14 @@ TEST_F(SphericalHarmonicsSource, DegreesAreCutOff)
   EXPECT_NEAR(bounds[1], 5.0, 1e-14);
 }
 
-TEST_F(SphericalHarmonicsSource, RunsOnlyWhenModifiedAndPrints)
+TEST_F(SurfaceHarmonicsSource, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Source, [&]() { this->Source->SetFrequency(5); });
   contract::ExpectPrints(this->Source, "Frequency");
   contract::ExpectPrints(this->Source, "ReconstructionDegree");
 }
 
-TEST_F(SphericalHarmonicsSource, StopsWhenAsked)
+TEST_F(SurfaceHarmonicsSource, StopsWhenAsked)
 {
   this->Source->SetFrequency(40);
   contract::ExpectStopsWhenAsked(this->Source);
@@ -128,7 +128,7 @@ TEST_F(SphericalHarmonicsSource, StopsWhenAsked)
 //------------------------------------------------------------------------------
 // What happens on bad input.
 
-TEST_F(SphericalHarmonicsSource, EmptyTableGivesAWarningAndNothing)
+TEST_F(SurfaceHarmonicsSource, EmptyTableGivesAWarningAndNothing)
 {
   this->Source->SetInputData(vtkNew<vtkTable>());
   this->Run();
@@ -136,19 +136,19 @@ TEST_F(SphericalHarmonicsSource, EmptyTableGivesAWarningAndNothing)
   EXPECT_EQ(this->Source->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST_F(SphericalHarmonicsSource, MissingColumnsAreNamed)
+TEST_F(SurfaceHarmonicsSource, MissingColumnsAreNamed)
 {
   this->Table->RemoveColumnByName("Y");
   this->ExpectRefused("the table of coefficients has no column \"Y\" of numbers");
 }
 
-TEST_F(SphericalHarmonicsSource, ColumnsOfOtherLengthsAreRefused)
+TEST_F(SurfaceHarmonicsSource, ColumnsOfOtherLengthsAreRefused)
 {
   this->Column("Height")->SetNumberOfTuples(3);
   this->ExpectRefused("the column \"Height\" has 3 values for 4 rows");
 }
 
-TEST_F(SphericalHarmonicsSource, RowsThatAreNoHarmonicsAreRefused)
+TEST_F(SurfaceHarmonicsSource, RowsThatAreNoHarmonicsAreRefused)
 {
   this->Column("Order")->SetTuple1(1, 2);
   this->ExpectRefused("a row of degree 1.000000 and order 2.000000");
@@ -163,13 +163,13 @@ TEST_F(SphericalHarmonicsSource, RowsThatAreNoHarmonicsAreRefused)
   this->ExpectRefused("there are 3 coefficients, but those of all degrees up to L are (L + 1)^2");
 }
 
-TEST_F(SphericalHarmonicsSource, NumbersThatAreNotFiniteAreRefused)
+TEST_F(SurfaceHarmonicsSource, NumbersThatAreNotFiniteAreRefused)
 {
   this->Column("Z")->SetTuple1(2, std::numeric_limits<double>::infinity());
   this->ExpectRefused("the column \"Z\" is not finite in row 2");
 }
 
-TEST_F(SphericalHarmonicsSource, DegreesTooHighForMemoryAreRefused)
+TEST_F(SurfaceHarmonicsSource, DegreesTooHighForMemoryAreRefused)
 {
   for (const char* name : { "Degree", "Order", "X", "Y", "Z", "Height" })
   {
@@ -178,7 +178,7 @@ TEST_F(SphericalHarmonicsSource, DegreesTooHighForMemoryAreRefused)
   this->ExpectRefused("the coefficients have degree 1025, but the highest is 1024");
 }
 
-TEST_F(SphericalHarmonicsSource, NumbersAtTheEndOfTheirRangeGiveAnErrorOrAreRight)
+TEST_F(SurfaceHarmonicsSource, NumbersAtTheEndOfTheirRangeGiveAnErrorOrAreRight)
 {
   for (const double scale : { 1e-300, 1e300 })
   {
