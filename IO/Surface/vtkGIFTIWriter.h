@@ -1,9 +1,17 @@
 /**
  * @class   vtkGIFTIWriter
- * @brief   write GIFTI surfaces with all arrays of points
+ * @brief   write GIFTI surfaces, spheres and numbers at their points
  *
- * Input port 0: vtkPolyData. What is written is GIFTI, compressed: points in their type, triangles,
- * and every array of the points by its name. Polygons of more corners are an error.
+ * Input port 0: vtkPolyData. What is written is GIFTI, compressed. Content is
+ * - SURFACE: points in their type, triangles, and every array of the points by its name
+ *   (.surf.gii). Polygons of more corners are an error.
+ * - GEOMETRY: the points, as floats, and the triangles (.surf.gii).
+ * - SPHERE: the same triangles with the points of array "SpherePosition" (3 components) times 100,
+ *   the radius of spheres of cortical surfaces, as floats (.sphere.surf.gii).
+ * - SHAPE: every array of the points with 1 component, by its name, as floats, without the surface
+ *   (.shape.gii). Integers beyond 16,777,216 are rounded.
+ *
+ * Connectome Workbench reads GEOMETRY, SPHERE and SHAPE; it refuses surfaces with arrays.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -24,6 +32,35 @@ public:
   vtkTypeMacro(vtkGIFTIWriter, vtkSurfaceFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum
+  {
+    SURFACE,
+    GEOMETRY,
+    SPHERE,
+    SHAPE
+  };
+
+  ///@{
+  /**
+   * What is written: SURFACE, GEOMETRY, SPHERE or SHAPE. Default is SURFACE.
+   */
+  vtkSetClampMacro(Content, int, SURFACE, SHAPE);
+  vtkGetMacro(Content, int);
+  void SetContentToSurface() { this->SetContent(SURFACE); }
+  void SetContentToGeometry() { this->SetContent(GEOMETRY); }
+  void SetContentToSphere() { this->SetContent(SPHERE); }
+  void SetContentToShape() { this->SetContent(SHAPE); }
+  ///@}
+
+  ///@{
+  /**
+   * What the surface is of, for programs that ask: the metadata AnatomicalStructurePrimary, such as
+   * CortexLeft or CortexRight. Default is empty: none is written.
+   */
+  vtkSetMacro(AnatomicalStructure, std::string);
+  vtkGetMacro(AnatomicalStructure, std::string);
+  ///@}
+
 protected:
   vtkGIFTIWriter() = default;
   ~vtkGIFTIWriter() override = default;
@@ -33,6 +70,9 @@ protected:
 private:
   vtkGIFTIWriter(const vtkGIFTIWriter&) = delete;
   void operator=(const vtkGIFTIWriter&) = delete;
+
+  int Content = SURFACE;
+  std::string AnatomicalStructure;
 };
 
 #endif

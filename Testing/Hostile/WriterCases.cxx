@@ -261,8 +261,7 @@ std::vector<WriterSetUp> Writers()
 {
   const auto textured = [](vtkTexturedSurfaceWriter* writer)
   { writer->SetInputDataObject(1, Picture()); };
-  const auto content = [](int what)
-  { return [=](vtkFreeSurferWriter* writer) { writer->SetContent(what); }; };
+  const auto content = [](int what) { return [=](auto* writer) { writer->SetContent(what); }; };
   const unsigned int all = BadIds | BadPoints;
   return {
     { "vtkConformalPLYWriter", ".ply", true, Writing<vtkConformalPLYWriter>(),
@@ -270,6 +269,9 @@ std::vector<WriterSetUp> Writers()
     { "vtkConformalOFFWriter", ".off", true, Writing<vtkConformalOFFWriter>(),
       Reading<vtkConformalOFFReader> },
     { "vtkGIFTIWriter", ".surf.gii", true, Writing<vtkGIFTIWriter>(), Reading<vtkGIFTIReader> },
+    { "vtkGIFTIWriter", ".sphere.surf.gii", true, Writing<vtkGIFTIWriter>(content(2)),
+      Reading<vtkGIFTIReader>, false, BadIds | BadMap },
+    { "vtkGIFTIWriter", ".shape.gii", true, Writing<vtkGIFTIWriter>(content(3)), {}, false, 0 },
     { "vtkGuMeshWriter", ".m", true, Writing<vtkGuMeshWriter>(), Reading<vtkGuMeshReader> },
     { "vtkTextCloudWriter", ".xyz", true, Writing<vtkTextCloudWriter>(),
       Reading<vtkTextCloudReader>, true, 0 },
@@ -346,6 +348,24 @@ void AddWriterPropertyCases(std::vector<Case>& all)
           writer->SetContent(content);
           writer->SetArrayName("Curvature");
         }));
+  }
+  using Images = vtkGIFTIWriter;
+  for (const int content :
+    { std::numeric_limits<int>::min(), -1, 1, 4, std::numeric_limits<int>::max() })
+  {
+    all.push_back(WithProperty<Images>("vtkGIFTIWriter", ".surf.gii",
+      "Content " + std::to_string(content), [=](Images* writer) { writer->SetContent(content); }));
+  }
+  for (const std::string& structure : { std::string(), std::string("CortexLeft"),
+         std::string("</Value>]]>&<!--"), std::string(100000, 'x'), std::string("a\nb\x01\xff") })
+  {
+    all.push_back(WithProperty<Images>("vtkGIFTIWriter", ".surf.gii",
+      "AnatomicalStructure " + structure.substr(0, 20),
+      [=](Images* writer)
+      {
+        writer->SetContentToGeometry();
+        writer->SetAnatomicalStructure(structure);
+      }));
   }
   using Textured = vtkTexturedSurfaceWriter;
   for (const char* ending : { ".glb", ".obj", ".ply" })

@@ -139,6 +139,75 @@ class Pair:
         return resample.GetOutput().GetPointData()
 
 
+@unittest.skipUnless(WORKBENCH, "wb_command is not installed (Debian: connectome-workbench)")
+class TestWorkbench(unittest.TestCase):
+    """A mapped surface, in double precision and with arrays of all sorts, is handed to wb_command."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        polygons, places = uneven_sphere(10, 0.0)
+        self.size, self.triangles = len(places), polygons.GetNumberOfCells()
+        self.surface = surface_of(polygons, shape_at(places), SpherePosition=places,
+                                  Depth=places[:, 2].copy(), Parcel=labels_at(places))
+        points = vtkPoints()
+        points.SetData(numpy_to_vtk(shape_at(places), deep=1))
+        self.surface.SetPoints(points)
+
+    def written(self, content, name):
+        writer = vtkGIFTIWriter()
+        writer.SetInputData(self.surface)
+        writer.SetAnatomicalStructure("CortexRight")
+        getattr(writer, "SetContentTo" + content)()
+        writer.SetFileName(os.path.join(self.folder, name))
+        assert writer.Write() == 1
+        return writer.GetFileName()
+
+    def run_workbench(self, *arguments):
+        run = subprocess.run([WORKBENCH, *arguments], cwd=self.folder, capture_output=True, text=True,
+                             check=False)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        return run.stdout
+
+    def information(self, name):
+        lines = self.run_workbench("-file-information", name).splitlines()
+        return {key.strip(): value.strip() for key, value in (line.split(":", 1) for line in lines
+                                                              if ":" in line)}
+
+    def test_it_knows_the_geometry(self):
+        found = self.information(self.written("Geometry", "rh.white.surf.gii"))
+        self.assertEqual(found["Structure"], "CortexRight")
+        self.assertEqual(found["Surface Type (Primary)"], "Anatomical")
+        self.assertEqual(int(found["Number of Vertices"]), self.size)
+        self.assertEqual(int(found["Number of Triangles"]), self.triangles)
+        bounds = self.surface.GetBounds()
+        for i, axis in enumerate("XYZ"):
+            self.assertAlmostEqual(float(found[axis + "-minimum"]), bounds[2 * i], delta=1e-3)
+            self.assertAlmostEqual(float(found[axis + "-maximum"]), bounds[2 * i + 1], delta=1e-3)
+
+    def test_it_knows_the_sphere(self):
+        found = self.information(self.written("Sphere", "rh.sphere.surf.gii"))
+        self.assertEqual(found["Structure"], "CortexRight")
+        self.assertEqual(found["Surface Type (Primary)"], "Spherical")
+        self.assertEqual(int(found["Number of Vertices"]), self.size)
+        places = vtk_to_numpy(self.surface.GetPointData().GetArray("SpherePosition"))
+        for i, axis in enumerate("XYZ"):
+            self.assertAlmostEqual(float(found[axis + "-minimum"]), 100.0 * places[:, i].min(), delta=1e-3)
+            self.assertAlmostEqual(float(found[axis + "-maximum"]), 100.0 * places[:, i].max(), delta=1e-3)
+        self.assertAlmostEqual(float(found["Spherical Radius"]), 100.0, delta=0.5)  # of some points
+
+    def test_it_knows_the_shapes(self):
+        path = self.written("Shape", "rh.shape.gii")
+        found = self.information(path)
+        self.assertEqual((found["Type"], found["Structure"]), ("Metric", "CortexRight"))
+        self.assertEqual(int(found["Number of Maps"]), 2)
+        for column, name in enumerate(("Depth", "Parcel"), 1):
+            values = vtk_to_numpy(self.surface.GetPointData().GetArray(name))
+            largest = self.run_workbench("-metric-stats", path, "-reduce", "MAX", "-column", str(column))
+            self.assertAlmostEqual(float(largest), values.max(), delta=1e-5)
+
+
 class TestResample(unittest.TestCase):
     @unittest.skipUnless(WORKBENCH, "wb_command is not installed (Debian: connectome-workbench)")
     def test_weights_are_those_of_workbench(self):

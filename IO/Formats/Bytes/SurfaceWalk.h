@@ -65,6 +65,28 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
+/// "SpherePosition" on the sphere whose radius neuroimaging uses for cortical surfaces.
+/// @throws std::invalid_argument as findSpherePositions(), or if there is no such array
+class CorticalSphere
+{
+public:
+  explicit CorticalSphere(const SurfaceData& surface)
+    : Positions(findSpherePositions(surface))
+  {
+    if (!this->Positions)
+    {
+      throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
+    }
+  }
+
+  /// Number `index` of the coordinates, counted through all points.
+  double coordinate(std::size_t index) const { return Radius * valueOf(*this->Positions, index); }
+
+private:
+  static constexpr double Radius = 100.0;
+  const NamedArray* Positions;
+};
+
 /// Append a tuple's numbers as text, each behind a blank.
 inline void appendTuple(std::string& text, const NamedArray& array, std::size_t tuple)
 {

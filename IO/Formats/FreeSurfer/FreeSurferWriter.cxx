@@ -10,12 +10,12 @@ namespace conformal
 namespace
 {
 // Triangles between points that are those of the surface or others.
+template <typename Coordinate>
 std::string makeFreeSurfer(
-  const SurfaceData& surface, const NamedArray& points, double scale, const ParseProgress& progress)
+  const SurfaceData& surface, Coordinate coordinate, const ParseProgress& progress)
 {
   requireTriangles(surface);
-  const auto coordinate = [&](std::size_t i) { return scale * valueOf(points, i); };
-  requireFloatRange(3 * points.numberOfTuples(), coordinate);
+  requireFloatRange(3 * surface.Points.numberOfTuples(), coordinate);
   std::string bytes = "\xFF\xFF\xFE"
                       "created by ConformalSOM\n\n";
   appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
@@ -43,19 +43,16 @@ std::string makeFreeSurfer(
 //------------------------------------------------------------------------------
 std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress)
 {
-  return makeFreeSurfer(surface, surface.Points, 1.0, progress);
+  return makeFreeSurfer(
+    surface, [&](std::size_t i) { return valueOf(surface.Points, i); }, progress);
 }
 
 //------------------------------------------------------------------------------
 std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
 {
-  constexpr double radius = 100.0;
-  const NamedArray* sphere = findSpherePositions(surface);
-  if (!sphere)
-  {
-    throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
-  }
-  return makeFreeSurfer(surface, *sphere, radius, progress);
+  const CorticalSphere sphere(surface);
+  return makeFreeSurfer(
+    surface, [&](std::size_t i) { return sphere.coordinate(i); }, progress);
 }
 
 //------------------------------------------------------------------------------

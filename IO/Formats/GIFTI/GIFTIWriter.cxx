@@ -1,10 +1,16 @@
 #include "GIFTI/GIFTIWriter.h"
 
+#include "Bytes/FloatRange.h"
 #include "Bytes/SurfaceWalk.h"
 #include "GIFTI/BinaryText.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace conformal
 {
@@ -38,13 +44,43 @@ const char* nameOf(ScalarType type)
   return "FLOAT64";
 }
 
-// Text as XML may hold it; control characters have no way into XML.
+// The bytes of the character that UTF-8 begins with; 0 if it is none, or one that XML forbids.
+std::size_t characterLength(std::string_view text)
+{
+  constexpr std::uint32_t first[] = { 0, 0x20, 0x80, 0x800, 0x10000 }; // of so many bytes
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned int lead = byte(0);
+  const std::size_t length = lead < 0x80 ? 1
+    : lead < 0xC0                        ? 0
+    : lead < 0xE0                        ? 2
+    : lead < 0xF0                        ? 3
+                                         : 4;
+  if (length == 0 || lead >= 0xF8 || length > text.size())
+  {
+    return 0;
+  }
+  std::uint32_t code = length == 1 ? lead : lead & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i)
+  {
+    if ((byte(i) & 0xC0U) != 0x80U)
+    {
+      return 0;
+    }
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  const bool isSurrogate = code >= 0xD800 && code < 0xE000;
+  const bool isNone = code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF;
+  return code < first[length] || isSurrogate || isNone ? 0 : length;
+}
+
+// Text as XML may hold it; control characters and bytes that are not UTF-8 have no way into XML.
 std::string escaped(const std::string& text)
 {
   std::string result;
-  for (const char c : text)
+  for (std::size_t i = 0; i < text.size();)
   {
-    switch (c)
+    const std::size_t length = characterLength(std::string_view(text).substr(i));
+    switch (text[i])
     {
       case '&':
         result += "&amp;";
@@ -56,31 +92,86 @@ std::string escaped(const std::string& text)
         result += "&gt;";
         break;
       default:
-        result += static_cast<unsigned char>(c) < ' ' ? '_' : c;
+        result += length > 0 ? text.substr(i, length) : "_";
     }
+    i += std::max<std::size_t>(length, 1);
   }
   return result;
 }
 
-void appendArray(
-  std::string& text, const NamedArray& array, const char* intent, const ParseProgress& progress)
+// Names and values; those without a value are left out.
+std::string metaData(const std::vector<std::pair<const char*, std::string>>& entries)
 {
+  std::string text;
+  for (const auto& [name, value] : entries)
+  {
+    if (!value.empty())
+    {
+      text +=
+        std::string("<MD><Name>") + name + "</Name><Value>" + escaped(value) + "</Value></MD>";
+    }
+  }
+  return text.empty() ? "<MetaData/>" : "<MetaData>" + text + "</MetaData>";
+}
+
+// An array of a file, with what is said of it.
+struct FileArray
+{
+  const NamedArray& Values;
+  const char* Intent;
+  std::string MetaData;
+};
+
+FileArray named(const NamedArray& array, const char* intent)
+{
+  return { array, intent, metaData({ { "Name", array.Name } }) };
+}
+
+void appendArray(std::string& text, const FileArray& file, const ParseProgress& progress)
+{
+  const NamedArray& array = file.Values;
   const std::string_view bytes(
     reinterpret_cast<const char*>(array.Values.data()), array.Values.size());
-  text += std::string("<DataArray Intent=\"NIFTI_INTENT_") + intent + "\" DataType=\"NIFTI_TYPE_" +
-    nameOf(array.Type) + "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"" +
+  text += std::string("<DataArray Intent=\"NIFTI_INTENT_") + file.Intent +
+    "\" DataType=\"NIFTI_TYPE_" + nameOf(array.Type) +
+    "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"" +
     (array.Components > 1 ? "2" : "1") + "\" Dim0=\"" + std::to_string(array.numberOfTuples()) +
     "\"" + (array.Components > 1 ? " Dim1=\"" + std::to_string(array.Components) + "\"" : "") +
     " Encoding=\"GZipBase64Binary\" Endian=\"" +
     (isLittleEndianMachine() ? "LittleEndian" : "BigEndian") +
-    "\" ExternalFileName=\"\" ExternalFileOffset=\"\">\n<MetaData><MD><Name>Name</Name><Value>" +
-    escaped(array.Name) + "</Value></MD></MetaData>\n<Data>" +
+    "\" ExternalFileName=\"\" ExternalFileOffset=\"\">\n" + file.MetaData + "\n<Data>" +
     encodeBinaryText(bytes, true, progress) + "</Data>\n</DataArray>\n";
 }
+
+std::string makeFile(const std::string& fileMetaData, const std::vector<FileArray>& arrays,
+  const ParseProgress& progress)
+{
+  std::string text =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+    "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
+    "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
+    std::to_string(arrays.size()) + "\">\n" + fileMetaData + "\n<LabelTable/>\n";
+  // Compressing takes nearly all of the time.
+  double all = 0.0;
+  for (const FileArray& array : arrays)
+  {
+    all += static_cast<double>(array.Values.Values.size());
+  }
+  all = std::max(all, 1.0);
+  double done = 0.0;
+  for (const FileArray& array : arrays)
+  {
+    const auto size = static_cast<double>(array.Values.Values.size());
+    const ParseProgress adding = [&](double part)
+    { return !progress || progress((done + part * size) / all); };
+    appendArray(text, array, adding);
+    done += size;
+  }
+  report(progress, 1.0);
+  return text + "</GIFTI>\n";
 }
 
-//------------------------------------------------------------------------------
-std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
+NamedArray trianglesOf(const SurfaceData& surface)
 {
   requireTriangles(surface);
   if (numberOfPolygons(surface) == 0)
@@ -97,34 +188,110 @@ std::string makeGIFTI(const SurfaceData& surface, const ParseProgress& progress)
         static_cast<std::int32_t>(ids[1]), static_cast<std::int32_t>(ids[2]) };
       append(triangles, triangle);
     });
-  std::string text =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
-    "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
-    std::to_string(2 + surface.PointArrays.size()) + "\">\n<MetaData/>\n<LabelTable/>\n";
-  // Compressing takes nearly all of the time.
-  double all = static_cast<double>(surface.Points.Values.size() + triangles.Values.size());
-  for (const NamedArray& array : surface.PointArrays)
+  return triangles;
+}
+
+// Triangles between points as floats, and nothing else.
+template <typename Coordinate>
+std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, const char* type,
+  const std::string& structure, const ParseProgress& progress)
+{
+  const NamedArray triangles = trianglesOf(surface);
+  const std::size_t size = 3 * surface.Points.numberOfTuples();
+  requireFloatRange(size, coordinate);
+  NamedArray points = makeArray("Points", ScalarType::Float32, 3);
+  points.Values.reserve(size * sizeof(float));
+  for (std::size_t i = 0; i < size; i += 3)
   {
-    all += static_cast<double>(array.Values.size());
+    const float place[] = { static_cast<float>(coordinate(i)),
+      static_cast<float>(coordinate(i + 1)), static_cast<float>(coordinate(i + 2)) };
+    append(points, place);
   }
-  double done = 0.0;
-  const auto add = [&](const NamedArray& array, const char* intent)
+  return makeFile(metaData({}),
+    { { points, "POINTSET",
+        metaData({ { "Name", points.Name }, { "AnatomicalStructurePrimary", structure },
+          { "GeometricType", type } }) },
+      named(triangles, "TRIANGLE") },
+    progress);
+}
+
+// The numbers of an array as floats, which is what programs expect in a file of shapes.
+NamedArray asFloats(const NamedArray& array)
+{
+  NamedArray floats = makeArray(array.Name, ScalarType::Float32, 1);
+  floats.Values.reserve(array.numberOfTuples() * sizeof(float));
+  for (std::size_t i = 0; i < array.numberOfTuples(); ++i)
   {
-    const auto size = static_cast<double>(array.Values.size());
-    const ParseProgress adding = [&](double part)
-    { return !progress || progress((done + part * size) / all); };
-    appendArray(text, array, intent, adding);
-    done += size;
+    const double value = valueOf(array, i);
+    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
+    {
+      throw std::invalid_argument(
+        "array \"" + array.Name + "\" has values that a 32-bit float cannot hold");
+    }
+    const auto number = static_cast<float>(value);
+    append(floats, &number);
+  }
+  return floats;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string makeGIFTISurface(
+  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+{
+  const NamedArray triangles = trianglesOf(surface);
+  std::vector<FileArray> arrays = {
+    { surface.Points, "POINTSET",
+      metaData({ { "Name", surface.Points.Name }, { "AnatomicalStructurePrimary", structure } }) },
+    named(triangles, "TRIANGLE")
   };
-  add(surface.Points, "POINTSET");
-  add(triangles, "TRIANGLE");
   for (const NamedArray& array : surface.PointArrays)
   {
     const bool isShape = array.Components == 1 && isFloating(array.Type);
-    add(array, isShape ? "SHAPE" : "NONE");
+    arrays.push_back(named(array, isShape ? "SHAPE" : "NONE"));
   }
-  report(progress, 1.0);
-  return text + "</GIFTI>\n";
+  return makeFile(metaData({}), arrays, progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeGIFTIGeometry(
+  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+{
+  return makePlainSurface(
+    surface, [&](std::size_t i) { return valueOf(surface.Points, i); }, "Anatomical", structure,
+    progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeGIFTISphere(
+  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+{
+  const CorticalSphere sphere(surface);
+  return makePlainSurface(
+    surface, [&](std::size_t i) { return sphere.coordinate(i); }, "Spherical", structure, progress);
+}
+
+//------------------------------------------------------------------------------
+std::string makeGIFTIShape(
+  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+{
+  std::vector<NamedArray> shapes;
+  for (const NamedArray& array : surface.PointArrays)
+  {
+    if (array.Components == 1)
+    {
+      shapes.push_back(asFloats(array));
+    }
+  }
+  if (shapes.empty())
+  {
+    throw std::invalid_argument("the surface has no point array of 1 component");
+  }
+  std::vector<FileArray> arrays;
+  for (const NamedArray& shape : shapes)
+  {
+    arrays.push_back(named(shape, "SHAPE"));
+  }
+  return makeFile(metaData({ { "AnatomicalStructurePrimary", structure } }), arrays, progress);
 }
 }
