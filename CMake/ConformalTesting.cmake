@@ -1,3 +1,11 @@
+# Environment of tests that start several processes: Open MPI, 4 and 5, runs as root and has more
+# processes than cores, as in containers.
+set(conformal_mpi_environment
+  "OMPI_ALLOW_RUN_AS_ROOT=1"
+  "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
+  "OMPI_MCA_rmaps_base_oversubscribe=1"
+  "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe")
+
 # conformal_add_tests(<layer> LIBRARIES <library>... TESTS <unit>...)
 #
 # One GoogleTest program for a layer, one CTest test for each Test<unit>.cxx, named

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# paraview.sh [ARGUMENT...]: ParaView with our plugin, on Debian 12; arguments go to ParaView.
+# paraview.sh [ARGUMENT...]: ParaView with our plugin, on Debian; arguments go to ParaView.
 #
 # Installs what is missing and builds the plugin into build/paraview. Documentation/ParaView.md has
 # what comes next, and how to run pvserver, pvpython and pvbatch.
@@ -20,6 +20,6 @@ if ! (cd "$root" && cmake --preset paraview && cmake --build --preset paraview) 
   exit 1
 fi
 
-plugins=$root/build/paraview/lib/paraview-5.11/plugins
+plugins=$root/build/paraview/plugins
 export PV_PLUGIN_PATH=$plugins${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 exec paraview "$@"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# quickstart.sh [SCAN [TEXTURE]] [OPTION...]: from a scan to a painted surface on a fresh Debian 12.
+# quickstart.sh [SCAN [TEXTURE]] [OPTION...]: from a scan to a painted surface on a fresh Debian.
 #
 # Installs what is missing, builds the project into build/release and runs Python/quickstart.py,
 # whose options may follow (--help lists them). Without SCAN, a scan made by code is used.
@@ -20,5 +20,5 @@ fi
 
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum)
-export PYTHONPATH=$root/build/release/lib/python3.11/site-packages${PYTHONPATH:+:$PYTHONPATH}
+export PYTHONPATH=$root/build/release/python${PYTHONPATH:+:$PYTHONPATH}
 exec "${display[@]}" /usr/bin/python3 "$root/Examples/Python/quickstart.py" "$@"

@@ -1,5 +1,6 @@
 #include "vtkConformalConversions.h"
 
+#include "vtkCompatibility.h"
 #include "vtkInputChecks.h"
 
 #include "vtkAlgorithm.h"
@@ -115,7 +116,7 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
       state->Last = now;
       self->UpdateProgress(state->Reached);
     }
-    return self->GetAbortExecute() == 0;
+    return !vtkCompatibility::IsAbortWanted(self);
   };
 }
 

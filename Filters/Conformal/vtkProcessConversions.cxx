@@ -1,6 +1,7 @@
 #include "vtkProcessConversions.h"
 
 #include "Base/AcrossProcesses.h"
+#include "vtkCompatibility.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 #include "vtkMeshConversions.h"
@@ -201,7 +202,7 @@ std::string Processes::meet()
       error = MessageOf(e);
       this->call();
     }
-    if (this->Self->GetAbortExecute() && !this->StopWanted)
+    if (vtkCompatibility::IsAbortWanted(this->Self) && !this->StopWanted)
     {
       this->StopWanted = true;
       this->call();

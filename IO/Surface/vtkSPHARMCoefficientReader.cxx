@@ -2,6 +2,7 @@
 
 #include "Bytes/ByteReader.h"
 #include "SPHARM/SPHARMCoefficients.h"
+#include "vtkCompatibility.h"
 #include "vtkHarmonicTables.h"
 #include "vtkSurfaceConversions.h"
 
@@ -88,7 +89,7 @@ int vtkSPHARMCoefficientReader::RequestData(
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
-        return this->GetAbortExecute() == 0;
+        return !vtkCompatibility::IsAbortWanted(this);
       });
     this->SetErrorCode(vtkErrorCode::NoError);
     return 1;

@@ -3,6 +3,7 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
+#include "vtkCompatibility.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkCallbackCommand.h"
@@ -272,7 +273,7 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
         [this](double fraction)
         {
           this->UpdateProgress(fraction);
-          return this->GetAbortExecute() == 0;
+          return !vtkCompatibility::IsAbortWanted(this);
         });
     }
     catch (const std::invalid_argument& e)

@@ -2,6 +2,7 @@
 
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
+#include "vtkCompatibility.h"
 #include "vtkInputChecks.h"
 #include "vtkSurfaceConversions.h"
 
@@ -59,7 +60,7 @@ void vtkSurfaceFileWriter::WriteData()
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
-        return this->GetAbortExecute() == 0;
+        return !vtkCompatibility::IsAbortWanted(this);
       });
     this->SetErrorCode(vtkErrorCode::NoError);
   }

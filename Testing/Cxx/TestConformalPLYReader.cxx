@@ -297,7 +297,7 @@ TEST(ConformalPLYReader, StopsWhenAskedWithoutAWord)
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
   reader->RemoveObserver(tag);
-  reader->Modified();
+  reader->SetAbortExecute(0); // later versions of VTK keep it
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 4);
 }

@@ -239,7 +239,7 @@ TEST(SurfaceFileReader, EveryReaderStopsWhenAskedWithoutAWord)
     EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
     reader->RemoveObserver(tag);
-    reader->Modified();
+    reader->SetAbortExecute(0); // later versions of VTK keep it
     reader->Update();
     EXPECT_GT(reader->GetOutput()->GetNumberOfPoints(), 0);
   }

@@ -452,6 +452,7 @@ TEST(TexturedSurfaceWriter, StopsWhenAskedAndLeavesItsInputsAlone)
   EXPECT_FALSE(observed.Error());
   EXPECT_EQ(folder.numberOfFiles(), 0u);
   writer->RemoveObserver(tag);
+  writer->SetAbortExecute(0); // later versions of VTK keep it
   EXPECT_EQ(writer->Write(), 1);
   EXPECT_EQ(folder.numberOfFiles(), 1u);
   EXPECT_EQ(sphere->GetMTime(), sphereTime);

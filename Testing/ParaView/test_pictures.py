@@ -55,7 +55,7 @@ class TestPictures(unittest.TestCase):
     def test_script_of_the_guide(self):
         with open(GUIDE, encoding="ascii") as file:
             script = re.search("```python\n(.*?)```", file.read(), re.DOTALL).group(1)
-        script = script.replace("PREFIX/lib/paraview-5.11/plugins", os.environ["PV_PLUGIN_PATH"])
+        script = script.replace("PLUGINS", os.environ["PV_PLUGIN_PATH"])
         for name, its_name in (("bear.ply", "igea.ply"), ("rosette.png", "picture.png")):
             shutil.copy(self.path(name), self.path(its_name))
         with open(self.path("paint.py"), "w", encoding="ascii") as file:

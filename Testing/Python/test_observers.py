@@ -10,6 +10,7 @@ import unittest
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import numpy as np
 
 import conformalsom
@@ -273,6 +274,23 @@ class TestObservers(unittest.TestCase):
                 algorithm.AddObserver("ProgressEvent", stop)
                 algorithm.Update()
                 self.assertEqual(algorithm.GetOutputDataObject(0).GetNumberOfElements(0), 0)
+
+    @unittest.skipUnless(hasattr(vtkTrivialProducer, "SetAbortExecuteAndUpdateTime"),
+                         "this VTK has no aborts that pass downstream")
+    def test_a_wish_that_the_source_stops_is_heard(self):
+        source = vtkTrivialProducer()
+        source.SetOutput(cloud())
+        network = vtkConformalSOM()
+        network.SetInputConnection(source.GetOutputPort())
+        network.AddObserver(
+            "ProgressEvent", lambda *_: source.SetAbortExecuteAndUpdateTime())
+        network.Update()
+        self.assertLess(network.GetProgress(), 1.0)
+        self.assertEqual(network.GetOutput().GetNumberOfPoints(), 0)
+        network.RemoveObservers("ProgressEvent")
+        source.SetAbortExecute(0)
+        network.Update()
+        self.assertGreater(network.GetOutput().GetNumberOfPoints(), 0)
 
     def test_readers_and_writers_keep_what_they_began_with(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,22 @@
+// What differs between versions of VTK.
+#ifndef vtkCompatibility_h
+#define vtkCompatibility_h
+
+#include "vtkAlgorithm.h"
+#include "vtkVersionMacros.h"
+
+namespace vtkCompatibility
+{
+/// Somebody wants the algorithm to stop: its AbortExecute is set, or since VTK 9.3 that of one it
+/// reads from. The pipeline is told then, which marks the outputs as aborted.
+inline bool IsAbortWanted(vtkAlgorithm* self)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111) // what ParaView 5.11 has
+  return self->CheckAbort();
+#else
+  return self->GetAbortExecute() != 0;
+#endif
+}
+}
+
+#endif
