@@ -21,6 +21,9 @@ from baselines import expect_picture, require_display
 from helpers import builtin_figure, scan_files, textures
 
 TRIANGLES = 20 * 16**2
+with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Systems", "figures.txt"),
+          encoding="ascii") as file:
+    FIGURES = file.read().splitlines()  # which Testing/Systems/run.sh wants from every system
 COARSE = ("--frequency", "4", "--surface-frequency", "8")
 
 
@@ -127,6 +130,8 @@ class TestQuickstart(unittest.TestCase):
     def test_picture_of_the_readme_is_what_it_draws(self):
         run = quickstart(self.folder, "--output", "own scan")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual([line for line in run.stdout.splitlines() if line.startswith(("learned", "smooth"))],
+                         FIGURES)
         picture = vtkPNGReader()
         picture.SetFileName(os.path.join(self.folder, "own scan", "quickstart.png"))
         expect_picture(self, picture, "Quickstart")

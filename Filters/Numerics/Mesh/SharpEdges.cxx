@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace conformal
@@ -311,7 +312,7 @@ private:
     std::vector<int> triangles;
     for (const int u : vertices)
     {
-      triangles.insert(triangles.end(), this->Around.begin(u), this->Around.end(u));
+      std::copy(this->Around.begin(u), this->Around.end(u), std::back_inserter(triangles));
     }
     sortUnique(triangles);
     return triangles;
