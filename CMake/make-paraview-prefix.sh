@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make-paraview-prefix.sh FOLDER: a prefix in which CMake finds all of Debian 12's ParaView.
+# make-paraview-prefix.sh FOLDER: a prefix in which CMake finds all of Debian's ParaView.
 #
 # The files that CMake asks for are in the packages paraview, paraview-dev and python3-paraview. The
 # last one cannot be installed beside VTK's own python3-vtk9, so it is fetched and unpacked, and all
@@ -15,6 +15,11 @@ prefix=$(cd "$prefix" && pwd)
 (cd "$prefix/download" && apt-get -qq download python3-paraview 2>"$prefix/download/log") ||
   { cat "$prefix/download/log" >&2; exit 1; }
 dpkg-deb --extract "$prefix"/download/python3-paraview_*.deb "$prefix/python3-paraview"
+
+# Newer packages name Python's modules with the interpreter's suffix, and CMake asks for them without.
+find "$prefix/python3-paraview" -name '*.cpython-*.so' | while read -r module; do
+  ln -s "$(basename "$module")" "${module%.cpython-*}.so"
+done
 
 # CMake's files say where all others are by their own place: they are copied, the others linked.
 libraries=lib/$(gcc -print-multiarch)

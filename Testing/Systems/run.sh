@@ -44,6 +44,7 @@ make_system()
   # All suites that debootstrap may not know yet are made as sid is.
   debootstrap --variant=minbase --include=ca-certificates,sudo "$1" "$2" "$mirror" sid
   cp /etc/resolv.conf /etc/hosts "$2/etc"
+  apt-config dump Acquire >"$2/etc/apt/apt.conf.d/01host"
   chroot "$2" useradd --create-home --shell /bin/bash tester
   echo 'tester ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/tester"
   touch "$2/complete"
