@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# run.sh: install what is missing, build with tests, run every test. Enough on a fresh Debian 12.
+# run.sh: install what is missing, build with tests, run every test. Enough on a fresh Debian.
 #
 # Quiet until the summaries, one of VTK and one of ParaView; what failed is shown in full. Arguments
 # go to ctest.

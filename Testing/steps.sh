@@ -1,4 +1,4 @@
-# steps.sh: what run.sh and check.sh do with the packages of Debian 12 and the presets of CMake.
+# steps.sh: what run.sh and check.sh do with the packages of Debian and the presets of CMake.
 # Quiet but for summaries; what failed is shown.
 
 launcher=()

@@ -13,6 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 
 import numpy as np
 
+import baselines
 import webs
 from baselines import expect_picture, require_display
 from helpers import pictures, textures
@@ -336,6 +337,17 @@ class TestPictures(unittest.TestCase):
                 pictures.actor_of(harmonics.GetOutput()), f"L = {degree}", camera()))
         scenes.append(pictures.scene(pictures.actor_of(mapped), "The scan", camera()))
         self.expect_row("SphericalHarmonics", scenes)
+
+
+class TestTolerance(unittest.TestCase):
+    def test_a_shift_by_a_pixel_is_seen_by_any_renderer(self):
+        for name in os.listdir(baselines.FOLDER):
+            if name.endswith(".png"):
+                with self.subTest(name):
+                    picture = baselines.pixels(baselines.read_png(os.path.join(baselines.FOLDER, name)))
+                    self.assertEqual(baselines.square_difference(picture, picture), 0.0)
+                    self.assertGreater(baselines.square_difference(picture[:, 1:], picture[:, :-1]),
+                                       baselines.SQUARE_LEVELS)
 
 
 class TestWebs(unittest.TestCase):

@@ -59,7 +59,8 @@ within()
     if [ -n "$cache" ]; then
       mount --bind "$cache/archives" "$root/var/cache/apt/archives"
       mount --bind "$cache/ccache" "$root/var/cache/ccache"
-      command="export CCACHE_DIR=/var/cache/ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache; $command"
+      command="export CCACHE_DIR=/var/cache/ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+        export CCACHE_SLOPPINESS=pch_defines,time_macros; $command"
     fi
     exec chroot "$root" su - "$user" --command "$command"'
 }
