@@ -1,6 +1,6 @@
 #include "vtkConsistentRemesh.h"
 
-#include "FilterContract.h"
+#include "ManySurfaces.h"
 #include "MeshFixtures.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkSurfaceMismatch.h"
@@ -8,8 +8,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -18,6 +16,7 @@
 #include <string>
 #include <vector>
 
+using contract::BlockOf;
 using fixtures::Ellipsoid;
 
 namespace
@@ -48,46 +47,18 @@ vtkSmartPointer<vtkPolyData> Variant(int number, int frequency)
   return surface;
 }
 
-vtkPolyData* BlockOf(vtkConsistentRemesh* filter, unsigned int i)
-{
-  return vtkPolyData::SafeDownCast(filter->GetOutput()->GetBlock(i));
-}
-
-class ConsistentRemesh : public testing::Test
+class ConsistentRemesh : public contract::OfManySurfaces<vtkConsistentRemesh>
 {
 protected:
   ConsistentRemesh()
   {
     for (int i = 0; i < 10; ++i)
     {
-      this->Surfaces.push_back(Variant(i, 20 + i % 3));
-      this->Blocks->SetBlock(i, this->Surfaces.back());
+      this->Add(Variant(i, 20 + i % 3));
     }
     this->Blocks->GetMetaData(3u)->Set(vtkCompositeDataSet::NAME(), "fourth");
-    this->Filter->SetInputDataObject(this->Blocks);
     this->Filter->SetNumberOfPoints(2000);
   }
-
-  void Run()
-  {
-    this->Seen.Clear();
-    this->Filter->Modified();
-    this->Filter->Update();
-  }
-
-  void ExpectRefused(const std::string& why)
-  {
-    this->Run();
-    this->Seen.ExpectError(why);
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Filter->GetMeanShape()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Filter->GetMeanShape()->GetPointData()->GetNumberOfArrays(), 0);
-  }
-
-  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
-  vtkNew<vtkMultiBlockDataSet> Blocks;
-  vtkNew<vtkConsistentRemesh> Filter;
-  contract::Observed Seen{ this->Filter };
 };
 }
 
@@ -226,27 +197,7 @@ TEST_F(ConsistentRemesh, ConnectionsAreSurfacesToo)
 
 TEST_F(ConsistentRemesh, ThreadsChangeNoBit)
 {
-  vtkNew<vtkPolyData> alone;
-  vtkSMPTools::Initialize(1);
-  this->Run();
-  alone->DeepCopy(this->Filter->GetMeanShape());
-  vtkSMPTools::Initialize(2);
-  this->Run();
-  vtkPolyData* both = this->Filter->GetMeanShape();
-  ASSERT_EQ(both->GetNumberOfPoints(), alone->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
-  {
-    double p[3], q[3];
-    both->GetPoint(i, p);
-    alone->GetPoint(i, q);
-    ASSERT_EQ(vtkMath::Distance2BetweenPoints(p, q), 0.0);
-    for (int c = 0; c < 3; ++c)
-    {
-      ASSERT_EQ(both->GetPointData()->GetArray("ShapeMode1")->GetComponent(i, c),
-        alone->GetPointData()->GetArray("ShapeMode1")->GetComponent(i, c));
-    }
-  }
-  vtkSMPTools::Initialize();
+  this->ExpectThreadsChangeNoBit("ShapeMode1");
 }
 
 TEST_F(ConsistentRemesh, RunsOnlyWhenModifiedAndPrints)

@@ -1,6 +1,6 @@
 #include "vtkSphericalTemplate.h"
 
-#include "FilterContract.h"
+#include "ManySurfaces.h"
 #include "MeshFixtures.h"
 
 #include "vtkDoubleArray.h"
@@ -9,13 +9,14 @@
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkTransform.h"
 
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
+
+using contract::BlockOf;
 
 namespace
 {
@@ -42,49 +43,21 @@ vtkSmartPointer<vtkPolyData> Variant(int number, int frequency)
   return surface;
 }
 
-vtkPolyData* BlockOf(vtkSphericalTemplate* filter, unsigned int i)
-{
-  return vtkPolyData::SafeDownCast(filter->GetOutput()->GetBlock(i));
-}
-
-class SphericalTemplate : public testing::Test
+class SphericalTemplate : public contract::OfManySurfaces<vtkSphericalTemplate>
 {
 protected:
   SphericalTemplate()
   {
     for (int i = 0; i < 3; ++i)
     {
-      this->Surfaces.push_back(Variant(i, 10 + i));
-      this->Blocks->SetBlock(i, this->Surfaces.back());
+      this->Add(Variant(i, 10 + i));
     }
     this->Blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "second");
-    this->Filter->SetInputDataObject(this->Blocks);
     this->Filter->SetFrequency(8);
     this->Filter->SetMeanFrequency(12);
     this->Filter->SetMaximumNumberOfRounds(1);
     this->Filter->SetLandmarkArrayName("Marks");
   }
-
-  void Run()
-  {
-    this->Seen.Clear();
-    this->Filter->Modified();
-    this->Filter->Update();
-  }
-
-  void ExpectRefused(const std::string& why)
-  {
-    this->Run();
-    this->Seen.ExpectError(why);
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Filter->GetMeanSurface()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Filter->GetMeanSurface()->GetPointData()->GetNumberOfArrays(), 0);
-  }
-
-  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
-  vtkNew<vtkMultiBlockDataSet> Blocks;
-  vtkNew<vtkSphericalTemplate> Filter;
-  contract::Observed Seen{ this->Filter };
 };
 }
 
@@ -177,22 +150,7 @@ TEST_F(SphericalTemplate, ArraysAgree)
 
 TEST_F(SphericalTemplate, ThreadsChangeNoBit)
 {
-  vtkNew<vtkPolyData> alone;
-  vtkSMPTools::Initialize(1);
-  this->Run();
-  alone->DeepCopy(this->Filter->GetMeanSurface());
-  vtkSMPTools::Initialize(2);
-  this->Run();
-  vtkPolyData* both = this->Filter->GetMeanSurface();
-  ASSERT_EQ(both->GetNumberOfPoints(), alone->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
-  {
-    double p[3], q[3];
-    both->GetPoint(i, p);
-    alone->GetPoint(i, q);
-    ASSERT_EQ(vtkMath::Distance2BetweenPoints(p, q), 0.0);
-  }
-  vtkSMPTools::Initialize();
+  this->ExpectThreadsChangeNoBit();
 }
 
 TEST_F(SphericalTemplate, RunsOnlyWhenModifiedAndPrints)

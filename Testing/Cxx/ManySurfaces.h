@@ -1,0 +1,88 @@
+// What filters of many mapped surfaces are tested with, once.
+#ifndef ManySurfaces_h
+#define ManySurfaces_h
+
+#include "FilterContract.h"
+
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace contract
+{
+inline vtkPolyData* BlockOf(vtkMultiBlockDataSetAlgorithm* filter, unsigned int i)
+{
+  return vtkPolyData::SafeDownCast(filter->GetOutput()->GetBlock(i));
+}
+
+/// Surfaces in the blocks of a data set go into a filter whose output port 1 is their mean.
+template <typename Class>
+class OfManySurfaces : public testing::Test
+{
+protected:
+  OfManySurfaces() { this->Filter->SetInputDataObject(this->Blocks); }
+
+  void Add(vtkPolyData* surface)
+  {
+    this->Blocks->SetBlock(static_cast<unsigned int>(this->Surfaces.size()), surface);
+    this->Surfaces.emplace_back(surface);
+  }
+
+  vtkPolyData* Mean() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
+
+  void Run()
+  {
+    this->Seen.Clear();
+    this->Filter->Modified();
+    this->Filter->Update();
+  }
+
+  void ExpectRefused(const std::string& why)
+  {
+    this->Run();
+    this->Seen.ExpectError(why);
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(this->Mean()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(this->Mean()->GetPointData()->GetNumberOfArrays(), 0);
+  }
+
+  /// The mean's points and an array of it, if one is named.
+  void ExpectThreadsChangeNoBit(const char* array = nullptr)
+  {
+    vtkNew<vtkPolyData> alone;
+    vtkSMPTools::Initialize(1);
+    this->Run();
+    alone->DeepCopy(this->Mean());
+    vtkSMPTools::Initialize(2);
+    this->Run();
+    vtkPolyData* both = this->Mean();
+    ASSERT_GT(both->GetNumberOfPoints(), 0);
+    ASSERT_EQ(both->GetNumberOfPoints(), alone->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
+    {
+      double p[3], q[3];
+      both->GetPoint(i, p);
+      alone->GetPoint(i, q);
+      ASSERT_EQ(vtkMath::Distance2BetweenPoints(p, q), 0.0);
+      for (int c = 0; array && c < 3; ++c)
+      {
+        ASSERT_EQ(both->GetPointData()->GetArray(array)->GetComponent(i, c),
+          alone->GetPointData()->GetArray(array)->GetComponent(i, c));
+      }
+    }
+    vtkSMPTools::Initialize();
+  }
+
+  std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
+  vtkNew<vtkMultiBlockDataSet> Blocks;
+  vtkNew<Class> Filter;
+  Observed Seen{ this->Filter };
+};
+}
+
+#endif
