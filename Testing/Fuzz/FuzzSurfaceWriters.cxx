@@ -8,6 +8,8 @@
 #include "vtkGIFTIWriter.h"
 #include "vtkGuMeshReader.h"
 #include "vtkGuMeshWriter.h"
+#include "vtkSPHARMSurfaceReader.h"
+#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkTextCloudReader.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -55,7 +57,7 @@ void WriteAndRead(Writer* writer, vtkPolyData* surface, const char* ending)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
   fuzz::FilterSource source(bytes, size);
-  const int format = source.below(8);
+  const int format = source.below(9);
   const auto surface = source.surface();
   if (format == 0)
   {
@@ -85,6 +87,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     vtkNew<vtkFreeSurferWriter> writer;
     writer->SetContent(format == 5 ? vtkFreeSurferWriter::SURFACE : vtkFreeSurferWriter::SPHERE);
     WriteAndRead<vtkFreeSurferWriter, vtkFreeSurferReader>(writer, surface, ".white");
+  }
+  else if (format == 7)
+  {
+    WriteAndRead<vtkSPHARMSurfaceWriter, vtkSPHARMSurfaceReader>(
+      vtkNew<vtkSPHARMSurfaceWriter>(), surface, "_surf.vtk");
   }
   else
   {

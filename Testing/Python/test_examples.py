@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import compare_surfaces
-from conformalsom import vtkGeodesicSphereSource
+from conformalsom import vtkGeodesicSphereSource, vtkSPHARMCoefficientReader
 import morph
 from helpers import mapped_models, scan_files
 
@@ -156,6 +156,27 @@ class TestExamples(unittest.TestCase):
             completed = run("body_map.py", "missing.off")
             self.assertEqual((completed.returncode, completed.stderr), (1, "body_map: missing.off: no such file\n"))
             self.assertEqual(run("body_map.py", path, "--output", path).returncode, 2)
+
+    def test_harmonics_come_closer_with_their_degree(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = write_model(folder, "body", 12, 0.4) + ".off"
+            output, picture = (os.path.join(folder, name) for name in ("body.coef", "body.png"))
+            completed = run("surface_harmonics.py", path, "--degrees", "12", "2", "5", "--align", "--output", output,
+                            "--picture", picture)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            rows = [line.split() for line in completed.stdout.splitlines() if line[:6].strip().isdigit()]
+            self.assertEqual([row[0] for row in rows], ["2", "5", "12"])
+            distances = [float(row[1]) for row in rows]
+            self.assertEqual(distances, sorted(distances, reverse=True))
+            self.assertLess(distances[-1], 0.01)
+            reader = vtkSPHARMCoefficientReader()
+            reader.SetFileName(output)
+            reader.Update()
+            self.assertEqual(reader.GetOutput().GetNumberOfRows(), 13 * 13)
+            self.assertGreater(os.path.getsize(picture), 1000)
+            completed = run("surface_harmonics.py", path, "--output", output)
+            self.assertEqual(completed.returncode, 2)
+            self.assertIn("body.coef already exists", completed.stderr)
 
     def test_shown_landmarks_are_met(self):
         """Those beside the pictures of Correspondence.md lie on their models, and ask for no fold."""

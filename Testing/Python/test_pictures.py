@@ -11,17 +11,15 @@ from vtkmodules.vtkFiltersCore import vtkClipPolyData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
-import numpy as np
-
 import baselines
 import webs
 from baselines import expect_picture, require_display
 from helpers import pictures, textures
-from helpers.builtin_figure import figure_cloud, figure_surface
+from helpers.builtin_figure import bear, figure_cloud, figure_surface, zero_set
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGeodesicSphereSource,
-    vtkConformalPLYReader, vtkGlobalConformalMap, vtkSurfaceHarmonics, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap,
-    vtkSurfaceMismatch)
+    vtkAdaptiveSphere, vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroRepair,
+    vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkSphericalTextureMap, vtkSurfaceHarmonics, vtkSurfaceMismatch)
 from obtuse import obtuse_surface
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400
@@ -60,6 +58,15 @@ def flips_actor(surface):
     actor.GetMapper().ScalarVisibilityOn()
     actor.GetMapper().SetScalarModeToUseCellData()
     return actor
+
+
+def bear_with_handles():
+    """The bear with a ring in its hands, and a hole through it."""
+    def distance(p):
+        ring = np.hypot(np.hypot(p[:, 0], p[:, 2] - 0.20) - 0.48, p[:, 1] + 0.02) - 0.06
+        bore = np.hypot(p[:, 0], p[:, 1] + 0.32) - 0.16
+        return np.maximum(np.minimum(bear(p), ring), -bore)
+    return zero_set(distance)
 
 
 def sphere_of(surface):
@@ -317,6 +324,32 @@ class TestPictures(unittest.TestCase):
             scenes.append(pictures.scene(
                 pictures.mesh_actor(sampled.GetOutput()), "sampled by it", self.camera()))
         self.expect_row("AdaptiveSphere", scenes)
+
+    def test_handles_are_cut_and_tunnels_filled(self):
+        """A bear with handles and the loops along which it is mended, in red; and it mended, what is new in red."""
+        holed = bear_with_handles()
+        repair = vtkGenusZeroRepair()
+        repair.SetInputData(holed)
+        repair.Update()
+        mended = repair.GetOutput()
+        self.assertEqual(mended.GetFieldData().GetArray("EulerNumber").GetValue(0), 2)
+        loops = pictures.actor_of(repair.GetOutput(1))
+        loops.GetProperty().BackfaceCullingOff()
+        loops.GetProperty().SetColor(0.8, 0.1, 0.1)
+        loops.GetProperty().LightingOff()
+        loops.GetProperty().SetLineWidth(3 * pictures.FINER)
+        actor = pictures.actor_of(holed)
+        actor.GetProperty().BackfaceCullingOff()  # the contour is inside out
+        before = pictures.scene(actor, "With handles", self.camera())
+        before.AddActor(loops)
+        colors = np.where((vtk_to_numpy(mended.GetCellData().GetArray("OriginalCellIds")) < 0)[:, None],
+                          (200, 30, 30), (204, 158, 117)).astype(np.uint8)
+        mended.GetCellData().SetScalars(numpy_to_vtk(colors, deep=True))
+        actor = pictures.actor_of(mended)
+        actor.GetMapper().ScalarVisibilityOn()
+        actor.GetMapper().SetScalarModeToUseCellData()
+        after = pictures.scene(actor, "Repaired", self.camera())
+        self.expect_row("GenusZeroRepair", [before, after])
 
     def test_harmonics_of_the_bunny(self):
         path = os.path.join(os.environ.get("CONFORMALSOM_SCAN_DIR", ""), "stanford-bunny-closed.ply")
