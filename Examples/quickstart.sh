@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # quickstart.sh [SCAN [TEXTURE]] [OPTION...]: from a scan to a painted surface on a fresh Debian.
 #
-# Installs what is missing, builds the project into build/release and runs Python/quickstart.py,
-# whose options may follow (--help lists them). Without SCAN, a scan made by code is used.
+# Installs what is missing, builds the project into build/release and runs the command conformalsom,
+# whose options may follow (--help lists them). Without SCAN, a scan and a picture made by code are used.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -20,5 +20,18 @@ fi
 
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum)
-export PYTHONPATH=$root/build/release/python${PYTHONPATH:+:$PYTHONPATH}
-exec "${display[@]}" /usr/bin/python3 "$root/Examples/Python/quickstart.py" "$@"
+output=$root/build/quickstart
+if [ $# -eq 0 ] || [[ $1 == -* ]]; then
+  /usr/bin/python3 "$root/Examples/Python/toy_bear.py" "$output"
+  inputs=("$output/bear.vtp" --texture "$output/rosette.png")
+else
+  inputs=("$1")
+  shift
+  if [ $# -gt 0 ] && [[ $1 != -* ]]; then
+    inputs+=(--texture "$1")
+    shift
+  fi
+fi
+exec "${display[@]}" "$root/build/release/bin/conformalsom" "${inputs[@]}" --measure --overwrite \
+  --output "$output/surface.vtp" --output "$output/surface.glb" --output "$output/surface.obj" \
+  --picture "$output/quickstart.png" "$@"

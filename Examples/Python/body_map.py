@@ -18,10 +18,11 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage, vtkGlobalConformalMap
+from conformalsom.command import pictures
+from conformalsom.command.steps import StepFailed, Steps
 
-from helpers import builtin_figure, mapped_models, pictures
+from helpers import builtin_figure, mapped_models
 from helpers.builtin_figure import ellipsoid
-from helpers.steps import StepFailed, Steps
 from helpers.world_file import write_world_file
 
 PROJECTIONS = ["Equirectangular", "LambertAzimuthal", "Mollweide", "PeirceQuincuncial"]

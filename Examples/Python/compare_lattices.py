@@ -15,8 +15,9 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import (
     vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch)
+from conformalsom.command import scan_files
 
-from helpers import builtin_figure, clouds, scan_files
+from helpers import builtin_figure, clouds
 
 LATTICES = ("Geodesic", "Adaptive")
 COLUMNS = ("p2s", "s2p", "web %", "Hausdorff", "folds", "angle", "obtuse %", "K")

@@ -15,9 +15,10 @@ import numpy as np
 from vtkmodules.vtkFiltersModeling import vtkButterflySubdivisionFilter, vtkLoopSubdivisionFilter
 
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch
+from conformalsom.command import scan_files
 
 from compare_lattices import LATTICES, triangulated
-from helpers import builtin_figure, paper_models, scan_files
+from helpers import builtin_figure, paper_models
 from helpers.clouds import cloud_of, only_points_of, points_of
 
 DOME_HEIGHTS = ("None", "Published", "Scaled", "Curvature", "Fitted")

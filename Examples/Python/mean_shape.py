@@ -15,9 +15,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 from conformalsom import vtkConsistentRemesh, vtkSphericalTemplate
+from conformalsom.command.steps import StepFailed, Steps
 
 from helpers import mapped_models
-from helpers.steps import StepFailed, Steps
 
 
 def arguments():

@@ -15,10 +15,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData
 
-from helpers import builtin_figure, mapped_models, pictures, scan_files
+from helpers import builtin_figure, mapped_models
 from conformalsom import (
     vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalMorph, vtkSphericalRegistration,
     vtkSphericalResample, vtkSphericalTemplate)
+from conformalsom.command import pictures, scan_files
 
 BUILTIN = {"bear": builtin_figure.bear, "dancer": builtin_figure.dancer}
 CLAY, CREAM, SLATE = (204, 158, 117), (242, 230, 208), (92, 122, 158)

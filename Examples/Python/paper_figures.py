@@ -18,9 +18,10 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 from conformalsom import vtkSphericalTextureMap
+from conformalsom.command import pictures
+from conformalsom.command.steps import StepFailed
 
-from helpers import opera_face, paper_models, pictures, textures
-from helpers.steps import StepFailed
+from helpers import opera_face, paper_models, textures
 
 OUTPUT = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "build", "paper")

@@ -19,9 +19,9 @@ from vtkmodules.vtkCommonCore import vtkDoubleArray
 
 from conformalsom import (
     vtkConformalDistortion, vtkCurvedSeamlessMap, vtkSphericalTextureMap, vtkSurfaceMismatch)
+from conformalsom.command.steps import StepFailed
 
 from helpers import paper_models
-from helpers.steps import StepFailed
 
 UNITS = {"largest radius = 1": "MaxRadius", "half the bounding box's diagonal = 1": "HalfDiagonal"}
 ERRORS = ("MeanSquarePointToSurface", "MeanSquarePointToVertex", "MeanSquareSurfaceToPoint",

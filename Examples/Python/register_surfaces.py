@@ -11,9 +11,9 @@ import os
 import sys
 
 from conformalsom import vtkSphericalRegistration
+from conformalsom.command.steps import StepFailed, Steps
 
 from helpers import mapped_models
-from helpers.steps import StepFailed, Steps
 
 
 def arguments():

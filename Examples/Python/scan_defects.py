@@ -17,8 +17,9 @@ from vtkmodules.vtkCommonDataModel import (vtkGenericCell, vtkPolyData, vtkStati
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import vtkConformalSOM
+from conformalsom.command import scan_files
 
-from helpers import builtin_figure, scan_files
+from helpers import builtin_figure
 from helpers.clouds import cloud_of, vtk_points
 
 COLUMNS = ("s2p", "web %", "miss %", "inverted %", "volume", "area", "time", "warnings")

@@ -14,9 +14,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from conformalsom import vtkSPHARMCoefficientWriter, vtkSurfaceHarmonics
+from conformalsom.command import pictures
+from conformalsom.command.steps import StepFailed, Steps
 
-from helpers import mapped_models, pictures
-from helpers.steps import StepFailed, Steps
+from helpers import mapped_models
 
 PANEL = 320, 420
 

@@ -8,8 +8,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from conformalsom import vtkConformalSOM
+from conformalsom.command import pictures
 
-from helpers import pictures
 from helpers.builtin_figure import dancer, figure_cloud
 
 VIEW, UP = (0, 0, 1), (0, 1, 0)

@@ -23,8 +23,9 @@ from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
 from compare_lattices import triangulated  # pylint: disable=wrong-import-position
-from helpers import paper_models, scan_files  # pylint: disable=wrong-import-position
+from helpers import paper_models  # pylint: disable=wrong-import-position
 from conformalsom import vtkGlobalConformalMap, vtkSphericalRegistration  # pylint: disable=wrong-import-position
+from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 FAR = 0.25  # an error as from head to tail
 

@@ -17,9 +17,10 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
 from compare_lattices import triangulated  # pylint: disable=wrong-import-position
-from helpers import builtin_figure, paper_models, scan_files  # pylint: disable=wrong-import-position
+from helpers import builtin_figure, paper_models  # pylint: disable=wrong-import-position
 from conformalsom import (  # pylint: disable=wrong-import-position
     vtkConformalDistortion, vtkGeodesicSphereSource, vtkGlobalConformalMap)
+from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 
 def field(data, name):

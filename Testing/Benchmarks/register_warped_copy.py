@@ -19,9 +19,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkFiltersGeneral import vtkCurvatures
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
-from helpers import scan_files  # pylint: disable=wrong-import-position
 from conformalsom import (  # pylint: disable=wrong-import-position
     vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalRegistration, vtkSphericalResample)
+from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 SMOOTHED = 0.024  # about how far curvature is smoothed, of the area's square root
 

@@ -1,5 +1,5 @@
 # Install the build below a prefix with a blank in its name, build the example project against it
-# from a folder of its own, run it, and import the installed Python package.
+# from a folder of its own, run it, import the installed Python package, and run the installed command.
 cmake_minimum_required(VERSION 3.18)
 
 function (run)
@@ -49,4 +49,5 @@ if (PYTHON)
   if (NOT output MATCHES "the prefix")
     message(FATAL_ERROR "Another package was imported: ${output}")
   endif ()
+  run("${prefix}/${BIN_DESTINATION}/conformalsom" --version)
 endif ()

@@ -14,12 +14,13 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 import baselines
 import webs
 from baselines import expect_picture, require_display
-from helpers import pictures, textures
+from helpers import textures
 from helpers.builtin_figure import bear, figure_cloud, figure_surface, zero_set
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroRepair,
     vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceHarmonics, vtkSurfaceMismatch)
+from conformalsom.command import pictures
 from obtuse import obtuse_surface
 
 VIEW, UP, SIZE = (0, 0, 1), (0, 1, 0), 400

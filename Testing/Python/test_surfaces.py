@@ -9,11 +9,11 @@ import numpy as np
 
 import compare_lattices
 import compare_surfaces
-from helpers import scan_files
 from helpers.builtin_figure import figure_cloud, figure_surface
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessMap,
     vtkCurvedSeamlessSurface, vtkGeodesicSphereSource, vtkGlobalConformalMap)
+from conformalsom.command import scan_files
 
 SCANS = os.environ["CONFORMALSOM_SCAN_DIR"]
 

@@ -6,8 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from conformalsom import vtkGlobalConformalMap
-
-from . import scan_files
+from conformalsom.command import scan_files
 
 
 def name_of(path):

@@ -14,8 +14,8 @@ from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 import conformalsom
 from conformalsom import vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface
+from conformalsom.command.steps import StepFailed
 from . import builtin_figure, clouds
-from .steps import StepFailed
 
 DATA = os.environ.get("CONFORMALSOM_SCAN_DIR", os.curdir)
 

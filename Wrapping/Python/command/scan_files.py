@@ -1,5 +1,7 @@
 """Scans and pictures from files."""
 import os
+import struct
+import zlib
 
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
@@ -54,14 +56,35 @@ def read_models(paths):
 
 def texture_reader(path):
     """The reader for a picture, with the file name set."""
-    return opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
-                  TEXTURE_READERS)
+    reader = opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
+                    TEXTURE_READERS)
+    if isinstance(reader, vtkPNGReader):
+        check_png(path)
+    elif not reader.CanReadFile(path):
+        raise ValueError(f"{path}: not a JPEG file")
+    return reader
+
+
+def check_png(path):
+    """Raise ValueError for a PNG file that is broken, at which VTK's reader would crash."""
+    with open(path, "rb") as file:
+        data = file.read()
+    if not data.startswith(b"\x89PNG\r\n\x1a\n"):
+        raise ValueError(f"{path}: not a PNG file")
+    place, kind = 8, b""
+    while kind != b"IEND":
+        length, kind = struct.unpack(">I4s", data[place:place + 8].ljust(8, b"\0"))
+        end = place + 12 + length  # length, name and checksum have 4 bytes each
+        checksum = zlib.crc32(data[place + 4:end - 4]).to_bytes(4, "big")
+        if data[end - 4:end] != checksum:
+            raise ValueError(f"{path}: the PNG file is broken at byte {place}")
+        place = end
 
 
 def opened(path, choose, extensions):
     """A reader of the class that is chosen for a file."""
     if not os.path.isfile(path):
-        raise ValueError(f"{path}: no such file")
+        raise ValueError(f"{path}: not a file" if os.path.exists(path) else f"{path}: no such file")
     reader_type = choose(path)
     if reader_type is None:
         raise ValueError(f"{path}: expected a file of type {' '.join(extensions)}")

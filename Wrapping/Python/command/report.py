@@ -1,4 +1,6 @@
-"""How good a result is: distance to the scan and distortion of the map, as a table."""
+"""How good a result is: distance to the scan and distortion of the map, as numbers and as a table."""
+import math
+
 from conformalsom import vtkConformalDistortion, vtkSurfaceMismatch
 
 FIGURES = ("MeanSquarePointToSurface", "MeanSquarePointToVertex", "MeanSquareSurfaceToPoint",
@@ -15,6 +17,19 @@ def measured(steps, name, surface, scan):
     steps.run(f"Measure the {name}", mismatch)
     steps.run(f"Distortion of the {name}", distortion)
     return distortion
+
+
+def figures_of(data):
+    """Sizes, and every field array of one number by its name; null for one that is not finite."""
+    figures = {"NumberOfPoints": data.GetNumberOfPoints(), "NumberOfTriangles": data.GetNumberOfPolys()}
+    fields = data.GetFieldData()
+    for array in map(fields.GetArray, range(fields.GetNumberOfArrays())):
+        if array is not None and array.GetNumberOfValues() == 1:
+            value = array.GetVariantValue(0).ToDouble()
+            whole = array.GetDataTypeAsString() not in ("float", "double")
+            figures[array.GetName()] = (
+                int(value) if whole else value if math.isfinite(value) else None)
+    return figures
 
 
 def print_table(scan, mesh, surface, seconds):

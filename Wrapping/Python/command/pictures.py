@@ -1,6 +1,10 @@
 """Draws the stages of a run side by side."""
+import os
+import sys
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkFiltersGeneral import vtkVertexGlyphFilter
 from vtkmodules.vtkFiltersPoints import vtkPCANormalEstimation
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -168,23 +172,33 @@ def draw_side_by_side(scenes, width, height, rows=1):
     return shrink
 
 
-def write_side_by_side(path, scenes, width, height, rows=1):
-    """Draw the scenes into a PNG file, or into a JPEG file by the ending .jpg."""
-    drawn = draw_side_by_side(scenes, width, height, rows)
+def can_draw():
+    """Whether there is a display; from VTK 9.4 none is needed."""
+    version = vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()
+    return version >= (9, 4) or sys.platform != "linux" or bool(os.environ.get("DISPLAY"))
+
+
+def picture_writer(path):
+    """The writer for a PNG file, or for a JPEG file by the ending .jpg."""
+    writer = vtkPNGWriter()
     if path.endswith(".jpg"):
         writer = vtkJPEGWriter()
         writer.SetQuality(90)
-    else:
-        writer = vtkPNGWriter()
-    writer.SetInputConnection(drawn.GetOutputPort())
     writer.SetFileName(path)
+    return writer
+
+
+def write_side_by_side(path, scenes, width, height, rows=1):
+    """Draw the scenes into a PNG file, or into a JPEG file by the ending .jpg."""
+    drawn, writer = draw_side_by_side(scenes, width, height, rows), picture_writer(path)
+    writer.SetInputConnection(drawn.GetOutputPort())
     writer.Write()
 
 
-def write_stages(path, scan, mesh, surface, painted, image, colors, view, up):
+def draw_stages(scan, mesh, surface, painted, image, colors, view, up):
     """Draw the cloud, the mesh, the surface and the surface with the image side by side.
 
-    The cloud in its own colors, 0 to 255, if it has some.
+    The cloud in its own colors, 0 to 255, if it has some. Without an image the last is left out.
     """
     camera = camera_on(scan, view, up, aspect=0.8)
     cloud = cloud_actor(scan, view, SLATE if colors is None else colors / 255.0)
@@ -192,6 +206,7 @@ def write_stages(path, scan, mesh, surface, painted, image, colors, view, up):
         scene(cloud, f"Scan: {scan.GetNumberOfPoints():,} points", camera),
         scene(mesh_actor(mesh), f"Learned mesh: {mesh.GetNumberOfPolys():,} triangles", camera),
         scene(actor_of(surface), f"Smooth surface: {surface.GetNumberOfPolys():,} triangles", camera),
-        scene(textured_actor(painted, image), "Painted surface", camera),
     ]
-    write_side_by_side(path, scenes, 1600, 500)
+    if image is not None:
+        scenes.append(scene(textured_actor(painted, image), "Painted surface", camera))
+    return draw_side_by_side(scenes, 400 * len(scenes), 500)

@@ -1,0 +1,122 @@
+"""From a scan to a painted surface: points -> learned mesh -> smooth surface -> picture on it."""
+import math
+
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+
+from conformalsom import (
+    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
+
+from . import outputs, pictures, report, scan_colors, scan_files
+
+CLAY = (204, 158, 117)
+
+
+def frequency_of(number):
+    """The frequency of the geodesic sphere whose number of points, 10 f^2 + 2, is nearest."""
+    return min(max(round(math.sqrt((number - 2) / 10)), 1), 1000)
+
+
+def learned_mesh(scan, options):
+    """The filter that learns the mesh."""
+    network = vtkConformalSOM()
+    network.SetInputConnection(scan.GetOutputPort())
+    getattr(network, "SetLatticeTo" + options.lattice.capitalize())()
+    if options.neurons is not None:
+        network.SetNumberOfNeurons(options.neurons)
+        network.SetFrequency(frequency_of(options.neurons))  # what counts if it is geodesic
+    return network
+
+
+def texture_map(surface, options, all_around):
+    """The filter that lays a texture on a surface, in its middle what the viewer sees first.
+
+    One that shows the whole surface goes all around it, a picture lies on one side.
+    """
+    painted = vtkSphericalTextureMap()
+    painted.SetInputConnection(surface.GetOutputPort())
+    painted.SetViewDirection(options.view)
+    painted.SetViewUp(options.up)
+    if all_around:
+        painted.SetProjectionToOctahedral()
+        painted.SetMargin(0.01)
+    return painted
+
+
+def one_color():
+    """A picture of one pixel, for a format that wants one where there is none."""
+    image = vtkImageData()
+    image.SetDimensions(1, 1, 1)
+    image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
+    for component, value in enumerate(CLAY):
+        image.SetScalarComponentFromDouble(0, 0, 0, component, value)
+    source = vtkTrivialProducer()
+    source.SetOutput(image)
+    return source
+
+
+def make_surface(scan_path, texture, paths, options, steps):
+    """Learn a surface from a scan and write it to the paths; returns figures for a report.
+
+    The texture is a source of an image, or None: then the scan's own colors are used if it has some.
+    """
+    scan = scan_files.scan_reader(scan_path)
+    steps.run("Read the scan", scan)
+    points = scan.GetOutputDataObject(0)
+    if points.GetNumberOfPoints() == 0:
+        raise ValueError(f"{scan_path}: no points found")
+    colors = scan_colors.colors_of(points) if texture is None else None
+
+    network = learned_mesh(scan, options)
+    steps.run("Learn the mesh", network)
+    surface = vtkCurvedSeamlessSurface()
+    surface.SetInputConnection(network.GetOutputPort())
+    if options.points is not None:
+        surface.SetFrequency(frequency_of(options.points))
+    steps.run("Build the smooth surface", surface)
+    painted = texture_map(surface, options, all_around=colors is not None)
+    steps.run("Lay the texture", painted)
+
+    mesh, result = network, painted
+    if options.measure or options.report:
+        mesh = report.measured(steps, "mesh", network, scan)
+        result = report.measured(steps, "surface", painted, scan)
+
+    cut = result
+    if texture is not None or colors is not None:
+        cut = texture_map(result, options, all_around=colors is not None)
+        cut.SplitSeamOn()  # for programs that draw each triangle as it is
+        steps.run("Cut along the picture", cut)
+    if colors is not None:
+        texture = scan_colors.baked(cut, points, colors)
+        steps.run("Bake the scan's colors", texture)
+
+    picture = texture or one_color()
+    for path in paths.surfaces:
+        writer = outputs.writer_of(path, painted=texture is not None)
+        if isinstance(writer, vtkTexturedSurfaceWriter):
+            writer.SetInputConnection(0, cut.GetOutputPort())
+            writer.SetInputConnection(1, picture.GetOutputPort())
+        else:
+            writer.SetInputConnection(result.GetOutputPort())
+        outputs.write(steps, writer, path)
+    stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, cut)]
+    if paths.picture:
+        image = texture.GetOutputDataObject(0) if texture else None
+        drawn = pictures.draw_stages(*stages, image, colors, options.view, options.up)
+        writer = pictures.picture_writer(paths.picture)
+        writer.SetInputConnection(drawn.GetOutputPort())
+        outputs.write(steps, writer, paths.picture)
+    if options.measure:
+        steps.clear()
+        report.print_table(*stages[:3], steps.seconds)
+    return {
+        "Scan": scan_path,
+        "Files": paths.all(),
+        "NumberOfScanPoints": points.GetNumberOfPoints(),
+        "Mesh": report.figures_of(stages[1]),
+        "Surface": report.figures_of(stages[2]),
+        "Seconds": steps.seconds,
+        "Warnings": steps.warnings,
+    }
