@@ -47,8 +47,7 @@ void Paint(vtkActor* actor, vtkAlgorithmOutput* image)
   texture->SetInputConnection(image);
   texture->InterpolateOn();
   texture->MipmapOn();
-  texture->RepeatOff();
-  texture->EdgeClampOn();
+  texture->SetWrap(vtkTexture::ClampToEdge);
   actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
   actor->SetTexture(texture);
 }

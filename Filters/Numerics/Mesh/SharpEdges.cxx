@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -301,18 +301,18 @@ private:
     std::vector<int> vertices = { v };
     for (int ring = 0; ring < 2; ++ring)
     {
-      std::vector<int> wider;
+      std::vector<int> wider = vertices;
       for (const int u : vertices)
       {
         wider.insert(wider.end(), this->Neighbors.begin(u), this->Neighbors.end(u));
       }
-      vertices.insert(vertices.end(), wider.begin(), wider.end());
-      sortUnique(vertices);
+      sortUnique(wider);
+      vertices = std::move(wider);
     }
     std::vector<int> triangles;
     for (const int u : vertices)
     {
-      std::copy(this->Around.begin(u), this->Around.end(u), std::back_inserter(triangles));
+      triangles.insert(triangles.end(), this->Around.begin(u), this->Around.end(u));
     }
     sortUnique(triangles);
     return triangles;
