@@ -16,29 +16,6 @@ vtkStandardNewMacro(vtkGlobalConformalMap);
 
 namespace
 {
-// The surface as it is, or the repaired one with the data of the points that are left.
-void PassSurface(vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh,
-  const conformal::CoordinateFrame& frame, vtkPolyData* output)
-{
-  const conformal::Triangles before = vtkConformalConversions::ToTriangles(surface);
-  if (mesh.Positions.rows() == surface->GetNumberOfPoints() &&
-    before.rows() == mesh.Triangles.rows() && before == mesh.Triangles)
-  {
-    output->ShallowCopy(surface);
-    return;
-  }
-  vtkConformalConversions::SetSurface(output, mesh.Positions, mesh.Triangles, frame);
-  vtkPointData* from = surface->GetPointData();
-  vtkPointData* to = output->GetPointData();
-  const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
-  to->CopyAllocate(from, size);
-  for (vtkIdType v = 0; v < size; ++v)
-  {
-    to->CopyData(from, mesh.PointIds[v], v);
-  }
-  output->GetFieldData()->PassData(surface->GetFieldData());
-}
-
 void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& map)
 {
   using vtkConformalConversions::AddNumber;
@@ -113,7 +90,7 @@ int vtkGlobalConformalMap::RequestData(
       const conformal::GlobalConformalMapResult map =
         conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
-      PassSurface(surface, mesh, frame, output);
+      vtkConformalConversions::PassClosedMesh(surface, mesh, frame, output);
       vtkConformalConversions::AddVectors(
         output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);
       AddFigures(output->GetFieldData(), map);

@@ -7,9 +7,11 @@
 #include "vtkInputChecks.h"
 
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkObject.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 
@@ -288,6 +290,29 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
       self, << done.Isolated << " points that belong to no triangle were dropped");
   }
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
+  const conformal::CoordinateFrame& frame, vtkPolyData* output)
+{
+  const conformal::Triangles before = ToTriangles(surface);
+  if (mesh.Positions.rows() == surface->GetNumberOfPoints() &&
+    before.rows() == mesh.Triangles.rows() && before == mesh.Triangles)
+  {
+    output->ShallowCopy(surface);
+    return;
+  }
+  SetSurface(output, mesh.Positions, mesh.Triangles, frame);
+  vtkPointData* from = surface->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
+  to->CopyAllocate(from, size);
+  for (vtkIdType v = 0; v < size; ++v)
+  {
+    to->CopyData(from, mesh.PointIds[v], v);
+  }
+  output->GetFieldData()->PassData(surface->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

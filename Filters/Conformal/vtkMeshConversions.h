@@ -47,6 +47,11 @@ struct ClosedMesh : conformal::Mesh
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
+/// Into the output the surface that a closed mesh was made of as it is, or, where it had to be
+/// repaired, the mesh with the data of the points that are left.
+void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
+  const conformal::CoordinateFrame& frame, vtkPolyData* output);
+
 /// A surface that ToClosedMesh() would take, each of its points of a triangle, as a mesh
 /// counter-clockwise seen from outside; an empty one for another surface, also where a cell names a
 /// point that is not there. It warns of nothing.

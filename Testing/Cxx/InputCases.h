@@ -21,7 +21,6 @@
 #include "vtkGuMeshWriter.h"
 #include "vtkSPHARMSurfaceWriter.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSurfaceHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -29,7 +28,9 @@
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceHarmonics.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
 
@@ -218,6 +219,7 @@ inline std::vector<Case> Filters()
       Maker<vtkSphericalTextureMap>([](vtkSphericalTextureMap* filter) { filter->SplitSeamOn(); }),
       { s } },
     { "vtkSurfaceMismatch", Maker<vtkSurfaceMismatch>(), { s, s } },
+    { "vtkSurfaceShape", Maker<vtkSurfaceShape>(), { s } },
   };
 }
 

@@ -14,8 +14,6 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSurfaceHarmonics.h"
-#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -23,7 +21,10 @@
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -622,6 +623,23 @@ std::vector<Case> Cases()
       filter->SetInputData(Mesh(scale));
       return Run(filter);
     } });
+  cases.push_back({ "MeasuresShape",
+    [](double scale)
+    {
+      vtkNew<vtkSurfaceShape> filter;
+      filter->SetInputData(Mesh(scale));
+      Results results = Run(filter, { "SulcalDepth" });
+      for (double& curvature : results.Others["MeanCurvature"])
+      {
+        curvature *= scale;
+      }
+      for (double& curvature : results.Others["GaussianCurvature"])
+      {
+        curvature = curvature * scale * scale;
+      }
+      return results;
+    },
+    true });
   cases.push_back({ "Checks",
     [](double scale)
     {

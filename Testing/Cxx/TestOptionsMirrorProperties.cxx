@@ -4,6 +4,7 @@
 #include "Learn/Training.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"
+#include "Measure/SurfaceShape.h"
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
 #include "Register/ConsistentRemesh.h"
@@ -40,6 +41,7 @@
 #include "vtkSphericalTextureMap.h"
 #include "vtkStanfordScansReader.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 #include "vtkTextCloudReader.h"
 
 #include "vtkNew.h"
@@ -361,6 +363,14 @@ TEST(OptionsMirrorProperties, SurfaceMismatch)
   EXPECT_EQ(vtkSurfaceMismatch::MAX_RADIUS, static_cast<int>(MismatchUnit::MaxRadius));
   EXPECT_EQ(vtkSurfaceMismatch::HALF_DIAGONAL, static_cast<int>(MismatchUnit::HalfDiagonal));
   EXPECT_EQ(vtkSurfaceMismatch::NONE, static_cast<int>(MismatchUnit::None));
+}
+
+TEST(OptionsMirrorProperties, SurfaceShape)
+{
+  const conformal::SurfaceShapeOptions options;
+  vtkNew<vtkSurfaceShape> filter;
+  EXPECT_EQ(filter->GetCurvatureScale(), options.CurvatureScale);
+  EXPECT_EQ(filter->GetDepthScale(), options.DepthScale);
 }
 
 TEST(OptionsMirrorProperties, SphericalTextureBlend)

@@ -33,8 +33,6 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSurfaceHarmonics.h"
-#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -42,7 +40,10 @@
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -775,6 +776,9 @@ TEST(Progress, OfMeasures)
   };
   ExpectEven("ConformalDistortion", Of<vtkConformalDistortion>(fine));
   ExpectEven("GenusZeroCheck", Of<vtkGenusZeroCheck>(fine));
+  ExpectEven("SurfaceShape", Of<vtkSurfaceShape>(fine));
+  ExpectEven("SurfaceShape, not smoothed",
+    Of<vtkSurfaceShape>(fine, [](vtkSurfaceShape* shape) { shape->SetCurvatureScale(0.0); }));
   ExpectEven("GenusZeroRepair", Of<vtkGenusZeroRepair>(fine));
   ExpectEven("GenusZeroRepair of handles",
     Of<vtkGenusZeroRepair>(fixtures::SphereWithHandles(20, 60).Get()));

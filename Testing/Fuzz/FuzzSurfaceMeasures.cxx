@@ -1,6 +1,7 @@
 #include "vtkConformalDistortion.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 
 #include "FuzzFilter.h"
 
@@ -18,6 +19,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   vtkNew<vtkConformalDistortion> distortion;
   distortion->SetInputDataObject(0, surface);
   fuzz::run(distortion);
+
+  vtkNew<vtkSurfaceShape> shape;
+  shape->SetInputDataObject(0, surface);
+  fuzz::run(shape);
 
   vtkNew<vtkSurfaceMismatch> mismatch;
   mismatch->SetLengthUnit(source.below(3));

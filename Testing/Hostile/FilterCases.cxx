@@ -15,8 +15,6 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSurfaceHarmonics.h"
-#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -24,7 +22,10 @@
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceHarmonics.h"
+#include "vtkSurfaceHarmonicsSource.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfaceShape.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -697,7 +698,12 @@ std::vector<SetUp> Measures()
     reads, false, true };
   model.Properties = { Integer("LengthUnit", &F::SetLengthUnit),
     Integer("NumberOfSamples", &F::SetNumberOfSamples), Integer("RandomSeed", &F::SetRandomSeed) };
-  return { model,
+  using Shape = vtkSurfaceShape;
+  SetUp shape = { "vtkSurfaceShape", "", true, On<Shape>([](vtkAlgorithm*, vtkPolyData*) {}), reads,
+    true };
+  shape.Properties = { Number("CurvatureScale", &Shape::SetCurvatureScale),
+    Number("DepthScale", &Shape::SetDepthScale) };
+  return { model, shape,
     { "vtkSurfaceMismatch", "reference", true,
       OnPort<F>(1, [](F* f) { f->SetNumberOfSamples(500); }), reads, false, true },
     { "vtkSurfaceMismatch", "reference, no unit", true,

@@ -15,7 +15,7 @@ set(below_Hull Base Mesh Search Cloud)
 set(below_Surface Base Mesh TriangleMap Search Cloud Linear Sphere)
 set(below_Learn Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull)
 set(below_Texture Base Mesh Search Sphere)
-set(below_Measure Base Mesh Search Sphere)
+set(below_Measure Base Mesh Search Linear Sphere)
 set(below_Register Base Mesh Search Linear Sphere SphereMap Measure)
 set(below_Harmonics Base Mesh Linear Sphere)
 

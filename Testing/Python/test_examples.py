@@ -13,7 +13,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import compare_surfaces
-from conformalsom import vtkGeodesicSphereSource, vtkSPHARMCoefficientReader
+from conformalsom import (
+    vtkFreeSurferReader, vtkGeodesicSphereSource, vtkGIFTIReader, vtkSPHARMCoefficientReader)
 from conformalsom.command import scan_files
 import morph
 from helpers import mapped_models
@@ -178,6 +179,51 @@ class TestExamples(unittest.TestCase):
             completed = run("surface_harmonics.py", path, "--output", output)
             self.assertEqual(completed.returncode, 2)
             self.assertIn("body.coef already exists", completed.stderr)
+
+    def test_cortical_surfaces_are_registered(self):
+        def table(completed):
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            return {line[:30].strip(): [float(word) for word in line[30:].split()]
+                    for line in completed.stdout.splitlines() if re.fullmatch(r"[\d. -]+", line[30:])}
+
+        def read(folder, reader, sphere, **files):
+            reader.SetFileName(os.path.join(folder, files.pop("surface")))
+            reader.SetSphereFileName(os.path.join(folder, sphere))
+            for name, file in files.items():
+                getattr(reader, f"Set{name}FileName")(os.path.join(folder, file))
+            reader.Update()
+            return reader.GetOutput()
+
+        with tempfile.TemporaryDirectory() as folder:
+            made, again = os.path.join(folder, "made"), os.path.join(folder, "again")
+            rows = table(run("cortex.py", "--size", "20", "--frequency", "16", "--output", made))
+            self.assertEqual(rows["folds"], [0.0])
+            for name in ("correlation of sulcal depth", "correlation of curvature"):
+                self.assertGreater(rows[name][1], rows[name][0] + 0.1)
+            self.assertGreater(rows["correlation of sulcal depth"][1], 0.9)
+            before, after = rows["mean error, degrees"]
+            self.assertGreater(before, 5.0)
+            self.assertLess(after, 0.4 * before)
+            surface = read(made, vtkGIFTIReader(), "first.sphere.reg.surf.gii", surface="first.surf.gii",
+                           Shape="first.shape.gii")
+            self.assertEqual(surface.GetNumberOfPoints(), 4002)
+            depth, carried = (vtk_to_numpy(surface.GetPointData().GetArray(name)) for name in ("SulcalDepth", "Carried"))
+            self.assertAlmostEqual(np.corrcoef(depth, carried)[0, 1], rows["correlation of sulcal depth"][1], delta=1e-3)
+            # What was written is read as a user's own.
+            files = [os.path.join(made, label + ".surf.gii") for label in ("first", "second")]
+            theirs = table(run("cortex.py", *files, "--frequency", "16", "--format", "freesurfer", "--output", again))
+            self.assertNotIn("mean error, degrees", theirs)
+            self.assertAlmostEqual(theirs["correlation of sulcal depth"][0], rows["correlation of sulcal depth"][0], delta=1e-3)
+            surface = read(again, vtkFreeSurferReader(), "first.sphere.reg", surface="first.white", Curvature="first.sulc")
+            np.testing.assert_allclose(vtk_to_numpy(surface.GetPointData().GetArray("Curvature")), depth, atol=1e-3)
+            curv = read(again, vtkFreeSurferReader(), "first.sphere", surface="first.white", Curvature="first.curv")
+            self.assertGreater(np.corrcoef(vtk_to_numpy(curv.GetPointData().GetArray("Curvature")), depth)[0, 1], 0.3)
+
+            self.assertEqual(run("cortex.py", "--output", made).returncode, 2)
+            self.assertEqual(run("cortex.py", files[0]).returncode, 2)
+            completed = run("cortex.py", *files, "--array", "Thickness")
+            self.assertEqual((completed.returncode, completed.stderr),
+                             (1, "cortex: the second surface has no array Thickness of 1 component\n"))
 
     def test_shown_landmarks_are_met(self):
         """Those beside the pictures of Correspondence.md lie on their models, and ask for no fold."""

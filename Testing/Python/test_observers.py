@@ -17,7 +17,7 @@ import conformalsom
 from conformalsom import (
     vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
-    vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch, vtkSurfaceShape)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
            "gii": "GIFTI", "white": "FreeSurfer"}
@@ -100,6 +100,7 @@ FILTERS = {
         vtkCurvedSeamlessSurface, surface(6), Sampling=2, Subdivisions=6, Polished=0),
     "curved surface, fitted": lambda: with_inputs(
         vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, Polished=0),
+    "shape": lambda: with_inputs(vtkSurfaceShape, surface()),
     "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),
     "hull": lambda: with_inputs(vtkGenusZeroHull, surface(), Spacing=0.08),
     "repair": lambda: with_inputs(vtkGenusZeroRepair, surface(60)),

@@ -18,7 +18,7 @@ from conformalsom import (
     vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
-    vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkSphericalTextureMap, vtkSurfaceMismatch, vtkSurfaceShape)
 
 PROMISE = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
@@ -104,6 +104,9 @@ def beside_the_chain(stages):
     check = vtkGenusZeroCheck()
     check.SetInputConnection(stages["vtkConformalDistortion"].GetOutputPort())
     check.Update()
+    shape = vtkSurfaceShape()
+    shape.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    shape.Update()
     blend = vtkSphericalTextureBlend()
     blend.SetInputConnection(stages["vtkSphericalTextureMap"].GetOutputPort())
     blend.SetFrontData(checkerboard())
@@ -163,7 +166,7 @@ def beside_the_chain(stages):
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
+    filters = (check, shape, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

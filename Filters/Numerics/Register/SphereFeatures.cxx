@@ -2,7 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
-#include "Linear/MultifrontalCholesky.h"
+#include "Measure/SurfaceShape.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
@@ -181,49 +181,10 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
 //------------------------------------------------------------------------------
 Eigen::VectorXd smoothMeanCurvature(const Mesh& surface, double scale, const Run& run)
 {
-  const Index size = surface.Positions.rows();
   const Eigen::VectorXd areas = vertexAreas(surface.Positions, surface.Triangles) / 6.0;
   const double area = areas.sum();
-  // Of each edge half of its angle times its length, for the two vertices at its ends.
-  const Triangles neighbors = triangleNeighbors(surface.Triangles, size);
-  Columns curvature = Columns::Zero(size, 1);
-  for (Index r = 0; r < surface.Triangles.rows(); ++r)
-  {
-    const Vector3 normal = areaVector(surface.Positions, surface.Triangles, r);
-    for (int k = 0; k < 3; ++k)
-    {
-      const int other = neighbors(r, k);
-      if (other > r)
-      {
-        const int a = surface.Triangles(r, k), b = surface.Triangles(r, next(k));
-        const Vector3 edge = surface.Positions.row(b) - surface.Positions.row(a);
-        const Vector3 across = areaVector(surface.Positions, surface.Triangles, other);
-        const double length = edge.norm();
-        const double angle = length > 0.0
-          ? std::atan2(normal.cross(across).dot(edge) / length, normal.dot(across))
-          : 0.0;
-        curvature(a, 0) += 0.25 * angle * length;
-        curvature(b, 0) += 0.25 * angle * length;
-      }
-    }
-  }
-  curvature *= std::sqrt(area);
-  // One implicit step of a diffusion; strings without negative ones keep it a mean of values.
-  EdgeWeights strings = harmonicStrings(surface.Positions, surface.Triangles).Strings;
-  const double time = scale * scale * area;
-  for (double& string : strings.Weights)
-  {
-    constexpr double weakest = 1e-3, strongest = 1e3;
-    string = time * std::clamp(string, weakest, strongest);
-  }
-  std::vector<double> diagonal(size);
-  for (Index v = 0; v < size; ++v)
-  {
-    diagonal[v] = areas[v] + strings.sumAt(v);
-  }
-  const MultifrontalCholesky factor(strings, diagonal, surface.Positions, run);
-  factor.solve(curvature);
-  return curvature.col(0);
+  const Columns integrals = meanCurvatureIntegrals(surface) * std::sqrt(area);
+  return smoothDensities(surface, areas, scale * scale * area, integrals, run).col(0);
 }
 
 //------------------------------------------------------------------------------
