@@ -5,9 +5,10 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkClipPolyData
+from vtkmodules.vtkFiltersCore import vtkClipPolyData, vtkGlyph3D
+from vtkmodules.vtkFiltersSources import vtkArrowSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
@@ -15,10 +16,11 @@ import baselines
 import webs
 from baselines import expect_picture, require_display
 from helpers import textures
-from helpers.builtin_figure import bear, figure_cloud, figure_surface, zero_set
+from helpers.builtin_figure import bear, dancer, figure_cloud, figure_surface, zero_set
 from conformalsom import (
-    vtkAdaptiveSphere, vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGenusZeroRepair,
-    vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalTextureBlend, vtkSphericalTextureImage,
+    vtkAdaptiveSphere, vtkConformalDistortion, vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessMap,
+    vtkCurvedSeamlessSurface, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGlobalConformalMap,
+    vtkSphericalAlignment, vtkSphericalResample, vtkSphericalTextureBlend, vtkSphericalTextureImage,
     vtkSphericalTextureMap, vtkSurfaceHarmonics, vtkSurfaceMismatch)
 from conformalsom.command import pictures
 from obtuse import obtuse_surface
@@ -59,6 +61,36 @@ def flips_actor(surface):
     actor.GetMapper().ScalarVisibilityOn()
     actor.GetMapper().SetScalarModeToUseCellData()
     return actor
+
+
+def colored_actor(surface, name, low, high, of_cells=False):
+    """By an array, from light at low to dark red at high."""
+    colors = vtkLookupTable()
+    colors.SetHueRange(0.10, 0.0)
+    colors.SetSaturationRange(0.1, 0.85)
+    colors.SetValueRange(0.95, 0.6)
+    colors.Build()
+    actor = pictures.actor_of(surface)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetLookupTable(colors)
+    mapper.SetScalarRange(low, high)
+    if of_cells:
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(name)
+    return actor
+
+
+def turned_map(surface):
+    """A copy whose map is turned by 50 degrees."""
+    turned = vtkPolyData()
+    turned.DeepCopy(surface)
+    sphere = vtk_to_numpy(turned.GetPointData().GetArray("SpherePosition"))
+    cosine, sine = np.cos(np.radians(50)), np.sin(np.radians(50))
+    sphere[:] = sphere @ np.array([[cosine, sine, 0], [-sine, cosine, 0], [0, 0, 1]])
+    return turned
 
 
 def bear_with_handles():
@@ -325,6 +357,105 @@ class TestPictures(unittest.TestCase):
             scenes.append(pictures.scene(
                 pictures.mesh_actor(sampled.GetOutput()), "sampled by it", self.camera()))
         self.expect_row("AdaptiveSphere", scenes)
+
+    def test_how_far_maps_are_from_conformal(self):
+        scenes = []
+        network = self.network.GetOutput()
+        for label, mapped in ("Learned", network), ("Mapped conformally", conformal_map(network)):
+            distortion = vtkConformalDistortion()
+            distortion.SetInputData(mapped)
+            distortion.Update()
+            scenes.append(pictures.scene(
+                colored_actor(distortion.GetOutput(), "QuasiConformalError", 1.0, 2.0, of_cells=True), label,
+                self.camera()))
+        self.expect_row("ConformalDistortion", scenes)
+
+    def test_alignment_brings_a_turned_map_back(self):
+        learned = self.surface.GetOutput()
+        turned = turned_map(learned)
+        alignment = vtkSphericalAlignment()
+        alignment.SetInputData(turned)
+        alignment.SetReferenceConnection(self.surface.GetOutputPort())
+        alignment.Update()
+        scenes = []
+        for surface, label in (learned, "One map"), (turned, "Turned"), (alignment.GetOutput(), "Aligned"):
+            shown = vtkPolyData()
+            shown.ShallowCopy(surface)
+            stripes = np.sin(9.0 * vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))[:, :2])
+            array = numpy_to_vtk(stripes.sum(axis=1), deep=True)
+            array.SetName("Stripes")
+            shown.GetPointData().AddArray(array)
+            scenes.append(pictures.scene(colored_actor(shown, "Stripes", -2.0, 2.0), label, self.camera()))
+        self.expect_row("SphericalAlignment", scenes)
+
+    def test_resampled_colors(self):
+        fine = vtkPolyData()
+        fine.ShallowCopy(self.surface.GetOutput())
+        waves = np.sin(12.0 * vtk_to_numpy(fine.GetPoints().GetData())).sum(axis=1)
+        array = numpy_to_vtk(waves, deep=True)
+        array.SetName("Waves")
+        fine.GetPointData().AddArray(array)
+        resample = vtkSphericalResample()
+        resample.SetInputConnection(self.network.GetOutputPort())
+        resample.SetSourceData(fine)
+        resample.Update()
+        self.expect_row("SphericalResample", [
+            pictures.scene(colored_actor(surface, "Waves", -2.0, 2.0), label, self.camera())
+            for surface, label in ((fine, f"{fine.GetNumberOfPoints():,} points"), (
+                resample.GetOutput(), f"{resample.GetOutput().GetNumberOfPoints():,} points"))])
+
+    def test_hull_of_a_dancer(self):
+        cloud = figure_cloud(20000, figure=dancer)
+        hull = vtkGenusZeroHull()
+        hull.SetInputData(cloud)
+        hull.Update()
+        camera = lambda: pictures.camera_on(cloud, VIEW, UP, PANEL[0] / PANEL[1])
+        self.expect_row("GenusZeroHull", (
+            pictures.scene(pictures.cloud_actor(cloud, VIEW), "Points", camera()),
+            pictures.scene(pictures.actor_of(hull.GetOutput()), "Hull", camera())))
+
+    def test_geodesic_spheres(self):
+        scenes = []
+        for frequency in (1, 3, 9, 27):
+            sphere = vtkGeodesicSphereSource()
+            sphere.SetFrequency(frequency)
+            sphere.Update()
+            camera = pictures.camera_on(sphere.GetOutput(), VIEW, UP, PANEL[0] / PANEL[1])
+            scenes.append(pictures.scene(pictures.mesh_actor(sphere.GetOutput()), f"f = {frequency}", camera))
+        self.expect_row("GeodesicSphereSource", scenes)
+
+    def test_points_of_the_sphere_on_the_surface(self):
+        """By the map, with normals: arrows at the vertices of a geodesic sphere."""
+        sphere = vtkGeodesicSphereSource()
+        sphere.SetFrequency(6)
+        sphere.Update()
+        positions, normals = vtkDoubleArray(), vtkDoubleArray()
+        surface_map = vtkCurvedSeamlessMap()
+        surface_map.Build(self.network.GetOutput())
+        directions = sphere.GetOutput().GetPointData().GetArray("SpherePosition")
+        surface_map.ToSurface(directions, positions, normals)
+        points = vtkPoints()
+        points.SetData(positions)
+        scenes = []
+        for surface, label, at, along in (
+                (sphere.GetOutput(), "Directions", sphere.GetOutput().GetPoints(), directions),
+                (self.surface.GetOutput(), "Positions and normals", points, normals)):
+            arrows = vtkPolyData()
+            arrows.SetPoints(at)
+            arrows.GetPointData().SetNormals(along)
+            arrow, glyphs = vtkArrowSource(), vtkGlyph3D()
+            glyphs.SetInputData(arrows)
+            glyphs.SetSourceConnection(arrow.GetOutputPort())
+            glyphs.SetVectorModeToUseNormal()
+            glyphs.SetScaleFactor(0.04 * surface.GetLength())
+            glyphs.Update()
+            camera = pictures.camera_on(surface, VIEW, UP, PANEL[0] / PANEL[1])
+            scene = pictures.scene(pictures.actor_of(surface), label, camera)
+            shafts = pictures.actor_of(glyphs.GetOutput())
+            shafts.GetProperty().SetColor(pictures.SLATE)
+            scene.AddActor(shafts)
+            scenes.append(scene)
+        self.expect_row("CurvedSeamlessMap", scenes)
 
     def test_handles_are_cut_and_tunnels_filled(self):
         """A bear with handles and the loops along which it is mended, in red; and it mended, what is new in red."""

@@ -1,0 +1,111 @@
+"""The snippets of Filters.md run: each by itself, on inputs of the names that it takes for given."""
+import os
+import re
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
+
+import conformalsom
+from helpers import textures
+from helpers.builtin_figure import figure_cloud, figure_surface
+
+GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Filters.md")
+
+
+def snippets():
+    """Of each section: its heading, and its blocks of Python."""
+    with open(GUIDE, encoding="utf-8") as file:
+        sections = re.split(r"^## ", file.read(), flags=re.M)[1:]
+    return {text.partition("\n")[0]: re.findall(r"```python\n(.*?)```", text, flags=re.S) for text in sections}
+
+
+def producer_of(data):
+    """What puts out a data set as a reader does."""
+    producer = vtkTrivialProducer()
+    producer.SetOutput(data)
+    return producer
+
+
+def with_array(surface, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName(name)
+    surface.GetPointData().AddArray(array)
+    return surface
+
+
+def mapped_bear():
+    """The bear on its map, with a number and marks at points."""
+    conformal = conformalsom.vtkGlobalConformalMap()
+    conformal.SetInputData(figure_surface())
+    conformal.SetAreaBalance(0.5)
+    conformal.Update()
+    surface = conformal.GetOutput()
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    with_array(surface, "Curvature", points[:, 0] * points[:, 1])
+    marks = np.zeros(len(points), dtype=np.int32)
+    marks[[100, 2000, 4000]] = 1, 2, 3
+    return with_array(surface, "Marks", marks)
+
+
+class TestGuides(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cloud, bear = figure_cloud(8000), mapped_bear()
+        colors = numpy_to_vtk(np.full((8000, 3), 90, dtype=np.uint8), deep=True)
+        cloud.GetPointData().SetScalars(colors)
+        network = conformalsom.vtkConformalSOM()
+        network.SetInputData(cloud)
+        network.SetNumberOfNeurons(1000)
+        network.Update()
+        surface = conformalsom.vtkCurvedSeamlessSurface()
+        surface.SetInputConnection(network.GetOutputPort())
+        surface.Update()
+        painted = conformalsom.vtkSphericalTextureMap()
+        painted.SetInputConnection(surface.GetOutputPort())
+        painted.SetProjection(conformalsom.vtkSphericalTextureMap.OCTAHEDRAL)
+        painted.Update()
+        body = conformalsom.vtkBodyMap()
+        body.SetInputData(bear)
+        harmonics = conformalsom.vtkSurfaceHarmonics()
+        harmonics.SetInputData(bear)
+        names = ("reader", "mapped", "moved", "reference", "first", "second", "moving", "fixed", "target", "source")
+        cls.given = {
+            **{name: producer_of(bear) for name in names},
+            "network": network, "surface": surface, "painted": painted, "body": body, "harmonics": harmonics,
+            "surfaces": [bear, bear], "scan": producer_of(cloud),
+            "front": producer_of(textures.rosette(64)), "back": producer_of(textures.wood(64)),
+            "directions": numpy_to_vtk(np.eye(3), deep=True), "vtkDoubleArray": vtkDoubleArray,
+            **{name: value for name, value in vars(conformalsom).items() if name.startswith("vtk")},
+        }
+
+    def test_every_section_has_a_snippet_that_runs(self):
+        for heading, blocks in snippets().items():
+            with self.subTest(heading):
+                self.assertEqual(len(blocks), 1)
+                self.run_snippet(heading, blocks[0])
+
+    def run_snippet(self, heading, code):
+        """Update what it made; no error, and outputs that are not empty."""
+        names = dict(self.given)
+        errors = []
+        exec(compile(code, f"Filters.md, {heading}", "exec"), names)  # pylint: disable=exec-used
+        made = [value for name, value in names.items()
+                if isinstance(value, vtkAlgorithm) and value is not self.given.get(name)]
+        kind = "vtk" + heading.replace(" ", "")
+        self.assertIn(kind, code)
+        for algorithm in made:
+            for source in (algorithm, algorithm.GetExecutive()):
+                source.AddObserver("ErrorEvent", lambda caller, _: errors.append(caller.GetClassName()))
+            algorithm.Update()
+            self.assertEqual(errors, [])
+            output = algorithm.GetOutputDataObject(0)
+            if isinstance(output, vtkPolyData):
+                self.assertGreater(output.GetNumberOfPoints(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
