@@ -18,7 +18,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from conformalsom import vtkGeodesicSphereSource, vtkGIFTIReader, vtkGIFTIWriter, vtkSphericalResample
+from conformalsom import (
+    vtkGeodesicSphereSource, vtkGIFTIReader, vtkGIFTIWriter, vtkSphericalResample, vtkSurfaceShape)
+from helpers import hemispheres
 
 BENCHMARKS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks")
 sys.path.insert(0, BENCHMARKS)
@@ -206,6 +208,25 @@ class TestWorkbench(unittest.TestCase):
             values = vtk_to_numpy(self.surface.GetPointData().GetArray(name))
             largest = self.run_workbench("-metric-stats", path, "-reduce", "MAX", "-column", str(column))
             self.assertAlmostEqual(float(largest), values.max(), delta=1e-5)
+
+
+    def test_curvatures_are_those_of_workbench(self):
+        hemisphere = hemispheres.hemisphere(40, 0.0, 2)
+        self.surface = hemisphere
+        self.written("Geometry", "lh.surf.gii")
+        self.run_workbench("-surface-curvature", "lh.surf.gii", "-mean", "mean.shape.gii", "-gauss", "gauss.shape.gii")
+        shape = vtkSurfaceShape()
+        shape.SetInputData(hemisphere)
+        shape.SetCurvatureScale(0.0)
+        shape.Update()
+        reader = vtkGIFTIReader()
+        reader.SetFileName(os.path.join(self.folder, "lh.surf.gii"))
+        for file, name in (("mean", "MeanCurvature"), ("gauss", "GaussianCurvature")):
+            reader.SetShapeFileName(os.path.join(self.folder, file + ".shape.gii"))
+            reader.Update()
+            theirs = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray(0))
+            ours = vtk_to_numpy(shape.GetOutput().GetPointData().GetArray(name))
+            self.assertGreater(np.corrcoef(ours, theirs)[0, 1], 0.95)
 
 
 class TestResample(unittest.TestCase):
