@@ -66,8 +66,8 @@ def mean_angle_and_obtuse(mesh):
         u = corners[:, (k + 1) % 3] - corners[:, k]
         v = corners[:, (k + 2) % 3] - corners[:, k]
         angles.append(np.arctan2(np.linalg.norm(np.cross(u, v), axis=1), (u * v).sum(axis=1)))
-    angles = np.degrees(angles)
-    return angles.min(axis=0).mean(), (angles.max(axis=0) > 90.0).mean()
+    degrees = np.degrees(angles)
+    return degrees.min(axis=0).mean(), (degrees.max(axis=0) > 90.0).mean()
 
 
 def fold_fraction(mesh):

@@ -189,7 +189,7 @@ class Gallery:
         board = painted(css, textures.checkerboard(), *model.view)
         panels.add(board, "Checkerboard")
         panels.add(board, "Checkerboard, from the side", pictures.camera_on(
-            model.mesh, *model.view, ASPECT, azimuth=-50))
+            model.mesh, model.view[0], model.view[1], ASPECT, azimuth=-50))
         self.add_face(panels, model, css)
         panels.write(folder, "figure_10")
 

@@ -80,10 +80,10 @@ class Surface:
                 starts.append(crossings[0])
                 ends.append(crossings[1])
                 cut.append(triangle)
-        starts, ways = np.array(starts), np.array(ends) - np.array(starts)
+        origins, ways = np.array(starts), np.array(ends) - np.array(starts)
         lengths = np.linalg.norm(ways, axis=1)
         chosen = random.choice(len(ways), int(lengths.sum() * ratio / gap), p=lengths / lengths.sum())
-        return (starts[chosen] + random.random_sample((len(chosen), 1)) * ways[chosen],
+        return (origins[chosen] + random.random_sample((len(chosen), 1)) * ways[chosen],
                 self.normals[np.array(cut)[chosen]])
 
     def closest(self, points):

@@ -2,12 +2,11 @@
 import sys
 import time
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
+from conformalsom.messages import FilterFailed, heard
 
 
-class StepFailed(Exception):
-    """A filter reported an error; the text is the filter's own."""
+class StepFailed(FilterFailed):
+    """The text begins with the step's name."""
 
 
 class Interrupted(BaseException):
@@ -28,36 +27,26 @@ class Steps:
 
     def run(self, label, algorithm, work=None):
         """Update the algorithm, or do work() that uses it, as the step called label."""
-        messages = {"ErrorEvent": [], "WarningEvent": []}
-
-        @calldata_type(VTK_STRING)
-        def keep(_, event, text):
-            # "ERROR: In <file>, line <n>\n<class> (<address>): <message>\n\n"
-            messages[event].append(text.split("): ", 1)[-1].strip().partition("\n")[0])
-
         def advance(caller, _):
             self.advanced(label, caller.GetProgress())
 
         # Python sees signals only while it runs, which it does here at least.
-        observed = [(algorithm, algorithm.AddObserver("ProgressEvent", advance))]
-        for source in (algorithm, algorithm.GetExecutive()):
-            for event in messages:
-                observed.append((source, source.AddObserver(event, keep)))
+        tag = algorithm.AddObserver("ProgressEvent", advance)
         start = time.perf_counter()
         self.running = algorithm
         try:
-            (work or algorithm.Update)()
+            with heard(algorithm) as messages:
+                (work or algorithm.Update)()
         finally:
             self.running = None
-            for source, tag in observed:
-                source.RemoveObserver(tag)
+            algorithm.RemoveObserver(tag)
         self.seconds[label] = time.perf_counter() - start
         if self.signal is not None:
             raise Interrupted(self.signal)
-        if messages["ErrorEvent"]:
-            raise StepFailed(f"{label}: {messages['ErrorEvent'][0]}")
-        self.warnings += [f"{label}: {text}" for text in messages["WarningEvent"]]
-        self.ended(label, messages["WarningEvent"])
+        if messages.errors:
+            raise StepFailed(f"{label}: {messages.errors[0]}")
+        self.warnings += [f"{label}: {text}" for text in messages.warnings]
+        self.ended(label, messages.warnings)
 
     def interrupt(self, number, _):
         """A signal handler: abort the filter that runs, or stop at once if none does."""

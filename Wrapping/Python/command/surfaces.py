@@ -101,22 +101,23 @@ def make_surface(scan_path, texture, paths, options, steps):
         else:
             writer.SetInputConnection(result.GetOutputPort())
         outputs.write(steps, writer, path)
-    stages = [stage.GetOutputDataObject(0) for stage in (scan, mesh, result, cut)]
+    learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
-        drawn = pictures.draw_stages(*stages, image, colors, options.view, options.up)
+        drawn = pictures.draw_stages(
+            points, learned, smoothed, laid, image, colors, options.view, options.up)
         writer = pictures.picture_writer(paths.picture)
         writer.SetInputConnection(drawn.GetOutputPort())
         outputs.write(steps, writer, paths.picture)
     if options.measure:
         steps.clear()
-        report.print_table(*stages[:3], steps.seconds)
+        report.print_table(points, learned, smoothed, steps.seconds)
     return {
         "Scan": scan_path,
         "Files": paths.all(),
         "NumberOfScanPoints": points.GetNumberOfPoints(),
-        "Mesh": report.figures_of(stages[1]),
-        "Surface": report.figures_of(stages[2]),
+        "Mesh": report.figures_of(learned),
+        "Surface": report.figures_of(smoothed),
         "Seconds": steps.seconds,
         "Warnings": steps.warnings,
     }

@@ -1,0 +1,156 @@
+"""The package's type stubs: they have every class, method and text there is, and a checker finds mistakes by
+them and none in the examples."""
+import ast
+import glob
+import importlib.util
+import inspect
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import conformalsom
+import toy_bear
+
+PACKAGE = os.path.dirname(os.path.abspath(conformalsom.__file__))
+PYTHON = os.path.dirname(os.path.abspath(toy_bear.__file__))
+MODULES = "vtkFiltersConformal", "vtkIOSurface"
+CLASSES = {name: class_ for name, class_ in vars(conformalsom).items() if inspect.isclass(class_)}
+INHERITED = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType"}
+
+
+def stub_of(module):
+    """The classes of a stub by their names, parsed."""
+    with open(os.path.join(PACKAGE, module + ".pyi"), encoding="utf-8") as file:
+        return {node.name: node for node in ast.parse(file.read()).body if isinstance(node, ast.ClassDef)}
+
+
+def methods_of(class_):
+    """The first definition of each method of a parsed class."""
+    found = {}
+    for node in class_.body:
+        if isinstance(node, ast.FunctionDef):
+            found.setdefault(node.name, node)
+    return found
+
+
+STUBS = {name: node for module in MODULES for name, node in stub_of(module).items()}
+
+
+def plain(text):
+    """Words alone, whatever the lines."""
+    return " ".join((text or "").split())
+
+
+class TestStubs(unittest.TestCase):
+    def method(self, class_, name):
+        return methods_of(STUBS[class_])[name]
+
+    def types(self, class_, name):
+        """What a method takes and gives."""
+        node = self.method(class_, name)
+        arguments = [ast.unparse(argument.annotation) for argument in node.args.posonlyargs[1:]]
+        return [*arguments, ast.unparse(node.returns)]
+
+    def test_has_every_class_with_its_text(self):
+        self.assertEqual(set(STUBS), set(CLASSES))
+        for name, class_ in CLASSES.items():
+            with self.subTest(name):
+                self.assertEqual(plain(ast.get_docstring(STUBS[name])), plain(class_.__doc__))
+
+    def test_has_every_method_and_constant(self):
+        for name, class_ in CLASSES.items():
+            with self.subTest(name):
+                wrapped = {member for member, value in vars(class_).items()
+                           if inspect.isroutine(value) and not member.startswith("__")}
+                stubbed = {member for member in methods_of(STUBS[name]) if not member.startswith("__")}
+                self.assertEqual(stubbed, wrapped - INHERITED)
+                constants = {member for member, value in vars(class_).items() if isinstance(value, int)}
+                self.assertEqual({node.target.id for node in STUBS[name].body if isinstance(node, ast.AnnAssign)},
+                                 constants)
+
+    def test_names_types(self):
+        self.assertEqual(self.types("vtkConformalSOM", "SetFrequency"), ["int", "None"])
+        self.assertEqual(self.types("vtkConformalSOM", "GetFrequency"), ["int"])
+        self.assertEqual(self.types("vtkConformalSOM", "SetStartData"),
+                         ["Optional[vtkmodules.vtkCommonDataModel.vtkPolyData]", "None"])
+        self.assertEqual(self.types("vtkConformalSOM", "SetPriorityArrayName"), ["Optional[str]", "None"])
+        self.assertEqual(self.types("vtkSphericalTextureMap", "SetViewUp"), ["float", "float", "float", "None"])
+        self.assertEqual(self.types("vtkSphericalTextureMap", "GetViewUp"), ["Tuple[float, float, float]"])
+        self.assertEqual(self.types("vtkSphericalTextureMap", "SetSplitSeam"), ["bool", "None"])
+        overloads = [ast.unparse(node.args) for node in STUBS["vtkSphericalTextureMap"].body
+                     if isinstance(node, ast.FunctionDef) and node.name == "SetViewUp"]
+        self.assertEqual(overloads[1], "self, value: Values[float], /")
+
+    def test_every_argument_and_result_has_a_type(self):
+        for class_ in STUBS.values():
+            for node in ast.walk(class_):
+                if isinstance(node, ast.FunctionDef) and node.name != "__init__":
+                    with self.subTest(f"{class_.name}.{node.name}"):
+                        self.assertIsNotNone(node.returns)
+                        for argument in node.args.posonlyargs:
+                            self.assertTrue(argument.annotation or argument.arg == "self")
+
+    def test_all_methods_of_a_property_have_its_text(self):
+        meaning = plain(conformalsom.vtkConformalSOM.SetLattice.__doc__.partition("\n\n")[2])
+        self.assertIn("GEODESIC", meaning)
+        for name in "SetLattice", "GetLattice", "SetLatticeToAdaptive", "GetLatticeMaxValue":
+            self.assertEqual(plain(ast.get_docstring(self.method("vtkConformalSOM", name))), meaning)
+        meaning = plain(conformalsom.vtkSphericalTextureMap.SetSplitSeam.__doc__.partition("\n\n")[2])
+        self.assertEqual(plain(ast.get_docstring(self.method("vtkSphericalTextureMap", "SplitSeamOn"))), meaning)
+        self.assertIn("optional mesh", ast.get_docstring(self.method("vtkConformalSOM", "SetStartConnection")))
+        self.assertIsNone(ast.get_docstring(self.method("vtkConformalSOM", "NewInstance")))
+        silent = [f"{name}.{method}" for name, class_ in STUBS.items() for method, node in methods_of(class_).items()
+                  if re.match("[GS]et", method) and not ast.get_docstring(node)]
+        self.assertEqual(silent, [])
+
+
+@unittest.skipUnless(importlib.util.find_spec("mypy"), "there is no mypy")
+class TestChecker(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def check(self, *paths):
+        """What mypy finds wrong, a line each."""
+        command = [sys.executable, "-m", "mypy", "--ignore-missing-imports", "--check-untyped-defs", "--no-error-summary",
+                   "--disable-error-code=var-annotated", "--disable-error-code=assignment",
+                   "--cache-dir", os.path.join(self.temporary.name, "cache")]
+        run = subprocess.run([*command, *paths], cwd=PYTHON, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                             env={**os.environ, "MYPYPATH": os.path.dirname(PACKAGE)}, check=False)
+        self.assertEqual(run.stderr, "")
+        self.assertEqual(run.returncode, 1 if run.stdout else 0)
+        return run.stdout.splitlines()
+
+    def test_examples_and_package_are_right(self):
+        self.assertEqual(self.check(*sorted(glob.glob(os.path.join(PYTHON, "*.py")))), [])
+        self.assertEqual(self.check("-p", "conformalsom"), [])
+
+    def test_mistakes_are_found(self):
+        with open(os.path.join(PYTHON, "quickstart.py"), encoding="utf-8") as file:
+            right = file.read()
+        for old, new, message in (
+                ("painted.SplitSeamOn()", "painted.SplitSeemOn()", '"vtkSphericalTextureMap" has no attribute "SplitSeemOn"'),
+                ("scan.SetFileName(", "scan.SetFilename(", '"vtkConformalPLYReader" has no attribute "SetFilename"'),
+                ("mesh.SetInputConnection(", "mesh.SetInputConection(", 'has no attribute "SetInputConection"'),
+                ("painted.SplitSeamOn()", 'painted.SetMargin("0.1")', 'incompatible type "str"; expected "float"'),
+                ("painted.SplitSeamOn()", "painted.SetSplitSeam()", 'Too few arguments for "SetSplitSeam"'),
+                ("vtkConformalSOM,", "vtkConformalSom,", 'has no attribute "vtkConformalSom"'),
+                ("painted.SplitSeamOn()", "painted.GetViewUp().x", 'has no attribute "x"'),
+                ("painted.SplitSeamOn()", "mesh.GetFrequency().lower()", '"int" has no attribute "lower"')):
+            with self.subTest(new):
+                path = os.path.join(self.temporary.name, "mistaken.py")
+                self.assertIn(old, right)
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(right.replace(old, new))
+                self.assertIn(message, "\n".join(self.check(path)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,38 @@
+"""What filters say while they work, for scripts that act on it."""
+import contextlib
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.vtkConstants import VTK_STRING
+
+
+class FilterFailed(RuntimeError):
+    """A filter reported an error; the text is the filter's own."""
+
+
+class Messages:
+    """The texts of errors and warnings, in order and without file, line and address."""
+
+    def __init__(self):
+        self.errors = []
+        self.warnings = []
+
+
+@contextlib.contextmanager
+def heard(algorithm):
+    """Hear an algorithm, which prints nothing meanwhile: a Messages that fills while it works."""
+    messages = Messages()
+
+    @calldata_type(VTK_STRING)
+    def keep(_, event, text):
+        # "ERROR: In <file>, line <n>\n<class> (<address>): <message>\n\n"
+        said = text.split("): ", 1)[-1].strip().partition("\n")[0]
+        (messages.errors if event == "ErrorEvent" else messages.warnings).append(said)
+
+    sources = (algorithm, algorithm.GetExecutive())
+    observed = [(source, source.AddObserver(event, keep))
+                for source in sources for event in ("ErrorEvent", "WarningEvent")]
+    try:
+        yield messages
+    finally:
+        for source, tag in observed:
+            source.RemoveObserver(tag)

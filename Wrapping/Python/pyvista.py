@@ -1,0 +1,105 @@
+"""The filters as functions on PyVista's meshes:
+
+    from conformalsom.pyvista import learn, paint, smooth
+
+    surface = smooth(learn(cloud, number_of_neurons=5000))
+    paint(surface, "photo.png").plot(rgb=True)
+
+Properties of the filters are keywords: Set methods without "Set", in snake case. An enumeration takes a
+name too: lattice="Geodesic" calls SetLatticeToGeodesic. An error of a filter is raised as FilterFailed
+with the filter's message, its warnings are Python's.
+"""
+import os
+import warnings
+
+import numpy as np
+import pyvista
+
+from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureMap
+from conformalsom.messages import FilterFailed, heard
+
+
+def learn(cloud, **properties):
+    """Learn a closed mesh with a map to the sphere from points: vtkConformalSOM.
+
+    The cloud is any PyVista data set with points, or an array of n x 3 numbers. The mesh is a
+    pyvista.PolyData, and "SpherePosition" among its point arrays is the map.
+    """
+    if not isinstance(cloud, pyvista.DataSet):
+        points = np.asarray(cloud, dtype=float)
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise ValueError(f"expected points as an array of n x 3, not {' x '.join(map(str, points.shape))}")
+        cloud = pyvista.PolyData(points)
+    return run(vtkConformalSOM(), cloud, **properties)
+
+
+def smooth(mesh, **properties):
+    """Make a mapped mesh smooth and dense: vtkCurvedSeamlessSurface."""
+    return run(vtkCurvedSeamlessSurface(), mesh, **properties)
+
+
+def conformal_map(mesh, **properties):
+    """Map a closed triangle mesh of genus zero to the sphere: vtkGlobalConformalMap."""
+    return run(vtkGlobalConformalMap(), mesh, **properties)
+
+
+def paint(mesh, image, **properties):
+    """Lay an image on a mapped mesh, its middle in view_direction (0, 0, 1), view_up (0, 1, 0) being up.
+
+    The image is a file, a pyvista.Texture, or an array of rows x columns x 3 or 4, first row on top. The result
+    has texture coordinates (vtkSphericalTextureMap) and the point array "RGB" or "RGBA", the image at each point,
+    as active scalars.
+    """
+    painted = run(vtkSphericalTextureMap(), mesh, **properties)
+    colors = sampled(pixels_of(image), painted.active_texture_coordinates)
+    painted.point_data["RGB" if colors.shape[1] == 3 else "RGBA"] = colors
+    painted.set_active_scalars("RGB" if colors.shape[1] == 3 else "RGBA")
+    return painted
+
+
+def run(algorithm, *inputs, **properties):
+    """Run any filter on data, one for each of its input ports; returns what is on its first output port."""
+    for name, value in properties.items():
+        set_property(algorithm, name, value)
+    for port, data in enumerate(inputs):
+        algorithm.SetInputData(port, pyvista.wrap(data))
+    with heard(algorithm) as messages:
+        algorithm.Update()
+    if messages.errors:
+        raise FilterFailed(f"{algorithm.GetClassName()}: {messages.errors[0]}")
+    for text in messages.warnings:
+        warnings.warn(f"{algorithm.GetClassName()}: {text}", stacklevel=3)
+    return pyvista.wrap(algorithm.GetOutputDataObject(0))
+
+
+def set_property(algorithm, name, value):
+    """Call the Set method of a property in snake case, or SetPropertyToName for a name."""
+    setter = "Set" + "".join(word[:1].upper() + word[1:] for word in name.split("_"))
+    if not hasattr(algorithm, setter):
+        raise TypeError(f"{algorithm.GetClassName()} has no property {name}")
+    if isinstance(value, str) and hasattr(algorithm, setter + "To" + value):
+        getattr(algorithm, setter + "To" + value)()
+    else:
+        getattr(algorithm, setter)(value)
+
+
+def pixels_of(image):
+    """An image as an array of rows x columns x 3 or 4 bytes, first row on top."""
+    if isinstance(image, (str, os.PathLike)):
+        image = pyvista.read_texture(os.fspath(image))
+    pixels = image.to_array() if isinstance(image, pyvista.Texture) else np.asarray(image)
+    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8:
+        raise ValueError("expected an image of rows x columns x 3 or 4 bytes")
+    return pixels
+
+
+def sampled(pixels, coordinates):
+    """An image at texture coordinates, mixed of the four pixels around each; beyond its border as there."""
+    size = np.array([pixels.shape[1], pixels.shape[0]])
+    place = np.asarray(coordinates) * (1, -1) + (0, 1)  # from the upper left corner
+    place = np.clip(place * size - 0.5, 0, size - 1)
+    (left, top), (right, bottom) = np.floor(place).astype(int).T, np.ceil(place).astype(int).T
+    across, down = (place % 1).T[:, :, None]
+    upper = (1 - across) * pixels[top, left] + across * pixels[top, right]
+    lower = (1 - across) * pixels[bottom, left] + across * pixels[bottom, right]
+    return np.rint((1 - down) * upper + down * lower).astype(np.uint8)
