@@ -1,6 +1,10 @@
-"""The snippets of Filters.md run: each by itself, on inputs of the names that it takes for given."""
+"""What the guides tell readers to run, runs: the snippets of Filters.md, each by itself, on inputs of the names
+that it takes for given, and the tutorials from the first line to the last."""
 import os
 import re
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import numpy as np
@@ -13,14 +17,20 @@ import conformalsom
 from helpers import textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 
-GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Filters.md")
+ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
 
-def snippets():
-    """Of each section: its heading, and its blocks of Python."""
-    with open(GUIDE, encoding="utf-8") as file:
-        sections = re.split(r"^## ", file.read(), flags=re.M)[1:]
-    return {text.partition("\n")[0]: re.findall(r"```python\n(.*?)```", text, flags=re.S) for text in sections}
+def sections(guide):
+    """The text of each section of a guide by its heading."""
+    with open(os.path.join(ROOT, "Documentation", guide), encoding="utf-8") as file:
+        texts = re.split(r"^## ", file.read(), flags=re.M)[1:]
+    return {text.partition("\n")[0]: text for text in texts}
+
+
+def blocks_of(text, languages="python"):
+    """Its blocks of code in these languages, each with its language and without its indentation."""
+    found = re.findall(rf"^( *)```({languages})\n(.*?)^ *```", text, flags=re.M | re.S)
+    return [(language, re.sub(f"^{indent}", "", code, flags=re.M)) for indent, language, code in found]
 
 
 def producer_of(data):
@@ -83,10 +93,10 @@ class TestGuides(unittest.TestCase):
         }
 
     def test_every_section_has_a_snippet_that_runs(self):
-        for heading, blocks in snippets().items():
+        for heading, text in sections("Filters.md").items():
             with self.subTest(heading):
-                self.assertEqual(len(blocks), 1)
-                self.run_snippet(heading, blocks[0])
+                (_, code), = blocks_of(text)
+                self.run_snippet(heading, code)
 
     def run_snippet(self, heading, code):
         """Update what it made; no error, and outputs that are not empty."""
@@ -105,6 +115,22 @@ class TestGuides(unittest.TestCase):
             output = algorithm.GetOutputDataObject(0)
             if isinstance(output, vtkPolyData):
                 self.assertGreater(output.GetNumberOfPoints(), 0)
+
+    def test_tutorials_run_to_their_end(self):
+        """Those in Python and sh; Package.ServesAConsumer does what is said of C++."""
+        run = 0
+        for heading, text in sections("Tutorials.md").items():
+            with self.subTest(heading), tempfile.TemporaryDirectory() as folder:
+                os.symlink(os.path.join(ROOT, "Examples"), os.path.join(folder, "Examples"))
+                os.symlink(sys.executable, os.path.join(folder, "python3"))  # the one with VTK
+                path = os.pathsep.join((folder, os.path.dirname(os.environ["CONFORMALSOM_COMMAND"]), os.environ["PATH"]))
+                for language, code in blocks_of(text, "python|sh"):
+                    program = [sys.executable] if language == "python" else ["bash", "-euo", "pipefail"]
+                    completed = subprocess.run([*program, "-c", code], cwd=folder, text=True, stdout=subprocess.PIPE,
+                                               stderr=subprocess.PIPE, check=False, env={**os.environ, "PATH": path})
+                    self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+                    run += 1
+        self.assertGreaterEqual(run, 5)
 
 
 if __name__ == "__main__":
