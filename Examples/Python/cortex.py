@@ -19,8 +19,8 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 from conformalsom import (
-    vtkFreeSurferWriter, vtkGIFTIWriter, vtkGlobalConformalMap, vtkSphericalRegistration, vtkSphericalResample,
-    vtkSurfaceShape)
+    vtkFreeSurferReader, vtkFreeSurferWriter, vtkGIFTIReader, vtkGIFTIWriter, vtkGlobalConformalMap,
+    vtkSphericalRegistration, vtkSphericalResample, vtkSurfaceShape)
 from conformalsom.command import pictures, scan_files
 from conformalsom.command.steps import StepFailed, Steps
 
@@ -43,7 +43,10 @@ def arguments():
                         help="AreaBalance of the maps; 0 keeps angles, default 0.5")
     parser.add_argument("--frequency", type=int, default=24,
                         help="of the finest sphere that registration deforms, default 24")
-    parser.add_argument("--array", help="of the second surface, to carry to the first; default SulcalDepth")
+    parser.add_argument("--values", metavar="FILE",
+                        help="of the second surface (lh.thickness, .shape.gii), to carry to the first")
+    parser.add_argument("--array", help="of the second surface, to carry to the first; default: the first of "
+                        "--values, else SulcalDepth")
     parser.add_argument("--size", type=int, default=60,
                         help="of surfaces made by code: of 10 SIZE^2 + 2 points, default 60")
     parser.add_argument("--format", choices=("gifti", "freesurfer"), default="gifti", help="default gifti")
@@ -52,6 +55,8 @@ def arguments():
     args = parser.parse_args()
     if len(args.surfaces) not in (0, 2):
         parser.error("expected two surfaces, or none")
+    if args.values and not args.surfaces:
+        parser.error("--values belongs to a surface of yours")
     if args.size < 8:
         parser.error("--size must be at least 8")
     for path in (args.output, args.picture):
@@ -70,14 +75,26 @@ def add(surface, name, values):
     surface.GetPointData().AddArray(added)
 
 
+def set_values(reader, path):
+    """The name of the file with numbers at the surface's points."""
+    if isinstance(reader, vtkFreeSurferReader):
+        reader.SetCurvatureFileName(path)
+    elif isinstance(reader, vtkGIFTIReader):
+        reader.SetShapeFileName(path)
+    else:
+        raise ValueError(f"{path}: values are read beside surfaces of FreeSurfer and GIFTI only")
+
+
 def surfaces_of(args, steps):
     """The surfaces by their names."""
     if not args.surfaces:
         return {"first": hemispheres.hemisphere(args.size, 0.0, 2),
                 "second": hemispheres.hemisphere(args.size + 3, 0.15, 3)}
     found = {}
-    for label, path in zip(("first", "second"), args.surfaces):
+    for label, path, values in zip(("first", "second"), args.surfaces, (None, args.values)):
         reader = scan_files.scan_reader(path)
+        if values:
+            set_values(reader, values)
         steps.run(f"Read {path}", reader)
         found[label] = reader.GetOutput()
     return found
@@ -128,6 +145,17 @@ def register(first, second, frequency, steps):
     registration.AddFeature("SulcalDepth", 1.0)
     steps.run("Register the folds", registration)
     return registration.GetOutput()
+
+
+def array_to_carry(args, surface):
+    """Its name; arrays of files stand before those that were measured."""
+    data = surface.GetPointData()
+    names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())
+             if data.GetArray(i) and data.GetArray(i).GetNumberOfComponents() == 1]
+    name = args.array or (names[0] if args.values else "SulcalDepth")
+    if name not in names:
+        raise ValueError(f"the second surface has no array {name} of 1 component")
+    return name
 
 
 def plain(surface, values):
@@ -216,10 +244,7 @@ def main():
     steps = Steps()
     first, second = (mapped(surface, label, args.balance, steps)
                      for label, surface in surfaces_of(args, steps).items())
-    name = args.array or "SulcalDepth"
-    if not second.GetPointData().HasArray(name) or \
-            second.GetPointData().GetArray(name).GetNumberOfComponents() != 1:
-        raise ValueError(f"the second surface has no array {name} of 1 component")
+    name = array_to_carry(args, second)
     before = agreement(first, second)
     registered = register(first, second, args.frequency, steps)
     after = agreement(registered, second)

@@ -211,16 +211,21 @@ class TestExamples(unittest.TestCase):
             self.assertAlmostEqual(np.corrcoef(depth, carried)[0, 1], rows["correlation of sulcal depth"][1], delta=1e-3)
             # What was written is read as a user's own.
             files = [os.path.join(made, label + ".surf.gii") for label in ("first", "second")]
-            theirs = table(run("cortex.py", *files, "--frequency", "16", "--format", "freesurfer", "--output", again))
+            theirs = table(run("cortex.py", *files, "--values", os.path.join(made, "second.shape.gii"), "--array",
+                               "MeanCurvature", "--frequency", "16", "--format", "freesurfer", "--output", again))
             self.assertNotIn("mean error, degrees", theirs)
             self.assertAlmostEqual(theirs["correlation of sulcal depth"][0], rows["correlation of sulcal depth"][0], delta=1e-3)
             surface = read(again, vtkFreeSurferReader(), "first.sphere.reg", surface="first.white", Curvature="first.sulc")
             np.testing.assert_allclose(vtk_to_numpy(surface.GetPointData().GetArray("Curvature")), depth, atol=1e-3)
-            curv = read(again, vtkFreeSurferReader(), "first.sphere", surface="first.white", Curvature="first.curv")
-            self.assertGreater(np.corrcoef(vtk_to_numpy(curv.GetPointData().GetArray("Curvature")), depth)[0, 1], 0.3)
+            curv, carried = (
+                vtk_to_numpy(read(again, vtkFreeSurferReader(), "first.sphere", surface="first.white", Curvature=file)
+                             .GetPointData().GetArray("Curvature")) for file in ("first.curv", "first.carried"))
+            self.assertGreater(np.corrcoef(curv, depth)[0, 1], 0.3)  # its sign is FreeSurfer's, the carried one's ours
+            self.assertAlmostEqual(np.corrcoef(-curv, carried)[0, 1], theirs["correlation of curvature"][1], delta=1e-3)
 
             self.assertEqual(run("cortex.py", "--output", made).returncode, 2)
             self.assertEqual(run("cortex.py", files[0]).returncode, 2)
+            self.assertEqual(run("cortex.py", "--values", files[0]).returncode, 2)
             completed = run("cortex.py", *files, "--array", "Thickness")
             self.assertEqual((completed.returncode, completed.stderr),
                              (1, "cortex: the second surface has no array Thickness of 1 component\n"))
