@@ -7,7 +7,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev python3-vtk9 \
-  python3-numpy libeigen3-dev libexpat1-dev zlib1g-dev xvfb xauth libgl1-mesa-dri
+  python3-numpy libeigen3-dev libexpat1-dev zlib1g-dev libjs-three xvfb xauth libgl1-mesa-dri
 
 log=$root/build/release/build.log
 mkdir -p "$(dirname "$log")"
@@ -34,4 +34,5 @@ else
 fi
 exec "${display[@]}" "$root/build/release/bin/conformalsom" "${inputs[@]}" --measure --overwrite \
   --output "$output/surface.vtp" --output "$output/surface.glb" --output "$output/surface.obj" \
+  --output "$output/surface.html" \
   --picture "$output/quickstart.png" "$@"

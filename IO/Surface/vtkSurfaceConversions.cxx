@@ -8,9 +8,11 @@
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 
@@ -276,6 +278,23 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
     data.PolygonArrays = ToNamedArrays(surface->GetCellData());
   }
   return data;
+}
+
+//------------------------------------------------------------------------------
+vtkUnsignedCharArray* PixelsOf(vtkImageData* picture)
+{
+  vtkDataArray* scalars = picture ? picture->GetPointData()->GetScalars() : nullptr;
+  if (!scalars || picture->GetNumberOfPoints() == 0 || picture->GetDimensions()[2] != 1)
+  {
+    throw WriteError(vtkErrorCode::UserError, "the texture is not a 2D image with scalars");
+  }
+  const int components = scalars->GetNumberOfComponents();
+  auto* pixels = vtkUnsignedCharArray::SafeDownCast(scalars);
+  if (!pixels || (components != 3 && components != 4))
+  {
+    throw WriteError(vtkErrorCode::UserError, "the texture's pixels are not 3 or 4 unsigned chars");
+  }
+  return pixels;
 }
 
 //------------------------------------------------------------------------------

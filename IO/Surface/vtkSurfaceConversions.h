@@ -14,6 +14,9 @@
 #include <utility>
 #include <vector>
 
+class vtkImageData;
+class vtkUnsignedCharArray;
+
 namespace vtkSurfaceConversions
 {
 /// Why nothing was written, with an error code of vtkErrorCode.
@@ -42,6 +45,10 @@ vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 /// @pre the surface passed vtkInputChecks.h
 /// @throws WriteError for a surface without points, or a coordinate that is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
+
+/// The pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
+/// @throws WriteError for another one, and for null
+vtkUnsignedCharArray* PixelsOf(vtkImageData* picture);
 
 /// Write files all and whole, or none.
 /// @throws WriteError

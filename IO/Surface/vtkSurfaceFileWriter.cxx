@@ -30,7 +30,9 @@ int vtkSurfaceFileWriter::Write()
 {
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
-    if (this->GetNumberOfInputConnections(port) == 0)
+    const bool isOptional =
+      this->GetInputPortInformation(port)->Has(vtkAlgorithm::INPUT_IS_OPTIONAL()) != 0;
+    if (!isOptional && this->GetNumberOfInputConnections(port) == 0)
     {
       this->SetErrorCode(vtkErrorCode::UserError);
       vtkErrorMacro(<< "input port " << port << " has no data to write: set them before Write()");

@@ -2,11 +2,11 @@
  * @class   vtkSurfaceFileWriter
  * @brief   what all writers of scans and meshes have in common
  *
- * Input port 0: vtkPolyData (vtkSPHARMCoefficientWriter: vtkTable), points, with or without polygons; strips are triangulated, vertices
- * and lines are left out. The active normals, texture coordinates and colors (unsigned char) are
- * written as what a format calls so, other arrays by their names. Which of them a format has, the
- * writers say. Arrays that have not a tuple for each point or cell, and cells that name points that
- * are not there, are an error.
+ * Input port 0: vtkPolyData (vtkSPHARMCoefficientWriter: vtkTable), points, with or without
+ * polygons; strips are triangulated, vertices and lines are left out. The active normals, texture
+ * coordinates and colors (unsigned char) are written as what a format calls so, other arrays by
+ * their names. Which of them a format has, the writers say. Arrays that have not a tuple for each
+ * point or cell, and cells that name points that are not there, are an error.
  *
  * This class is abstract, and only writers of this module derive from it: what they implement is
  * not installed. Use one of them.
@@ -18,12 +18,12 @@
  *
  * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
  * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or
- * another control character (UserError). A port without input is a UserError, too. A symbolic link
- * stays a link, and the file that it points at is replaced or made. A replaced file keeps its
- * permissions other than setuid, setgid and sticky bits, and its owner and group as far as the
- * system allows; its other hard links keep the old content. While a file is written, it has a name
- * of its own in the same folder, ".conformalsom-" and 16 digits, and the permissions of the file
- * that it replaces.
+ * another control character (UserError). A port without input is a UserError, too, unless it is
+ * optional. A symbolic link stays a link, and the file that it points at is replaced or made. A
+ * replaced file keeps its permissions other than setuid, setgid and sticky bits, and its owner and
+ * group as far as the system allows; its other hard links keep the old content. While a file is
+ * written, it has a name of its own in the same folder, ".conformalsom-" and 16 digits, and the
+ * permissions of the file that it replaces.
  */
 
 #ifndef vtkSurfaceFileWriter_h

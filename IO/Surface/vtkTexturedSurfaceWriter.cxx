@@ -29,6 +29,7 @@ vtkStandardNewMacro(vtkTexturedSurfaceWriter);
 namespace
 {
 using vtkSurfaceConversions::OnlyTriangles;
+using vtkSurfaceConversions::PixelsOf;
 using vtkSurfaceConversions::WriteError;
 using vtkSurfaceConversions::WriteTogether;
 
@@ -114,14 +115,7 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
 
 std::string ToPNG(vtkImageData* texture)
 {
-  int size[3];
-  texture->GetDimensions(size);
-  vtkDataArray* pixels = texture->GetPointData()->GetScalars();
-  Require(pixels && texture->GetNumberOfPoints() > 0 && size[2] == 1,
-    "the texture is not a 2D image with scalars");
-  const int components = pixels->GetNumberOfComponents();
-  Require(pixels->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4),
-    "the texture's pixels are not 3 or 4 unsigned chars");
+  PixelsOf(texture);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(texture);
   writer->WriteToMemoryOn();
@@ -199,9 +193,13 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   conformal::TexturedSurface surface =
     ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInput(0)));
   surface.RepeatsTexture = this->RepeatTexture;
+  surface.Name = path.stem().u8string();
+  surface.MetersPerUnit = this->MetersPerUnit;
   const std::string png = ToPNG(vtkImageData::SafeDownCast(this->GetInput(1)));
   if (extension == ".glb")
   {
+    Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
+      "MetersPerUnit is not a finite number above 0");
     const std::string glb = conformal::makeGLB(surface, png, progress);
     WriteTogether({ { name, glb } });
     return;
@@ -238,4 +236,5 @@ void vtkTexturedSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RepeatTexture: " << (this->RepeatTexture ? "On" : "Off") << "\n";
+  os << indent << "MetersPerUnit: " << this->MetersPerUnit << "\n";
 }

@@ -12,7 +12,8 @@
  * components.
  *
  * The extension of FileName, in lower or upper case, chooses the format:
- * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats.
+ * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats. The
+ *   surface is named as the file.
  * - ".obj": Wavefront OBJ with doubles, and beside it a material (".mtl") and the texture (".png")
  *   of the same name.
  * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
@@ -62,6 +63,16 @@ public:
   vtkBooleanMacro(RepeatTexture, bool);
   ///@}
 
+  ///@{
+  /**
+   * Meters in a unit of the coordinates, such as 0.001 for a scan in millimeters: lengths are
+   * meters in glTF, and programs that show the surface beside others need its true size. Only for
+   * glTF. A finite number above 0. Default is 1.
+   */
+  vtkSetMacro(MetersPerUnit, double);
+  vtkGetMacro(MetersPerUnit, double);
+  ///@}
+
 protected:
   vtkTexturedSurfaceWriter();
   ~vtkTexturedSurfaceWriter() override = default;
@@ -76,6 +87,7 @@ private:
   void WarnOfReplaced(const std::string& files, const std::string& surface);
 
   bool RepeatTexture = false;
+  double MetersPerUnit = 1.0;
 };
 
 #endif

@@ -30,6 +30,7 @@
 #include "vtkSphericalTextureMap.h"
 #include "vtkSurfaceHarmonics.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfacePageWriter.h"
 #include "vtkSurfaceShape.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -234,6 +235,10 @@ inline std::vector<Case> Writers()
     { "vtkGIFTIWriter", Maker<vtkGIFTIWriter>(), { s } },
     { "vtkGuMeshWriter", Maker<vtkGuMeshWriter>(), { s } },
     { "vtkSPHARMSurfaceWriter", Maker<vtkSPHARMSurfaceWriter>(), { s } },
+    { "vtkSurfacePageWriter",
+      Maker<vtkSurfacePageWriter>([](vtkSurfacePageWriter* writer)
+        { writer->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN); }),
+      { s, Picture } },
     { "vtkTextCloudWriter", Maker<vtkTextCloudWriter>(), { s } },
     { "vtkTexturedSurfaceWriter", Maker<vtkTexturedSurfaceWriter>(), { s, Picture } },
   };

@@ -7,6 +7,7 @@
 #include "Measure/SurfaceShape.h"
 #include "Mesh/GeodesicSphere.h"
 #include "PLY/PLYParser.h"
+#include "Page/SurfacePage.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/ShapeModes.h"
 #include "Register/SphericalMorph.h"
@@ -20,6 +21,7 @@
 #include "TextCloud/TextCloudParser.h"
 #include "Texture/BodyCoordinates.h"
 #include "Texture/MapImage.h"
+#include "Texture/SphereViewChoice.h"
 #include "Texture/SphericalTexture.h"
 #include "Texture/SphericalTextureBlend.h"
 #include "vtkAdaptiveSphere.h"
@@ -41,6 +43,7 @@
 #include "vtkSphericalTextureMap.h"
 #include "vtkStanfordScansReader.h"
 #include "vtkSurfaceMismatch.h"
+#include "vtkSurfacePageWriter.h"
 #include "vtkSurfaceShape.h"
 #include "vtkTextCloudReader.h"
 
@@ -363,6 +366,17 @@ TEST(OptionsMirrorProperties, SurfaceMismatch)
   EXPECT_EQ(vtkSurfaceMismatch::MAX_RADIUS, static_cast<int>(MismatchUnit::MaxRadius));
   EXPECT_EQ(vtkSurfaceMismatch::HALF_DIAGONAL, static_cast<int>(MismatchUnit::HalfDiagonal));
   EXPECT_EQ(vtkSurfaceMismatch::NONE, static_cast<int>(MismatchUnit::None));
+}
+
+TEST(OptionsMirrorProperties, SurfacePageWriter)
+{
+  const conformal::SurfacePageOptions options;
+  const conformal::SphereViewOptions view;
+  vtkNew<vtkSurfacePageWriter> writer;
+  EXPECT_EQ(writer->GetColorArrayName(), options.ColorArrayName);
+  EXPECT_EQ(writer->GetRepeatTexture(), options.RepeatsTexture);
+  EXPECT_EQ(conformal::Vector3(writer->GetViewDirection()), view.ViewDirection);
+  EXPECT_EQ(conformal::Vector3(writer->GetViewUp()), view.ViewUp);
 }
 
 TEST(OptionsMirrorProperties, SurfaceShape)

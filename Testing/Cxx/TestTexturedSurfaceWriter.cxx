@@ -5,8 +5,10 @@
 #include "FilterContract.h"
 #include "vtkConformalPLYReader.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
@@ -203,6 +205,54 @@ TEST(TexturedSurfaceWriter, GLBHoldsThePicture)
     ASSERT_EQ(model->Materials.size(), 1u);
     EXPECT_EQ(model->Materials[0].PbrMetallicRoughness.BaseColorTexture.Index, 0);
   }
+}
+
+TEST(TexturedSurfaceWriter, GLBSaysItsNameUnitAndSampler)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("my \xC3\xBC comet.2.glb");
+  vtkNew<vtkTexturedSurfaceWriter> writer;
+  writer->SetInputData(0, TexturedSphere());
+  writer->SetTextureData(Picture(3));
+  writer->SetFileName(path.c_str());
+  for (const double meters : { 1.0, 0.001 })
+  {
+    writer->SetMetersPerUnit(meters);
+    ASSERT_EQ(writer->Write(), 1);
+    vtkNew<vtkGLTFDocumentLoader> loader;
+    ASSERT_TRUE(loader->LoadModelMetaDataFromFile(path));
+    const auto model = loader->GetInternalModel();
+    ASSERT_EQ(model->Nodes.size(), 1u);
+    EXPECT_EQ(model->Nodes[0].Name, "my \xC3\xBC comet.2");
+    EXPECT_EQ(model->Meshes.at(0).Name, "my \xC3\xBC comet.2");
+    EXPECT_EQ(model->Materials.at(0).Name, "my \xC3\xBC comet.2");
+    ASSERT_EQ(model->Samplers.size(), 1u);
+    EXPECT_EQ(model->Samplers[0].WrapS, vtkGLTFDocumentLoader::Sampler::CLAMP_TO_EDGE);
+    EXPECT_EQ(model->Samplers[0].MagFilter, vtkGLTFDocumentLoader::Sampler::LINEAR);
+    EXPECT_EQ(model->Textures.at(0).Sampler, 0);
+    // What VTK makes of the node's scale.
+    vtkNew<vtkGLTFReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkBoundingBox box;
+    const auto leaves =
+      vtkSmartPointer<vtkCompositeDataIterator>::Take(reader->GetOutput()->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      box.AddBounds(vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject())->GetBounds());
+    }
+    EXPECT_NEAR(box.GetMaxLength(), 2 * 1.7 * meters, 0.1 * meters);
+  }
+  contract::Observed observed(writer);
+  for (const double bad : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
+         std::numeric_limits<double>::infinity() })
+  {
+    writer->SetMetersPerUnit(bad);
+    EXPECT_EQ(writer->Write(), 0);
+    observed.ExpectError("MetersPerUnit");
+  }
+  writer->SetFileName(folder.file("comet.ply").c_str()); // which has no units
+  EXPECT_EQ(writer->Write(), 1);
 }
 
 TEST(TexturedSurfaceWriter, OBJIsReadBackTheSame)

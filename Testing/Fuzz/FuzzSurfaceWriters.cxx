@@ -10,6 +10,7 @@
 #include "vtkGuMeshWriter.h"
 #include "vtkSPHARMSurfaceReader.h"
 #include "vtkSPHARMSurfaceWriter.h"
+#include "vtkSurfacePageWriter.h"
 #include "vtkTextCloudReader.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -21,11 +22,14 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <fstream>
+#include <iterator>
+
 namespace
 {
-// What is written must be read back with as many points; what is not must leave nothing.
-template <typename Writer, typename Reader>
-void WriteAndRead(Writer* writer, vtkPolyData* surface, const char* ending)
+// What is not written must leave nothing. What is written is judged by read(path, require).
+template <typename Writer, typename Read>
+void WriteAndJudge(Writer* writer, vtkPolyData* surface, const char* ending, Read read)
 {
   const hostile::Folder folder;
   const std::string path = folder.file(std::string("file") + ending);
@@ -43,21 +47,58 @@ void WriteAndRead(Writer* writer, vtkPolyData* surface, const char* ending)
   require(isWritten != folder.contents().empty(), "result and file differ");
   if (isWritten)
   {
+    read(path, require);
+    require(messages.errors() == 0, "its file cannot be read");
+  }
+}
+
+// What is written must be read back with as many points.
+template <typename Writer, typename Reader>
+void WriteAndRead(Writer* writer, vtkPolyData* surface, const char* ending)
+{
+  const auto read = [&](const std::string& path, const auto& require)
+  {
     vtkNew<Reader> reader;
     reader->SetFileName(path.c_str());
     reader->Update();
-    require(messages.errors() == 0, "its file cannot be read");
     require(reader->GetOutput()->GetNumberOfPoints() == surface->GetNumberOfPoints(),
       "its file has another number of points");
     fuzz::require(hostile::JudgeData(reader->GetOutput(), {}), "what was read back");
+  };
+  WriteAndJudge(writer, surface, ending, read);
+}
+
+// A page must be whole, and none of its numbers may be one that JSON does not have.
+void WritePage(vtkPolyData* surface, fuzz::FilterSource& source)
+{
+  vtkNew<vtkSurfacePageWriter> writer;
+  writer->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN);
+  if (source.flag())
+  {
+    writer->SetInputDataObject(1, source.picture());
   }
+  const auto judge = [](const std::string& path, const auto& require)
+  {
+    std::ifstream file(path, std::ios::binary);
+    const std::string page{ std::istreambuf_iterator<char>(file), {} };
+    const std::size_t begin = page.find("id=\"description\">");
+    const std::size_t end = page.find("</script>", begin);
+    require(begin < end && end < page.size() && page.find("</html>", end) < page.size(),
+      "the page is not whole");
+    const std::string description = page.substr(begin, end - begin);
+    const std::size_t number = description.find(":["); // names stand behind the numbers
+    const std::string numbers = description.substr(number, description.find("\"arrays\"") - number);
+    require(numbers.find("nan") == std::string::npos && numbers.find("inf") == std::string::npos,
+      "the page has a number that is not finite");
+  };
+  WriteAndJudge(writer.Get(), surface, ".html", judge);
 }
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
   fuzz::FilterSource source(bytes, size);
-  const int format = source.below(9);
+  const int format = source.below(10);
   const auto surface = source.surface();
   if (format == 0)
   {
@@ -93,11 +134,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     WriteAndRead<vtkSPHARMSurfaceWriter, vtkSPHARMSurfaceReader>(
       vtkNew<vtkSPHARMSurfaceWriter>(), surface, "_surf.vtk");
   }
-  else
+  else if (format == 8)
   {
     vtkNew<vtkTexturedSurfaceWriter> writer;
     writer->SetInputDataObject(1, source.picture());
     WriteAndRead<vtkTexturedSurfaceWriter, vtkConformalPLYReader>(writer, surface, ".ply");
+  }
+  else
+  {
+    WritePage(surface, source);
   }
   return 0;
 }

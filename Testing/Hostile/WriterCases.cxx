@@ -14,6 +14,7 @@
 #include "vtkGuMeshWriter.h"
 #include "vtkSPHARMSurfaceReader.h"
 #include "vtkSPHARMSurfaceWriter.h"
+#include "vtkSurfacePageWriter.h"
 #include "vtkTextCloudReader.h"
 #include "vtkTextCloudWriter.h"
 #include "vtkTexturedSurfaceWriter.h"
@@ -261,6 +262,11 @@ std::vector<WriterSetUp> Writers()
 {
   const auto textured = [](vtkTexturedSurfaceWriter* writer)
   { writer->SetInputDataObject(1, Picture()); };
+  const auto page = [](vtkSurfacePageWriter* writer)
+  {
+    writer->SetInputDataObject(1, Picture());
+    writer->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN);
+  };
   const auto content = [](int what) { return [=](auto* writer) { writer->SetContent(what); }; };
   const unsigned int all = BadIds | BadPoints;
   return {
@@ -289,6 +295,8 @@ std::vector<WriterSetUp> Writers()
       Reading<vtkOBJReader>, false, all },
     { "vtkTexturedSurfaceWriter", ".ply", true, Writing<vtkTexturedSurfaceWriter>(textured),
       Reading<vtkConformalPLYReader>, true, all },
+    { "vtkSurfacePageWriter", ".html", true, Writing<vtkSurfacePageWriter>(page), {}, false,
+      all | BadMap },
     { "vtkPLYWriter", ".ply", false, Writing<vtkPLYWriter>(), Reading<vtkPLYReader> },
     { "vtkOBJWriter", ".obj", false, Writing<vtkOBJWriter>(), Reading<vtkOBJReader>, false },
     { "vtkSTLWriter", ".stl", false, Writing<vtkSTLWriter>(), Reading<vtkSTLReader>, false },
@@ -322,6 +330,59 @@ Case WithProperty(const char* type, const char* ending, const std::string& prope
       vtkSMPTools::Initialize(1);
       return Write(setUp, Ellipsoid(), BadMap, Targets().front());
     } };
+}
+
+const double Extremes[] = { std::numeric_limits<double>::quiet_NaN(),
+  std::numeric_limits<double>::infinity(), -1.0, 0.0, std::numeric_limits<double>::denorm_min(),
+  std::numeric_limits<double>::max() };
+
+void AddPagePropertyCases(std::vector<Case>& all)
+{
+  using Page = vtkSurfacePageWriter;
+  const auto add = [&](const std::string& property, const std::function<void(Page*)>& set)
+  {
+    all.push_back(WithProperty<Page>("vtkSurfacePageWriter", ".html", property,
+      [=](Page* writer)
+      {
+        writer->SetInputDataObject(1, Picture());
+        writer->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN);
+        set(writer);
+      }));
+  };
+  for (const std::string& name : { std::string("no such array"), std::string("SpherePosition"),
+         std::string(100000, 'x'), std::string("</script>\xFF\n") })
+  {
+    add("ColorArrayName " + name.substr(0, 9),
+      [=](Page* writer) { writer->SetColorArrayName(name); });
+    add("ThreeJSFileName " + name.substr(0, 9),
+      [=](Page* writer) { writer->SetThreeJSFileName(name); });
+  }
+  for (const char* name : { "/dev/zero", "/dev/null", "/", "." })
+  {
+    add(std::string("ThreeJSFileName ") + name,
+      [=](Page* writer) { writer->SetThreeJSFileName(name); });
+  }
+  for (const double x : Extremes)
+  {
+    add("ViewDirection " + std::to_string(x),
+      [=](Page* writer) { writer->SetViewDirection(x, 0.0, 0.0); });
+    add("ViewUp " + std::to_string(x), [=](Page* writer) { writer->SetViewUp(x, x, 0.0); });
+  }
+  for (const int number :
+    { std::numeric_limits<int>::min(), 0, 1, std::numeric_limits<int>::max() })
+  {
+    add("MaximumTextureSize " + std::to_string(number),
+      [=](Page* writer) { writer->SetMaximumTextureSize(number); });
+    add("TextureQuality " + std::to_string(number),
+      [=](Page* writer) { writer->SetTextureQuality(number); });
+    add("RepeatTexture " + std::to_string(number),
+      [=](Page* writer) { writer->SetRepeatTexture(number != 0); });
+  }
+  for (const Input& picture : Pictures())
+  {
+    add("picture: " + picture.Name,
+      [=](Page* writer) { writer->SetInputDataObject(1, picture.Make()); });
+  }
 }
 
 void AddWriterPropertyCases(std::vector<Case>& all)
@@ -388,6 +449,17 @@ void AddWriterPropertyCases(std::vector<Case>& all)
           [=](Textured* writer) { writer->SetInputDataObject(1, picture.Make()); }));
     }
   }
+  for (const double meters : Extremes)
+  {
+    all.push_back(WithProperty<Textured>("vtkTexturedSurfaceWriter", ".glb",
+      "MetersPerUnit " + std::to_string(meters),
+      [=](Textured* writer)
+      {
+        writer->SetInputDataObject(1, Picture());
+        writer->SetMetersPerUnit(meters);
+      }));
+  }
+  AddPagePropertyCases(all);
 }
 }
 

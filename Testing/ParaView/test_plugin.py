@@ -204,6 +204,19 @@ class TestPlugin(unittest.TestCase):
             self.assertGreater(os.path.getsize(self.path(name)), 100000)
         self.assertTrue(os.path.exists(self.path("painted.png")))
 
+    def test_page_is_written_with_the_array_that_is_chosen(self):
+        three = self.path("three.js")
+        with open(three, "w", encoding="ascii") as file:
+            file.write("exports.WebGLRenderer = null;")
+        writer = servermanager.writers.SurfacePageWriter(
+            Input=self.painted, Texture=self.picture, ColorArrayName="OutsideImage",
+            ThreeJSFileName=three, FileName=self.path("painted.html"))
+        writer.UpdatePipeline()
+        with open(self.path("painted.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn('"name":"OutsideImage"', page)
+        self.assertNotIn('"first":-1', page)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,7 +2,7 @@
 # two units (a header and its source) include each other, not even through others.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Bytes Files PLY OFF PCD GuMesh FreeSurfer GIFTI PlateModel TextCloud SPHARM StanfordScans Textured)
+set(rooms Bytes Text Files PLY OFF PCD GuMesh FreeSurfer GIFTI PlateModel TextCloud SPHARM StanfordScans Textured Page)
 set(below_Bytes)
 foreach (room IN LISTS rooms)
   if (NOT room STREQUAL "Bytes")
@@ -10,6 +10,9 @@ foreach (room IN LISTS rooms)
   endif ()
 endforeach ()
 list(APPEND below_StanfordScans PLY) # the scans are PLY files
+foreach (room IN ITEMS GIFTI Page Textured)
+  list(APPEND below_${room} Text) # base64, JSON
+endforeach ()
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 check_rooms("${SOURCE_DIR}/IO/Formats")

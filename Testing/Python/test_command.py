@@ -47,6 +47,12 @@ def read(reader, *path):
     return reader.GetOutput()
 
 
+def page_description(*path):
+    """What a page says of its data."""
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return json.loads(file.read().partition('id="description">')[2].partition("</script>")[0])
+
+
 def files_in(folder):
     """All of them, hidden ones too, with what is in them."""
     contents = {}
@@ -72,7 +78,8 @@ class TestCommand(unittest.TestCase):
         picture.Write()
         cls.completed = command(
             cls.folder, "my scan.vtp", "--texture", "my picture.png", "--output", "out/surface.vtp",
-            "-o", "out/surface.glb", "-o", "out/surface.obj", "-o", "out/surface.stl", "--picture", "out/stages.png",
+            "-o", "out/surface.glb", "-o", "out/surface.obj", "-o", "out/surface.stl", "-o", "out/surface.html",
+            "--picture", "out/stages.png",
             "--neurons", "642", "--points", "2562", "--measure", "--report", "out/figures.json")
         cls.output = os.path.join(cls.folder, "out")
 
@@ -96,8 +103,8 @@ class TestCommand(unittest.TestCase):
 
     def test_makes_what_is_asked_for_and_nothing_else(self):
         self.assertEqual(sorted(os.listdir(self.output)), [
-            "figures.json", "stages.png", "surface.glb", "surface.mtl", "surface.obj", "surface.png",
-            "surface.stl", "surface.vtp"])
+            "figures.json", "stages.png", "surface.glb", "surface.html", "surface.mtl", "surface.obj",
+            "surface.png", "surface.stl", "surface.vtp"])
 
     def test_prints_the_table(self):
         for text in ("Read the scan", "Learn the mesh", "Build the smooth surface", "Lay the texture",
@@ -113,7 +120,7 @@ class TestCommand(unittest.TestCase):
         self.assertEqual((entry["Scan"], entry["NumberOfScanPoints"]), ("my scan.vtp", 4000))
         self.assertEqual(entry["Mesh"]["NumberOfPoints"], 642)
         self.assertEqual(entry["Files"], ["out/surface.vtp", "out/surface.glb", "out/surface.obj",
-                                          "out/surface.stl", "out/stages.png"])
+                                          "out/surface.stl", "out/surface.html", "out/stages.png"])
         surface = read(vtkXMLPolyDataReader(), self.output, "surface.vtp")
         self.assertEqual(entry["Surface"]["NumberOfTriangles"], surface.GetNumberOfPolys())
         for name in ("MeanSquarePointToSurface", "HausdorffDistance", "MeanAngleDistortion", "LengthUnit"):
@@ -137,6 +144,15 @@ class TestCommand(unittest.TestCase):
         self.assertEqual(len(names), 1)
         picture = read(vtkPNGReader(), self.output, names[0])
         self.assertEqual(picture.GetDimensions(), (128, 128, 1))
+
+    def test_page_has_the_picture_and_all_arrays(self):
+        page = page_description(self.output, "surface.html")
+        self.assertGreater(page["triangles"], TRIANGLES)  # cut along the picture
+        self.assertIn("textureBounds", page)
+        names = [array["name"] for array in page["arrays"]]
+        self.assertTrue({"OutsideImage", "Distance"} <= set(names), names)
+        self.assertEqual(page["surfaceAxes"], [1, 0, 0, 0, 1, 0, 0, 0, 1])
+        self.assertEqual(page["first"], -1)
 
     def test_glb_is_read_by_another_reader(self):
         scene = read(vtkGLTFReader(), self.output, "surface.glb")
@@ -221,7 +237,7 @@ class TestCommand(unittest.TestCase):
             self.assertEqual(entries[1]["Error"], "missing.ply: no such file")
             files = files_in(folder)
             self.assertEqual(sorted(files), ["a.vtp", "a/of a.off", "b.vtp", "b/of b.off", "new/a.glb", "new/b.glb"])
-            self.assertEqual(files["new/a.glb"], files["new/b.glb"])
+            self.assertEqual(files["new/a.glb"].replace(b'"name":"a"', b'"name":"b"'), files["new/b.glb"])
 
     def test_replaces_when_asked_to(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -242,9 +258,13 @@ class TestCommand(unittest.TestCase):
     def test_without_a_picture_surfaces_are_closed_and_glb_has_one_color(self):
         with tempfile.TemporaryDirectory() as folder:
             run = command(self.folder, "my scan.vtp", *COARSE, "-o", folder + "/x.ply", "-o", folder + "/y.obj",
-                          "-o", folder + "/z.glb")
+                          "-o", folder + "/z.glb", "-o", folder + "/w.html", "--view", "1", "0", "0")
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
-            self.assertEqual(sorted(os.listdir(folder)), ["x.ply", "y.obj", "z.glb"])
+            self.assertEqual(sorted(os.listdir(folder)), ["w.html", "x.ply", "y.obj", "z.glb"])
+            page = page_description(folder, "w.html")
+            self.assertEqual(page["points"], 642)
+            self.assertNotIn("textureBounds", page)
+            self.assertEqual(page["surfaceAxes"], [0, 0, -1, 0, 1, 0, 1, 0, 0])
             self.assertEqual(read(conformalsom.vtkConformalPLYReader(), folder, "x.ply").GetNumberOfPoints(), 642)
             self.assertEqual(read(vtkOBJReader(), folder, "y.obj").GetNumberOfPoints(), 642)
 
@@ -356,7 +376,7 @@ class TestScripts(unittest.TestCase):
                 self.assertEqual(called[:len(first)], [word.replace("BUILD", build) for word in first])
                 options = [word for word in arguments if word not in first]
                 self.assertEqual(called[len(called) - len(options):], options)
-                for name in ("surface.vtp", "surface.glb", "surface.obj", "quickstart.png"):
+                for name in ("surface.vtp", "surface.glb", "surface.obj", "surface.html", "quickstart.png"):
                     self.assertIn(os.path.join(build, name), called)
                 self.assertEqual(os.path.isdir(build), bear)
 

@@ -1,6 +1,6 @@
 """Textured surfaces in other programs' files: glTF keeps the specification's rules, and what an
 independent program (assimp, where it is installed) reads from .glb, .obj and .ply is the surface
-with every corner at its place in the picture, v upwards."""
+with every corner at its place in the picture, v upwards; F3D, where it is installed, draws .glb as we do."""
 import os
 import shutil
 import struct
@@ -10,15 +10,21 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (draws everything)
 
+from baselines import LEFT_OVERS
 from helpers import textures
 from helpers.builtin_figure import figure_cloud
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
+from conformalsom.command import pictures
 from gltf_rules import faults
 
 PROJECTIONS = ("STEREOGRAPHIC", "LONGITUDE_LATITUDE", "OCTAHEDRAL", "CUBE_MAP")
-ASSIMP = shutil.which("assimp")
+ASSIMP, F3D = shutil.which("assimp"), shutil.which("f3d")
+POSITION, FOCAL_POINT, VIEW_UP, ANGLE, SIZE = (1.5, 0.8, 4.0), (0.0, 0.1, 0.0), (0.0, 1.0, 0.0), 40, 400
 
 
 def corners_of_obj(path):
@@ -52,7 +58,7 @@ class TestExport(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
-    def written(self, projection, extension, wrap="CLAMP"):
+    def written(self, projection, extension, wrap="CLAMP", image=None):
         """The textured surface, and the file it was written to."""
         painted = vtkSphericalTextureMap()
         painted.SetInputConnection(self.surface.GetOutputPort())
@@ -61,7 +67,7 @@ class TestExport(unittest.TestCase):
         painted.SplitSeamOn()
         writer = vtkTexturedSurfaceWriter()
         writer.SetInputConnection(painted.GetOutputPort())
-        writer.SetTextureData(textures.numbered_grid(64))
+        writer.SetTextureData(image or textures.numbered_grid(64))
         writer.SetRepeatTexture(wrap == "REPEAT")
         writer.SetFileName(os.path.join(self.temporary.name, projection + extension))
         self.assertEqual(writer.Write(), 1)
@@ -113,6 +119,70 @@ class TestExport(unittest.TestCase):
                     coordinates = vtk_to_numpy(surface.GetPointData().GetTCoords())[corners]
                     difference = corners_of_obj(again) - np.hstack([positions, coordinates])
                     self.assertLess(np.abs(difference).max(), 1e-5)
+
+    @unittest.skipUnless(F3D, "f3d is not installed")
+    def test_f3d_draws_what_we_draw(self):
+        """The same outline, and up to the light the same colors; those of a mirrored one are not."""
+        image = textures.checkerboard(256)
+        surface, path = self.written("OCTAHEDRAL", ".glb", image=image)
+        drawn = os.path.join(LEFT_OVERS, "ExportF3D.png")
+        os.makedirs(LEFT_OVERS, exist_ok=True)
+        subprocess.run(
+            [F3D, path, "--dry-run", "--no-background", f"--output={drawn}", f"--resolution={SIZE},{SIZE}",
+             *(f"--camera-{name}={','.join(map(str, vector))}" for name, vector in (
+                 ("position", POSITION), ("focal-point", FOCAL_POINT), ("view-up", VIEW_UP))),
+             f"--camera-view-angle={ANGLE}"], check=True, stdout=subprocess.DEVNULL)
+        reader = vtkPNGReader()
+        reader.SetFileName(drawn)
+        theirs, ours = pixels_of(reader), pixels_of(drawing(surface, image))
+        covered, expected = theirs[..., 3] > 128, ours[..., :3].max(axis=2) > 0
+        self.assertGreater(expected.mean(), 0.1)
+        self.assertGreater((covered & expected).sum() / (covered | expected).sum(), 0.98)
+
+        def difference(image):
+            """Of the colors' directions, away from borders and where light leaves some."""
+            a, b = theirs[..., :3], image[..., :3]
+            lit = (np.linalg.norm(a, axis=2) > 20) & (np.linalg.norm(b, axis=2) > 20)
+            a, b = a[lit], b[lit]
+            return np.median(np.linalg.norm(a / np.linalg.norm(a, axis=1)[:, None]
+                                            - b / np.linalg.norm(b, axis=1)[:, None], axis=1))
+        rows = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(256, 256, 3)[::-1] / 255.0
+        mirrored = pixels_of(drawing(surface, textures.to_image(rows[:, ::-1])))
+        self.assertLess(difference(ours), 0.05)
+        self.assertGreater(difference(mirrored), 3 * difference(ours))
+
+
+def drawing(surface, image):
+    """A filter that puts out a picture of the surface with the image on it, on black."""
+    camera = vtkCamera()
+    camera.SetPosition(POSITION)
+    camera.SetFocalPoint(FOCAL_POINT)
+    camera.SetViewUp(VIEW_UP)
+    camera.SetViewAngle(ANGLE)
+    renderer = vtkRenderer()
+    renderer.SetActiveCamera(camera)
+    actor = pictures.textured_actor(surface, image)
+    actor.GetProperty().SetSpecular(0.0)
+    actor.GetProperty().SetAmbient(0.2)
+    renderer.AddActor(actor)
+    renderer.ResetCameraClippingRange()
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    return grab
+
+
+def pixels_of(source):
+    """What a filter puts out, as rows from the top."""
+    source.Update()
+    image = source.GetOutput()
+    columns, rows, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1].astype(float)
 
 
 if __name__ == "__main__":

@@ -269,7 +269,7 @@ class TestProxies(unittest.TestCase):
             return
         self.assertIn("(Conformal SOM)", hint.get("file_description"))
         reader = "vtk" + proxy.name.replace("Writer", "Reader")
-        known = ".glb"
+        known = ".glb .html"
         if hasattr(conformalsom, reader):
             known = getattr(conformalsom, reader)().GetFileExtensions()
         for extension in hint.get("extensions").split():

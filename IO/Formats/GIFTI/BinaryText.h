@@ -1,25 +1,17 @@
-/// Conversion of bytes to and from base64 text, optionally compressed with zlib.
+/// Conversion of base64 text, optionally compressed with zlib, to bytes.
 
 #ifndef ConformalBinaryText_h
 #define ConformalBinaryText_h
 
 #include "Bytes/OwnedArray.h"
-#include "Bytes/ParseStatus.h"
 
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 namespace conformal
 {
-/// Write bytes as text.
-/// @param[in] isCompressed  whether to compress them first
-/// @throws ParseError with Aborted if the progress callback says stop
-std::string encodeBinaryText(
-  std::string_view bytes, bool isCompressed, const ParseProgress& progress = {});
-
 /// What is wrong at the parser's place in the file.
 class GIFTIError : public std::runtime_error
 {

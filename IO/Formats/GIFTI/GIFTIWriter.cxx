@@ -2,7 +2,7 @@
 
 #include "Bytes/FloatRange.h"
 #include "Bytes/SurfaceWalk.h"
-#include "GIFTI/BinaryText.h"
+#include "Text/BinaryTextEncoder.h"
 
 #include <algorithm>
 #include <cmath>

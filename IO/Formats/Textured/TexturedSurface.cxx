@@ -3,6 +3,7 @@
 #include "Bytes/ByteOrder.h"
 #include "Bytes/FloatRange.h"
 #include "Bytes/NumberText.h"
+#include "Text/JSONText.h"
 
 #include <algorithm>
 #include <array>
@@ -72,15 +73,27 @@ public:
     return this->NumberOfAccessors++;
   }
 
-  std::string file(const std::string& attributes, int indices, int image, bool repeatsTexture) const
+  std::string file(
+    const std::string& attributes, int indices, int image, const TexturedSurface& surface) const
   {
-    const std::string wrap = std::to_string(repeatsTexture ? Repeat : ClampToEdge);
-    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\"},"
-                       "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-                       "\"meshes\":[{\"primitives\":[{\"attributes\":{" +
-      attributes + "},\"indices\":" + std::to_string(indices) +
+    const std::string wrap = std::to_string(surface.RepeatsTexture ? Repeat : ClampToEdge);
+    const std::string name = surface.Name.empty() ? "" : "\"name\":" + jsonText(surface.Name) + ",";
+    std::string unit;
+    appendNumber(unit, surface.MetersPerUnit);
+    const std::string scale =
+      surface.MetersPerUnit == 1.0 ? "" : ",\"scale\":[" + unit + "," + unit + "," + unit + "]";
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\","
+                       "\"extras\":{\"metersPerUnit\":" +
+      unit +
+      "}},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+      "\"nodes\":[{" +
+      name + "\"mesh\":0" + scale + "}],\"meshes\":[{" + name +
+      "\"primitives\":[{\"attributes\":{" + attributes +
+      "},\"indices\":" + std::to_string(indices) +
       ",\"material\":0}]}],"
-      "\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0},"
+      "\"materials\":[{" +
+      name +
+      "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0},"
       "\"metallicFactor\":0},\"doubleSided\":true}],"
       "\"textures\":[{\"sampler\":0,\"source\":0}],"
       "\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" +
@@ -210,7 +223,7 @@ std::string makeGLB(
   bytes += png;
   const int image = builder.addView(imageBegin, 0);
   report(progress, 1.0);
-  return builder.file(attributes, corners, image, surface.RepeatsTexture);
+  return builder.file(attributes, corners, image, surface);
 }
 
 //------------------------------------------------------------------------------

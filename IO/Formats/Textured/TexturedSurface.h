@@ -20,10 +20,13 @@ struct TexturedSurface
   std::vector<float> TexCoords;       ///< #P by 2, v counted from the picture's bottom
   std::vector<std::uint32_t> Corners; ///< #F by 3 point ids, counter-clockwise from outside
   bool RepeatsTexture = false; ///< beyond [0, 1] the picture comes again, instead of its border
+  std::string Name;            ///< of the surface, for glTF; none if empty
+  double MetersPerUnit = 1.0;  ///< of the positions, for glTF; finite and above 0
 };
 
 /// A binary glTF 2.0 file with the picture inside. Positions become floats, as glTF has no
-/// other, and v is counted from the top there.
+/// other, and v is counted from the top there. Lengths are meters in glTF: the node that shows the
+/// surface is scaled by MetersPerUnit, which is "metersPerUnit" in the extras of the asset, too.
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would pass the 4 GiB of the format
 /// @throws ParseError with Aborted if the progress callback says stop

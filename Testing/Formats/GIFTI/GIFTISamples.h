@@ -3,7 +3,7 @@
 #define GIFTISamples_h
 
 #include "../FreeSurfer/FreeSurferSamples.h"
-#include "GIFTI/BinaryText.h"
+#include "Text/BinaryTextEncoder.h"
 
 namespace samples
 {

@@ -6,6 +6,7 @@
 #include "GIFTI/BinaryText.h"
 #include "GIFTI/GIFTIFile.h"
 #include "GIFTISamples.h"
+#include "Text/BinaryTextEncoder.h"
 
 using conformal::ParseCode;
 using conformal::ScalarType;

@@ -4,6 +4,7 @@
 #include "Bytes/SurfaceWalk.h"
 #include "GIFTI/BinaryText.h"
 #include "GIFTI/GIFTIParser.h"
+#include "Text/BinaryTextEncoder.h"
 
 #include <algorithm>
 #include <limits>

@@ -132,6 +132,26 @@ TEST(TexturedSurface, GLBSaysWhetherTheTextureRepeats)
     conformal::makeGLB(surface, "").find("\"wrapS\":10497,\"wrapT\":10497"), std::string::npos);
 }
 
+// Meters are those of a unit, as the scale of the node, unless they are one.
+TEST(TexturedSurface, GLBSaysItsNameAndUnit)
+{
+  const CommaLocale locale;
+  conformal::TexturedSurface surface = triangle();
+  std::string glb = conformal::makeGLB(surface, "");
+  EXPECT_NE(glb.find("\"extras\":{\"metersPerUnit\":1}"), std::string::npos);
+  EXPECT_EQ(glb.find("\"scale\""), std::string::npos);
+  EXPECT_EQ(glb.find("\"name\""), std::string::npos);
+  surface.MetersPerUnit = 0.001;
+  surface.Name = "My \"comet\"\xFF";
+  glb = conformal::makeGLB(surface, "");
+  EXPECT_NE(glb.find("\"extras\":{\"metersPerUnit\":0.001}"), std::string::npos);
+  const std::string name = "\"name\":\"My \\\"comet\\\"\xEF\xBF\xBD\",";
+  EXPECT_NE(glb.find("\"nodes\":[{" + name + "\"mesh\":0,\"scale\":[0.001,0.001,0.001]}]"),
+    std::string::npos);
+  EXPECT_NE(glb.find("\"meshes\":[{" + name + "\"primitives\""), std::string::npos);
+  EXPECT_NE(glb.find("\"materials\":[{" + name), std::string::npos);
+}
+
 TEST(TexturedSurface, StopsWhenAsked)
 {
   const auto stop = [](double) { return false; };

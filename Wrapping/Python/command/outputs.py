@@ -9,7 +9,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from conformalsom import (
     vtkConformalOFFWriter, vtkConformalPLYWriter, vtkGIFTIWriter, vtkGuMeshWriter, vtkSurfaceFileWriter,
-    vtkTexturedSurfaceWriter)
+    vtkSurfacePageWriter, vtkTexturedSurfaceWriter)
 
 # What takes a picture too, and what then lies beside the file.
 PAINTED = {".glb": (), ".obj": (".mtl", ".png"), ".ply": (".png",)}
@@ -22,6 +22,7 @@ PLAIN = {
     ".off": vtkConformalOFFWriter,
     ".m": vtkGuMeshWriter,
     ".gii": vtkGIFTIWriter,
+    ".html": vtkSurfacePageWriter,
 }
 SURFACES = sorted({*PAINTED, *PLAIN})
 PICTURES = [".jpg", ".png"]

@@ -6,7 +6,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from conformalsom import (
-    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkTexturedSurfaceWriter)
+    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
+    vtkTexturedSurfaceWriter)
 
 from . import outputs, pictures, report, scan_colors, scan_files
 
@@ -98,6 +99,12 @@ def make_surface(scan_path, texture, paths, options, steps):
         if isinstance(writer, vtkTexturedSurfaceWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             writer.SetInputConnection(1, picture.GetOutputPort())
+        elif isinstance(writer, vtkSurfacePageWriter):
+            writer.SetInputConnection(0, cut.GetOutputPort())
+            if texture is not None:
+                writer.SetInputConnection(1, texture.GetOutputPort())
+            writer.SetViewDirection(options.view)
+            writer.SetViewUp(options.up)
         else:
             writer.SetInputConnection(result.GetOutputPort())
         outputs.write(steps, writer, path)

@@ -1,0 +1,364 @@
+#include "Page/SurfacePage.h"
+
+#include "Bytes/SurfaceWalk.h"
+#include "Page/PageNumbers.h"
+#include "Page/PageTemplate.h"
+#include "Text/BinaryTextEncoder.h"
+#include "Text/JSONText.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+using Codes = std::vector<std::uint32_t>;
+
+// The part of a run from begin to end.
+ParseProgress partOf(const ParseProgress& progress, double begin, double end)
+{
+  return [&progress, begin, end](double fraction)
+  { return !progress || progress(begin + (end - begin) * fraction); };
+}
+
+template <std::size_t Size>
+std::string jsonNumbers(const std::array<double, Size>& values)
+{
+  std::string text = "[";
+  for (const double value : values)
+  {
+    text += text.size() > 1 ? "," : "";
+    appendNumber(text, value);
+  }
+  return text + "]";
+}
+
+std::string jsonRange(const PageRange& range)
+{
+  return jsonNumbers(std::array<double, 2>{ range.Low, range.High });
+}
+
+// One component of an array in another order of the points.
+std::vector<double> component(
+  const NamedArray& array, std::size_t which, const std::vector<std::size_t>& order)
+{
+  std::vector<double> values;
+  values.reserve(order.size());
+  for (const std::size_t point : order)
+  {
+    values.push_back(valueOf(array, point * array.Components + which));
+  }
+  return values;
+}
+
+// The lengths of an array's tuples.
+std::vector<double> lengths(const NamedArray& array, const std::vector<std::size_t>& order)
+{
+  std::vector<double> values(order.size(), 0.0);
+  for (std::size_t c = 0; c < array.Components; ++c)
+  {
+    const std::vector<double> more = component(array, c, order);
+    std::transform(values.begin(), values.end(), more.begin(), values.begin(),
+      [](double a, double b) { return std::isnan(b) ? b : std::hypot(a, b); });
+  }
+  return values;
+}
+
+// Builds the page's binary data, and the description that says what they are.
+class PageBuilder
+{
+public:
+  std::string Bytes;
+  std::string Description;
+
+  PageBuilder(const SurfaceData& surface, const NamedArray& sphere)
+    : Surface(surface)
+  {
+    const std::size_t count = surface.Points.numberOfTuples();
+    std::vector<std::pair<std::uint32_t, std::size_t>> places;
+    places.reserve(count);
+    this->SphereCodes.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->SphereCodes.push_back(octahedralCode(
+        valueOf(sphere, 3 * i), valueOf(sphere, 3 * i + 1), valueOf(sphere, 3 * i + 2)));
+      places.emplace_back(mortonCode(this->SphereCodes.back()), i);
+    }
+    std::sort(places.begin(), places.end());
+    this->Order.reserve(count);
+    for (const auto& place : places)
+    {
+      this->Order.push_back(place.second);
+    }
+    this->Description = "{\"points\":" + std::to_string(count) +
+      ",\"triangles\":" + std::to_string(numberOfPolygons(surface));
+  }
+
+  void add(const char* name, const std::string& json)
+  {
+    this->Description += std::string(",\"") + name + "\":" + json;
+  }
+
+  // Each component of an array, and its range.
+  void addPlaces(const char* name, const NamedArray& array, const char* what)
+  {
+    std::string ranges;
+    for (std::size_t c = 0; c < array.Components; ++c)
+    {
+      const std::vector<double> values = component(array, c, this->Order);
+      if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+      {
+        throw std::invalid_argument(std::string("a ") + what + " is not finite");
+      }
+      const PageRange range = rangeOf(values);
+      ranges += (c > 0 ? "," : "[") + jsonRange(range);
+      Codes codes(values.size());
+      std::transform(values.begin(), values.end(), codes.begin(),
+        [&](double value) { return codeOf(value, range, PositionSteps); });
+      appendCodes(this->Bytes, codes, 2);
+    }
+    this->add(name, ranges + "]");
+  }
+
+  void addSphere()
+  {
+    for (const std::size_t c : { 0, 1 })
+    {
+      Codes codes;
+      codes.reserve(this->Order.size());
+      for (const std::size_t point : this->Order)
+      {
+        codes.push_back(this->SphereCodes[point][c]);
+      }
+      appendCodes(this->Bytes, codes, 2);
+    }
+  }
+
+  // Each from its smallest corner on, and in the order of these.
+  void addTriangles()
+  {
+    Codes places(this->Order.size());
+    for (std::size_t i = 0; i < this->Order.size(); ++i)
+    {
+      places[this->Order[i]] = static_cast<std::uint32_t>(i);
+    }
+    std::vector<std::array<std::uint32_t, 3>> triangles(numberOfPolygons(this->Surface));
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      std::array<std::uint32_t, 3>& corners = triangles[i];
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        corners[c] = places[this->Surface.PolygonIds[3 * i + c]];
+      }
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    Codes codes;
+    codes.reserve(3 * triangles.size());
+    for (const std::array<std::uint32_t, 3>& corners : triangles)
+    {
+      codes.insert(codes.end(), corners.begin(), corners.end());
+    }
+    appendCodes(this->Bytes, codes, 4);
+  }
+
+  // Its description.
+  std::string addArray(const NamedArray& array)
+  {
+    const std::string head = "{\"name\":" + jsonText(array.Name);
+    const bool isColor = isByte(array.Type) && (array.Components == 3 || array.Components == 4);
+    if (isColor)
+    {
+      for (const std::size_t c : { 0, 1, 2 })
+      {
+        const std::vector<double> values = component(array, c, this->Order);
+        appendCodes(this->Bytes, Codes(values.begin(), values.end()), 1);
+      }
+      return head + ",\"kind\":\"colors\"}";
+    }
+    const std::vector<double> values =
+      array.Components == 1 ? component(array, 0, this->Order) : lengths(array, this->Order);
+    const PageRange range = rangeOf(values);
+    constexpr double exact = 9007199254740992.0; // whole numbers up to here are doubles
+    const double length = range.High - range.Low;
+    const bool isWhole = array.Components == 1 && !isFloating(array.Type) && -exact <= range.Low &&
+      range.High <= exact && length < std::numeric_limits<std::uint32_t>::max();
+    const std::uint32_t steps = isWhole ? static_cast<std::uint32_t>(length) : PositionSteps - 1;
+    const std::size_t width = steps < 255 ? 1 : steps < 65535 ? 2 : 4;
+    std::size_t missing = 0;
+    Codes codes;
+    codes.reserve(values.size());
+    for (const double value : values)
+    {
+      const bool isMissing = !std::isfinite(value);
+      missing += isMissing ? 1 : 0;
+      codes.push_back(isMissing ? steps + 1 : codeOf(value, range, steps));
+    }
+    appendCodes(this->Bytes, codes, width);
+    return head + ",\"kind\":\"numbers\",\"components\":" + std::to_string(array.Components) +
+      ",\"range\":" + jsonRange(range) + ",\"steps\":" + std::to_string(steps) +
+      ",\"width\":" + std::to_string(width) + ",\"whole\":" + (isWhole ? "true" : "false") +
+      ",\"missing\":" + std::to_string(missing) + "}";
+  }
+
+private:
+  const SurfaceData& Surface;
+  std::vector<std::array<std::uint32_t, 2>> SphereCodes; // of the surface's points
+  std::vector<std::size_t> Order;                        // the surface's points, for the page's
+};
+
+// What is shown as color.
+std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
+{
+  const char* const others[] = { "SpherePosition", "Normals", "TCoords", "vtkGhostType" };
+  std::vector<const NamedArray*> arrays;
+  for (const NamedArray& array : surface.PointArrays)
+  {
+    const bool isOther = std::any_of(
+      std::begin(others), std::end(others), [&](const char* name) { return array.Name == name; });
+    if (!isOther && array.Components > 0)
+    {
+      arrays.push_back(&array);
+    }
+  }
+  return arrays;
+}
+
+// The number of the array that is shown first, -1 for the picture, or for nothing where there is no
+// picture either.
+int firstShown(
+  const std::vector<const NamedArray*>& arrays, const std::string& wanted, bool hasPicture)
+{
+  const auto find = [&](const std::string& name)
+  {
+    const auto found = std::find_if(
+      arrays.begin(), arrays.end(), [&](const NamedArray* array) { return array->Name == name; });
+    return found == arrays.end() ? -1 : static_cast<int>(found - arrays.begin());
+  };
+  if (!wanted.empty())
+  {
+    const int index = find(wanted);
+    if (index < 0)
+    {
+      throw std::invalid_argument(
+        "the surface has no point array " + quoted(wanted) + " that can be shown");
+    }
+    return index;
+  }
+  if (hasPicture || arrays.empty())
+  {
+    return -1;
+  }
+  return std::max({ 0, find("RGB"), find("RGBA") });
+}
+
+std::string htmlText(std::string_view text)
+{
+  const std::map<char, const char*> escapes = { { '&', "&amp;" }, { '<', "&lt;" }, { '>', "&gt;" },
+    { '"', "&quot;" } };
+  std::string result;
+  for (const char c : validUTF8(text))
+  {
+    const auto escape = escapes.find(c);
+    const bool isControl = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+    result += escape != escapes.end() ? escape->second : std::string(1, isControl ? ' ' : c);
+  }
+  return result;
+}
+
+// The template with the parts in their places. What is put in is not looked at again.
+std::string filled(std::string_view text, const std::map<std::string, std::string_view>& parts)
+{
+  std::string result;
+  std::size_t size = text.size();
+  for (const auto& part : parts)
+  {
+    size += part.second.size();
+  }
+  result.reserve(size);
+  for (std::size_t begin = text.find("{{"); begin != std::string_view::npos;
+       begin = text.find("{{"))
+  {
+    const std::size_t end = text.find("}}", begin);
+    result += text.substr(0, begin);
+    result += parts.at(std::string(text.substr(begin + 2, end - begin - 2)));
+    text.remove_prefix(end + 2);
+  }
+  return result.append(text);
+}
+}
+
+//------------------------------------------------------------------------------
+const NamedArray& requirePageSurface(const SurfaceData& surface)
+{
+  if (numberOfPolygons(surface) == 0)
+  {
+    throw std::invalid_argument("the surface has no polygons");
+  }
+  requireTriangles(surface);
+  if (surface.Points.numberOfTuples() >= std::numeric_limits<std::uint32_t>::max())
+  {
+    throw std::invalid_argument("the surface has too many points for 32-bit ids");
+  }
+  const NamedArray* sphere = findSpherePositions(surface);
+  if (!sphere)
+  {
+    throw std::invalid_argument("the surface has no array \"SpherePosition\" of 3 numbers");
+  }
+  return *sphere;
+}
+
+//------------------------------------------------------------------------------
+std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
+  std::string_view threeJS, const SurfacePageOptions& options, const ParseProgress& progress)
+{
+  report(progress, 0.0);
+  const NamedArray& sphere = requirePageSurface(surface);
+  const NamedArray* texCoords = findArray(surface.PointArrays, "TCoords", 2, isFloating);
+  if (!jpeg.empty() && !texCoords)
+  {
+    throw std::invalid_argument("the surface has no texture coordinates of 2 numbers");
+  }
+  const std::vector<const NamedArray*> arrays = shownArrays(surface);
+  const int first = firstShown(arrays, options.ColorArrayName, !jpeg.empty());
+
+  PageBuilder builder(surface, sphere);
+  report(progress, 0.1);
+  builder.addPlaces("bounds", surface.Points, "coordinate");
+  builder.addSphere();
+  report(progress, 0.15);
+  builder.addTriangles();
+  report(progress, 0.25);
+  if (!jpeg.empty())
+  {
+    builder.addPlaces("textureBounds", *texCoords, "texture coordinate");
+    builder.add("repeatsTexture", options.RepeatsTexture ? "true" : "false");
+  }
+  std::string list;
+  for (const NamedArray* array : arrays)
+  {
+    list += (list.empty() ? "" : ",") + builder.addArray(*array);
+    report(progress, 0.3);
+  }
+  builder.add("arrays", "[" + list + "]");
+  builder.add("first", std::to_string(first));
+  builder.add("surfaceAxes", jsonNumbers(options.SurfaceAxes));
+  builder.add("sphereAxes", jsonNumbers(options.SphereAxes));
+
+  builder.Description += "}";
+  const std::string title = htmlText(options.Title);
+  const std::string data = encodeBinaryText(builder.Bytes, true, partOf(progress, 0.3, 0.8));
+  const std::string library = encodeBinaryText(threeJS, true, partOf(progress, 0.8, 0.95));
+  const std::string picture = encodeBinaryText(jpeg, false);
+  report(progress, 1.0);
+  return filled(PageHTML,
+    { { "title", title }, { "style", PageCSS }, { "description", builder.Description },
+      { "data", data }, { "picture", picture }, { "three", library }, { "program", PageJS } });
+}
+}

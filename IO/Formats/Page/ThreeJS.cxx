@@ -1,0 +1,66 @@
+#include "Page/ThreeJS.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace conformal
+{
+namespace
+{
+constexpr std::uintmax_t LargestBuild = 32 << 20; // a file that is no library is not read whole
+}
+
+//------------------------------------------------------------------------------
+std::string findThreeJS()
+{
+  const std::string folder = "/usr/share/javascript/three/";
+  const char* const names[] = { "three.min.js", "three.js", "build/three.min.js", "build/three.js",
+    "three.cjs", "build/three.cjs" };
+  for (const char* name : names)
+  {
+    std::error_code ignored; // then it is not there
+    if (std::filesystem::is_regular_file(folder + name, ignored))
+    {
+      return folder + name;
+    }
+  }
+  return folder + names[0];
+}
+
+//------------------------------------------------------------------------------
+std::string readThreeJS(const std::string& fileName)
+{
+  const std::string name = fileName.empty() ? findThreeJS() : fileName;
+  const std::filesystem::path path = std::filesystem::u8path(name);
+  const auto fail = [&](const std::string& what)
+  {
+    throw std::invalid_argument("three.js is needed to write a page, and " + name + " " + what +
+      ": install Debian's package libjs-three, or set ThreeJSFileName to a three.min.js");
+  };
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+  {
+    fail("is no file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > LargestBuild)
+  {
+    fail("is too large");
+  }
+  std::string text(static_cast<std::size_t>(size), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+  {
+    fail("cannot be read");
+  }
+  // Modules export by a statement, which a script of a page cannot have.
+  if (text.find("exports.WebGLRenderer") == std::string::npos)
+  {
+    fail("is no classic build of it");
+  }
+  return text;
+}
+}

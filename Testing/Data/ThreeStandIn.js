@@ -1,0 +1,2 @@
+// Stands for three.js in tests that write pages but do not draw them.
+exports.WebGLRenderer = null;
