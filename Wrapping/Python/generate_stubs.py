@@ -189,7 +189,10 @@ def main():
     foreign = [base for base in bases if base.__module__.startswith("vtkmodules.") and not has_stubs(base.__module__)]
     stubs = {name: Stub(module).text("from conformalsom._types import Values\n")
              for name, module in classes.items()}
-    for name, text in {**stubs, "conformalsom._types": Stub(foreign).text(VALUES)}.items():
+    package = ["__version__: str", *(f"from {name} import *" for name in stubs)]
+    stubs["conformalsom._types"] = Stub(foreign).text(VALUES)
+    stubs["conformalsom.__init__"] = "\n".join([f'"""{conformalsom.__doc__}"""', *package]) + "\n"
+    for name, text in stubs.items():
         with open(os.path.join(sys.argv[1], name.split(".")[1] + ".pyi"), "w", encoding="utf-8") as file:
             file.write(text)
 
