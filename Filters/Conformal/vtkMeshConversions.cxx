@@ -3,6 +3,7 @@
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/PolygonTriangulation.h"
+#include "vtkCompatibility.h"
 #include "vtkConformalConversions.h"
 #include "vtkInputChecks.h"
 
@@ -104,8 +105,9 @@ private:
     {
       this->Polygon->GetPoints()->SetPoint(k, corners.row(k).data());
     }
-    const vtkIdType count =
-      this->Polygon->Triangulate(this->Ears) != 0 ? this->Ears->GetNumberOfIds() : 0;
+    const vtkIdType count = vtkCompatibility::Triangulate(this->Polygon, this->Ears) != 0
+      ? this->Ears->GetNumberOfIds()
+      : 0;
     conformal::Triangles ears(count / 3, 3);
     std::copy_n(this->Ears->begin(), ears.size(), ears.data());
     return ears;

@@ -3,6 +3,8 @@
 #define vtkCompatibility_h
 
 #include "vtkAlgorithm.h"
+#include "vtkIdList.h"
+#include "vtkPolygon.h"
 #include "vtkVersionMacros.h"
 
 namespace vtkCompatibility
@@ -15,6 +17,16 @@ inline bool IsAbortWanted(vtkAlgorithm* self)
   return self->CheckAbort();
 #else
   return self->GetAbortExecute() != 0;
+#endif
+}
+
+/// Cuts a polygon into triangles whose ids count its own points. Returns 0 if it cannot.
+inline int Triangulate(vtkPolygon* polygon, vtkIdList* triangles)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // what ParaView 5.13 has
+  return polygon->TriangulateLocalIds(0, triangles);
+#else
+  return polygon->Triangulate(triangles);
 #endif
 }
 }

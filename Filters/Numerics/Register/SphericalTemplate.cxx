@@ -223,10 +223,10 @@ private:
         place += last[s].SpherePositions.row(this->Inputs[s].Landmarks[i]);
       }
       const Eigen::VectorXd closeness = vertices * place;
-      int closest = -1;
+      int closest = 0; // or the first that is not taken yet
       for (Index v = 0; v < vertices.rows(); ++v)
       {
-        if (!isTaken[v] && (closest < 0 || closeness[v] > closeness[closest]))
+        if (!isTaken[v] && (isTaken[closest] || closeness[v] > closeness[closest]))
         {
           closest = static_cast<int>(v);
         }

@@ -17,6 +17,27 @@ namespace conformal
 {
 namespace
 {
+// Where the parser is in the file. Expat 2.9 has other functions, and deprecates the old ones.
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+std::int64_t byteIndex(XML_Parser parser)
+{
+  return XML_GetCurrentByteIndex64(parser);
+}
+std::uint64_t lineNumber(XML_Parser parser)
+{
+  return XML_GetCurrentLineNumber64(parser);
+}
+#else
+std::int64_t byteIndex(XML_Parser parser)
+{
+  return XML_GetCurrentByteIndex(parser);
+}
+std::uint64_t lineNumber(XML_Parser parser)
+{
+  return XML_GetCurrentLineNumber(parser);
+}
+#endif
+
 constexpr std::size_t MaximumArrays = 10000; // more than any real file has
 
 void require(bool condition, const std::string& message)
@@ -488,15 +509,12 @@ private:
     }
   }
 
-  std::int64_t place() const
-  {
-    return std::max<std::int64_t>(0, XML_GetCurrentByteIndex(this->Parser.get()));
-  }
+  std::int64_t place() const { return std::max<std::int64_t>(0, byteIndex(this->Parser.get())); }
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const
   {
-    throw ParseError({ code, XML_GetCurrentLineNumber(this->Parser.get()),
-      static_cast<std::uint64_t>(this->place()), message });
+    throw ParseError(
+      { code, lineNumber(this->Parser.get()), static_cast<std::uint64_t>(this->place()), message });
   }
 
   ByteReader& Input;
