@@ -288,7 +288,8 @@ class TestCommand(unittest.TestCase):
             with self.subTest(number), tempfile.TemporaryDirectory() as folder:
                 process = subprocess.Popen(
                     [COMMAND, "my scan.vtp", "-o", folder + "/x.glb", "-o", folder + "/x.vtp", "--neurons", "40000"],
-                    cwd=self.folder, stderr=end, env={**os.environ, "TERM": "xterm"})
+                    cwd=self.folder, stderr=end, env={**os.environ, "TERM": "xterm"},
+                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # which a script may ignore
                 os.close(end)
                 shown = b""
                 while b"Learn the mesh" not in shown:  # it runs
