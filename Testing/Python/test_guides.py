@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
 import conformalsom
-from helpers import textures
+from helpers import hemispheres, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
@@ -131,6 +131,21 @@ class TestGuides(unittest.TestCase):
                     self.assertEqual((completed.returncode, completed.stderr), (0, ""))
                     run += 1
         self.assertGreaterEqual(run, 5)
+
+    def test_cortical_surfaces_go_to_their_end(self):
+        code = "".join(block for _, block in blocks_of(sections("Cortex.md")["Step by step"]))
+        with tempfile.TemporaryDirectory() as folder:
+            for i, deformation in enumerate((0.0, 0.15), 1):
+                writer = conformalsom.vtkFreeSurferWriter()
+                writer.SetInputData(hemispheres.hemisphere(12, deformation, i))
+                writer.SetFileName(os.path.join(folder, f"lh{i}.white"))
+                assert writer.Write() == 1
+            code += "assert resample.GetOutput().GetPointData().HasArray('SulcalDepth')\n"
+            completed = subprocess.run([sys.executable, "-c", code], cwd=folder, text=True, stdout=subprocess.PIPE,
+                                       stderr=subprocess.PIPE, check=False)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            self.assertEqual(sorted(os.listdir(folder)), [
+                "lh1.shape.gii", "lh1.sphere.surf.gii", "lh1.surf.gii", "lh1.white", "lh2.white"])
 
 
 if __name__ == "__main__":
