@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # quickstart.sh [SCAN [TEXTURE]] [OPTION...]: from a scan to a painted surface on a fresh Debian.
 #
-# Installs what is missing, builds the project into build/release and runs the command conformalsom,
-# whose options may follow (--help lists them). Without SCAN, a scan and a picture made by code are used.
+# Installs what is missing, builds the filters it uses into build/release (all of them, where they are
+# built already) and runs the command conformalsom, whose options may follow (--help lists them).
+# Without SCAN, a scan and a picture made by code are used.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -11,8 +12,13 @@ bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev python3
 
 log=$root/build/release/build.log
 mkdir -p "$(dirname "$log")"
+cache=$root/build/release/CMakeCache.txt
+preset=quickstart
+if [ -e "$cache" ] && ! grep -q '^CONFORMALSOM_FILTERS:[A-Z]*=.' "$cache"; then
+  preset=release
+fi
 echo "Building into build/release"
-if ! (cd "$root" && cmake --preset release && cmake --build --preset release) >"$log" 2>&1; then
+if ! (cd "$root" && cmake --preset "$preset" && cmake --build --preset release) >"$log" 2>&1; then
   tail -n 40 "$log"
   echo "The build failed; all of its output is in $log" >&2
   exit 1
