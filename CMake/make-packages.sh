@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# make-packages.sh: packages of this Debian, and the archive of the sources, in build/package/packages.
+#
+# Installs what is missing, and builds the libraries against VTK and the plugin against ParaView. Who
+# the maintainer is, is taken from DEBFULLNAME and DEBEMAIL, as Debian's tools do.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+bash CMake/install-packages.sh cmake ninja-build g++ dpkg-dev file libvtk9-dev python3-vtk9 \
+  libeigen3-dev libexpat1-dev zlib1g-dev paraview paraview-dev libqt5svg5
+bash CMake/make-paraview-prefix.sh build/paraview-prefix
+rm -rf build/package/packages
+for preset in package-paraview package; do
+  cmake --preset "$preset"
+  cmake --build --preset "$preset"
+done
+cmake --build build/package --target package package_source
+ls build/package/packages/*.deb build/package/packages/*.tar.gz
