@@ -188,6 +188,7 @@ TEST(SurfaceFileWriter, EveryWriterStopsWhenAskedWithoutAWordAndLeavesTheInputAl
     EXPECT_EQ(folder.numberOfFiles(), 1u);
     EXPECT_EQ(sphere->GetMTime(), before);
     setUp.Writer->RemoveObservers(vtkCommand::ProgressEvent);
+    setUp.Writer->SetAbortExecute(0); // later versions of VTK keep it
     EXPECT_EQ(setUp.Writer->Write(), 1);
     EXPECT_EQ(setUp.Writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     EXPECT_NE(folder.read(name), "before");
