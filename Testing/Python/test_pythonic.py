@@ -1,5 +1,6 @@
 """What VTK's classes can do from VTK 9.4: properties as keywords and in snake case, pipelines by >>. Skipped with
 older VTK."""
+import os
 import sys
 import unittest
 
@@ -50,6 +51,13 @@ class TestPythonic(unittest.TestCase):
         made = (network >> conformalsom.vtkCurvedSeamlessSurface(frequency=10))(sphere.GetOutput())
         self.assertGreaterEqual(made.GetNumberOfPoints(), 10 * 10**2 + 2)
         self.assertLess(np.abs(np.linalg.norm(points_of(made), axis=1) - 1.0).max(), 0.05)
+
+    def test_stubs_have_the_properties_with_types_and_texts(self):
+        with open(os.path.join(os.path.dirname(conformalsom.__file__), "vtkFiltersConformal.pyi"), encoding="utf-8") as file:
+            stub = file.read()
+        network = stub[stub.index("class vtkConformalSOM("):]
+        self.assertRegex(network, r'def frequency\(self\) -> int:\n +"""read-write, [^"]+ geodesic sphere [^"]+"""')
+        self.assertIn("def smoothness(self, value: float, /) -> None", network)
 
 
 if __name__ == "__main__":

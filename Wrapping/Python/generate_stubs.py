@@ -119,13 +119,22 @@ class Stub:
             elif isinstance(member, int):
                 lines = [f"{name}: int"]
             elif inspect.isgetsetdescriptor(member) and not name.startswith("__"):
-                lines = ["@property", *documented(f"def {name}(self) -> Any:", member.__doc__),
-                         f"@{name}.setter", f"def {name}(self, value: Any, /) -> None: ..."]
+                lines = self.property(name, member, class_, texts)
             elif inspect.isroutine(member) and not name.startswith("__"):
                 lines = self.method(name, member, texts[name])
             elif name in ("__rshift__", "__rrshift__", "__call__"):
                 lines = [f"def {name}(self, *inputs: Any, **named: Any) -> Any: ..."]
             yield from ("    " + line if line else "" for line in lines)
+
+    def property(self, name, member, class_, texts):
+        """A property in snake case, with the type and the text of the methods that it calls."""
+        methods = [method for method in re.findall(r"\b[GS]et\w+", member.__doc__ or "") if method in texts]
+        types = [self.definition(line)[1].rpartition("-> ")[2][:-1] for method in methods if method.startswith("Get")
+                 for line in signatures_of(method, vars(class_)[method])]
+        type_ = types[0] if types and types[0] in BUILTIN else "Any"
+        text = "\n\n".join([(member.__doc__ or "").strip(), *(texts[method] for method in methods[:1])])
+        return ["@property", *documented(f"def {name}(self) -> {type_}:", text),
+                f"@{name}.setter", f"def {name}(self, value: {type_}, /) -> None: ..."]
 
     def base(self, class_):
         """The name of a class to derive from."""
