@@ -63,9 +63,12 @@ PagePicture shrunkPicture(const unsigned char* pixels, std::size_t width, std::s
     for (std::size_t k = 0; k < vertical.Shares.size(); ++k)
     {
       const unsigned char* old = pixels + (vertical.First + k) * width * components;
-      for (std::size_t i = 0; i < row.size(); ++i)
+      for (std::size_t x = 0; x < width; ++x)
       {
-        row[i] += vertical.Shares[k] * old[i / 3 * components + i % 3];
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          row[3 * x + c] += vertical.Shares[k] * old[x * components + c];
+        }
       }
     }
     for (const Cover& horizontal : columns)
