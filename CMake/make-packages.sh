@@ -15,4 +15,5 @@ for preset in package-paraview package; do
   cmake --build --preset "$preset"
 done
 cmake --build build/package --target package package_source
+rm -r build/package/packages/_CPack_Packages
 ls build/package/packages/*.deb build/package/packages/*.tar.gz
