@@ -43,6 +43,16 @@ foreach (array IN ITEMS SpherePosition "Texture Coordinates")
   endif ()
 endforeach ()
 
+# The core stays inside of each library.
+find_program(nm nm)
+file(GLOB_RECURSE libraries "${prefix}/libvtk*.so" "${prefix}/*/libvtk*.so")
+if (nm AND libraries)
+  run("${nm}" --dynamic --defined-only ${libraries})
+  if (output MATCHES "_ZNK?9conformal[^\n]*")
+    message(FATAL_ERROR "Of the core this is exported: ${CMAKE_MATCH_0}")
+  endif ()
+endif ()
+
 if (PYTHON)
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${prefix}/${PYTHON_DESTINATION}" "${PYTHON}" -c
     "import conformalsom\nconformalsom.vtkConformalSOM()\nprint(conformalsom.__file__)")
