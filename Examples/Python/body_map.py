@@ -46,6 +46,11 @@ def comet(p):
     return np.maximum(builtin_figure.union(COMET)(p), -np.minimum(PITS[0](p), PITS[1](p)))
 
 
+def world_file_of(path):
+    """The file beside a PNG file that says where its pixels lie."""
+    return os.path.splitext(path)[0] + ".pgw"
+
+
 def arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -62,7 +67,9 @@ def arguments():
     parser.add_argument("--output", metavar="FILE", default="body_map.png", help="default body_map.png")
     parser.add_argument("--picture", metavar="FILE", help="to draw body and map side by side, PNG or JPEG")
     args = parser.parse_args()
-    for path in (args.output, args.picture):
+    if args.picture and not pictures.can_draw():
+        parser.error("--picture wants a display: put xvfb-run before the command")
+    for path in (args.output, world_file_of(args.output), args.picture):
         if path and os.path.lexists(path):
             parser.error(f"{path} already exists")
     if args.width < 16:
@@ -150,7 +157,7 @@ def main():
     writer.SetInputData(image)
     writer.SetFileName(args.output)
     steps.run(f"Write {args.output}", writer, writer.Write)
-    write_world_file(image, os.path.splitext(args.output)[0] + ".pgw")
+    write_world_file(image, world_file_of(args.output))
     print(f"heights from {heights.min():.4g} to {heights.max():.4g}")
     if args.picture:
         aspect = PANEL[0] / PANEL[1]

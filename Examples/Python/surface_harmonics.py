@@ -38,6 +38,8 @@ def arguments():
     parser.add_argument("--up", nargs=3, type=float, default=(0.0, 1.0, 0.0), metavar=("X", "Y", "Z"),
                         help="default 0 1 0")
     args = parser.parse_args()
+    if args.picture and not pictures.can_draw():
+        parser.error("--picture wants a display: put xvfb-run before the command")
     args.output = args.output or mapped_models.name_of(args.model) + ".coef"
     for path in (args.output, args.picture):
         if path and os.path.lexists(path):

@@ -1,6 +1,8 @@
 #include "vtkBodyMap.h"
 
 #include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Sphere/SphereCoverage.h"
 #include "Texture/BodyCoordinates.h"
 #include "Texture/BodyRelief.h"
 #include "vtkConformalConversions.h"
@@ -104,6 +106,17 @@ void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLin
   vtkConformalConversions::AddNumbers(output->GetCellData(), "Degrees", degrees);
 }
 
+// One place on the sphere should belong to one point.
+conformal::SphereCoverage CoverageOf(const conformal::MappedMesh& body)
+{
+  conformal::Triangles triangles = body.Triangles;
+  if (conformal::signedVolume(body.Positions, triangles) < 0.0)
+  {
+    triangles.col(1).swap(triangles.col(2));
+  }
+  return conformal::measureSphereCoverage(body.SpherePositions, triangles);
+}
+
 conformal::Points DirectionsOf(vtkPolyData* places)
 {
   conformal::Points directions(places->GetNumberOfPoints(), 3);
@@ -197,6 +210,14 @@ int vtkBodyMap::RequestData(
       const conformal::BodyCoordinates coordinates =
         conformal::findBodyCoordinates(body, options, steps.next());
       body.SpherePositions = coordinates.SpherePositions;
+      const conformal::SphereCoverage coverage = CoverageOf(body);
+      if (coverage.NumberOfFolds > 0 || coverage.Degree > 1)
+      {
+        vtkWarningMacro(
+          << "the map to the sphere covers it " << coverage.Degree << " times with "
+          << coverage.NumberOfFolds
+          << " folded triangles: some longitudes and latitudes belong to several points");
+      }
 
       steps.next();
       vtkNew<vtkPolyData> result;

@@ -17,6 +17,9 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkBodyMapImage);
@@ -82,7 +85,19 @@ int vtkBodyMapImage::RequestData(
         WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
+      if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
+      {
+        throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
+      }
       vtkDataArray* values = ArrayToBake(surface, arrayName);
+      for (const char* ours : { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition" })
+      {
+        if (values->GetName() && std::string(values->GetName()) == ours)
+        {
+          throw std::invalid_argument("the point array " + std::string(ours) +
+            " has the name of an array that the image gets; rename it");
+        }
+      }
       vtkNew<vtkImageData> result;
       vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };

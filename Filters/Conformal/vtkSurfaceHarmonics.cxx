@@ -51,6 +51,14 @@ std::vector<ChosenArray> ArraysOf(vtkPolyData* surface, const std::vector<std::s
     {
       throw std::invalid_argument("the surface has no point array \"" + name + "\" of numbers");
     }
+    for (const char* column : { "Degree", "Order", "X", "Y", "Z" })
+    {
+      if (name == column)
+      {
+        throw std::invalid_argument(
+          "the point array \"" + name + "\" has the name of a column of the table; rename it");
+      }
+    }
     arrays.push_back({ name, array->GetNumberOfComponents(), first });
     first += array->GetNumberOfComponents();
   }

@@ -202,6 +202,15 @@ TEST(BodyMap, SaysWhatIsWrong)
   filter->SetPlacesData(places);
   expect("place 0 must have a finite longitude as x and a latitude in [-90, 90] as y");
   filter->SetPlacesData(nullptr);
+  vtkDataArray* map = surface->GetPointData()->GetArray("SpherePosition");
+  const double* other = map->GetTuple3(40);
+  map->SetTuple3(41, other[0], -other[1], -other[2]);
+  filter->Modified();
+  surface->Modified();
+  filter->Update();
+  observed.ExpectWarning(
+    "folded triangles: some longitudes and latitudes belong to several points");
+  observed.Clear();
   surface->GetPointData()->RemoveArray("SpherePosition");
   expect("the surface has no point array SpherePosition");
   const auto broken = fixtures::TwoLobes(8);

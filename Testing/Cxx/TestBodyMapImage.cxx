@@ -196,6 +196,18 @@ TEST(BodyMapImage, SaysWhatIsWrong)
   filter->SetImageSize(0, 10);
   filter->Update();
   observed.ExpectError("ImageSize must be at least (1, 1)");
+  observed.Clear();
+  filter->SetImageSize(20, 10);
+  filter->SetCentralLongitude(std::numeric_limits<double>::quiet_NaN());
+  filter->Update();
+  observed.ExpectError("CentralLongitude and GraticuleSpacing must be finite");
+  observed.Clear();
+  filter->SetCentralLongitude(0.0);
+  const auto body = Body(8);
+  body->GetPointData()->GetScalars()->SetName("OutsideMap");
+  filter->SetInputData(body);
+  filter->Update();
+  observed.ExpectError("OutsideMap has the name of an array that the image gets; rename it");
 }
 
 TEST(BodyMapImage, GivesTheSameBitsOnAnyThreads)

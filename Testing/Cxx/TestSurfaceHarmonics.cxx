@@ -426,6 +426,14 @@ TEST_F(SurfaceHarmonics, BadArraysAreRefused)
   this->Filter->AddPointArray("Missing");
   this->ExpectRefused("the surface has no point array \"Missing\" of numbers");
   this->Filter->RemoveAllPointArrays();
+  vtkNew<vtkDoubleArray> order;
+  order->SetName("Order");
+  order->SetNumberOfTuples(this->Surface->GetNumberOfPoints());
+  order->FillValue(1.0);
+  this->Surface->GetPointData()->AddArray(order);
+  this->Filter->AddPointArray("Order");
+  this->ExpectRefused("the point array \"Order\" has the name of a column of the table; rename it");
+  this->Filter->RemoveAllPointArrays();
   this->Filter->AddPointArray("Number");
   this->Surface->GetPointData()->GetArray("Number")->SetTuple1(
     5, std::numeric_limits<double>::infinity());

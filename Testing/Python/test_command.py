@@ -205,6 +205,7 @@ class TestCommand(unittest.TestCase):
                 ("x.gif: expected a file of type .jpg .png", "my scan.vtp", "--picture", "x.gif"),
                 ("11 is not in [12, 10000002]", "my scan.vtp", "-o", "x.glb", "--neurons", "11"),
                 ("invalid choice: 'square'", "my scan.vtp", "-o", "x.glb", "--lattice", "square"),
+                ("--view and --up must be finite", "my scan.vtp", "-o", "x.glb", "--view", "0", "2", "0"),
                 ("x.glb would be written twice", "my scan.vtp", "other.ply", "-o", "x.glb"),
                 ("x.png would be written twice", "my scan.vtp", "-o", "x.obj", "--picture", "x.png")):
             with self.subTest(message):

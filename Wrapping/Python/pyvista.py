@@ -13,7 +13,12 @@ import os
 import warnings
 
 import numpy as np
-import pyvista
+
+try:
+    import pyvista
+except ModuleNotFoundError as error:
+    raise ModuleNotFoundError("conformalsom.pyvista needs PyVista: python3-pyvista in Debian 13 and later, or "
+                              "pip install pyvista", name="pyvista") from error
 
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureMap
 from conformalsom.messages import FilterFailed, heard
@@ -61,6 +66,9 @@ def run(algorithm, *inputs, **properties):
     """Run any filter on data, one for each of its input ports; returns what is on its first output port."""
     for name, value in properties.items():
         set_property(algorithm, name, value)
+    ports = algorithm.GetNumberOfInputPorts()
+    if len(inputs) > ports:
+        raise ValueError(f"{algorithm.GetClassName()} has {ports} input ports, but {len(inputs)} inputs were given")
     for port, data in enumerate(inputs):
         algorithm.SetInputData(port, pyvista.wrap(data))
     with heard(algorithm) as messages:

@@ -47,6 +47,9 @@ def read_landmarks(path, surface):
             except ValueError:
                 raise ValueError(f"{path}, line {number}: expected the id of one of the model's {len(points)} "
                                  "points, or three coordinates") from None
+    if len(set(landmarks)) < len(landmarks):
+        twice = next(point for point in landmarks if landmarks.count(point) > 1)
+        raise ValueError(f"{path}: point {twice} is a landmark twice")
     if not landmarks:
         raise ValueError(f"{path}: there are no landmarks")
     return landmarks

@@ -344,6 +344,8 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   run.report(0.0);
   Steps steps(run, { workOfLearning(options), workOfMap(options) });
   const bool isOwn = start && start->SpherePositions.rows() == 0;
+  require(!start || start->Triangles.rows() >= 4,
+    "the mesh to start from is two triangles back to back, which enclose nothing");
   ConformalSOMResult result = isOwn ? learnFromOwnMesh(samples, options, *start, steps.next())
                                     : learn(samples, options, start, steps.next());
   if (mapsAnew(options))

@@ -30,7 +30,8 @@ namespace conformal
 ///                      the sphere here where that is needed. Where that fails, and where the
 ///                      result is bad (SurfaceVerdict.h), StartingShape Automatic tries the other
 ///                      starts and keeps the best result.
-/// @throws std::invalid_argument if there are no samples or an option is out of range
+/// @throws std::invalid_argument if there are no samples, an option is out of range, or the mesh to
+///         start from has fewer than four triangles
 /// @throws Aborted
 /// @post the result depends only on the arguments: same input, same bits, any number of threads;
 ///       points scaled by a power of two give weights scaled by it, bit by bit

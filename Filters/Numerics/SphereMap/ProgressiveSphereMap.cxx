@@ -254,6 +254,11 @@ ProgressiveSphereMapResult mapToSphere(
     throw std::invalid_argument("the number of sweeps must not be negative");
   }
   requireGenusZero(triangles, points.rows());
+  if (triangles.rows() < 4)
+  {
+    throw NumericalFailure(
+      "two triangles back to back enclose nothing and have no map to the sphere");
+  }
   const Points places = inUnitBox(points);
   Mapper mapper(places, triangles, options, run);
   ProgressiveSphereMapResult result = mapper.run();

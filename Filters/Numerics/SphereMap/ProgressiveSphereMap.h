@@ -50,7 +50,8 @@ struct ProgressiveSphereMapResult
 /// @param[in] mesh  finite, all positions used; triangles may have no area
 /// @throws std::invalid_argument with what is wrong, if the surface is not closed, manifold and of
 ///         genus zero, if an option is out of range, or points are not finite
-/// @throws NumericalFailure if there is no room for a vertex
+/// @throws NumericalFailure if there is no room for a vertex, or there are fewer than four
+/// triangles
 /// @post the result depends only on the arguments: same input, same bits
 ProgressiveSphereMapResult mapToSphere(
   const Mesh& mesh, const ProgressiveSphereMapOptions& options = {}, const Run& run = {});

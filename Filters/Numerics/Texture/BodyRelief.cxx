@@ -1,5 +1,6 @@
 #include "Texture/BodyRelief.h"
 
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/VertexNormals.h"
 
 #include <Eigen/Eigenvalues>
@@ -97,7 +98,12 @@ ReferenceEllipsoid referenceEllipsoid(const Mesh& body)
 //------------------------------------------------------------------------------
 BodyRelief measureRelief(const Mesh& body, const ReferenceEllipsoid& reference)
 {
-  const Points normals = vertexNormals(body.Positions, body.Triangles);
+  Points normals = vertexNormals(body.Positions, body.Triangles);
+  const Points centered = body.Positions.rowwise() - reference.Center.transpose();
+  if (signedVolume(centered, body.Triangles) < 0.0)
+  {
+    normals *= -1.0; // to the outside
+  }
   BodyRelief relief;
   for (Index v = 0; v < body.Positions.rows(); ++v)
   {

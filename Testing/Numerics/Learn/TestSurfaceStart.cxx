@@ -235,3 +235,23 @@ TEST(SurfaceStart, AsksForTheMeshWhereItMustStartFromIt)
   start.Triangles.conservativeResize(start.Triangles.rows() - 1, 3); // open
   EXPECT_THROW(trainConformalSOM(samples, options, &start), std::invalid_argument);
 }
+
+TEST(SurfaceStart, TwoTrianglesBackToBackAreNoStart)
+{
+  MappedMesh start;
+  start.Positions.resize(3, 3);
+  start.Positions << 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  start.Triangles.resize(2, 3);
+  start.Triangles << 0, 1, 2, 0, 2, 1;
+  const TrainingSamples samples{ conformal::PointView(start.Positions) };
+  for (const Lattice lattice : { Lattice::Geodesic, Lattice::Adaptive })
+  {
+    ConformalSOMOptions options = optionsFor(lattice);
+    options.StartingShape = StartingShape::Mesh;
+    EXPECT_THROW(trainConformalSOM(samples, options, &start), std::invalid_argument);
+    MappedMesh mapped = start;
+    mapped.SpherePositions.resize(3, 3);
+    mapped.SpherePositions << 1.0, 0.0, 0.0, -0.6, 0.8, 0.0, -0.6, -0.8, 0.0;
+    EXPECT_THROW(trainConformalSOM(samples, optionsFor(lattice), &mapped), std::invalid_argument);
+  }
+}

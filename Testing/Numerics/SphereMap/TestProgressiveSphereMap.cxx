@@ -1,5 +1,6 @@
 #include "SphereMap/ProgressiveSphereMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Random.h"
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
@@ -113,6 +114,17 @@ TEST(ProgressiveSphereMap, BalanceTradesAnglesForAreas)
     lastArea = distortion.AreaDistortionDeviation;
     lastAngle = distortion.MeanQuasiConformalError;
   }
+}
+
+// Closed and of Euler number 2, but there is nothing inside.
+TEST(ProgressiveSphereMap, TwoTrianglesBackToBackHaveNoMap)
+{
+  conformal::Mesh flat;
+  flat.Positions.resize(3, 3);
+  flat.Positions << 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  flat.Triangles.resize(2, 3);
+  flat.Triangles << 0, 1, 2, 0, 2, 1;
+  EXPECT_THROW(mapToSphere(flat), conformal::NumericalFailure);
 }
 
 TEST(ProgressiveSphereMap, RefusesWhatItCannotMap)

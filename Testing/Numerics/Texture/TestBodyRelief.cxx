@@ -92,6 +92,13 @@ TEST(BodyRelief, ScalesWithTheBody)
     EXPECT_NEAR(large.Heights[i], 1024.0 * one.Heights[i], 1e-9);
     EXPECT_NEAR(large.Slopes[i], one.Slopes[i], 1e-9);
   }
+  mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  const conformal::BodyRelief turned = measureRelief(mesh, conformal::referenceEllipsoid(mesh));
+  for (std::size_t i = 0; i < one.Heights.size(); ++i)
+  {
+    EXPECT_NEAR(turned.Heights[i], large.Heights[i], 1e-9);
+    EXPECT_NEAR(turned.Slopes[i], large.Slopes[i], 1e-9);
+  }
 }
 
 TEST(BodyRelief, NeedsAVolume)

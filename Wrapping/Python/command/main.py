@@ -6,6 +6,7 @@ import signal
 import sys
 import typing
 
+import numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow, vtkVersion
 
 import conformalsom
@@ -99,18 +100,25 @@ def expect_extension(path, extensions):
         raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}")
 
 
+def expect_directions(view, up):
+    """Raise WrongUsage where the viewer's directions give no picture."""
+    across = numpy.cross(view, up)
+    if not (numpy.isfinite([*view, *up]).all() and numpy.linalg.norm(across) > 0.0):
+        raise WrongUsage("--view and --up must be finite, not zero, and not parallel")
+
+
 def paths_of(options):
     """The files to write for each scan, after a look at whether they can be written without loss."""
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("nothing to make: use --output, --picture, --report or --measure")
+    expect_directions(options.view, options.up)
     all_paths, files = [], set()
     for scan in options.scans:
         paths = Paths([outputs.surface_named(pattern, scan) for pattern in options.output],
                       outputs.named(options.picture or "", scan))
         for path, extensions in [(path, outputs.SURFACES) for path in paths.surfaces] + [
                 (path, outputs.PICTURES) for path in (paths.picture,) if path]:
-            if outputs.extension_of(path) not in extensions:
-                raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}")
+            expect_extension(path, extensions)
         for file in [file for path in paths.all() for file in outputs.files_of(path)]:
             expect_free(file, options, files)
         all_paths.append(paths)
