@@ -133,9 +133,9 @@ public:
    * CURVATURE and FITTED, for a polished mesh: how far its vertices are moved, as a share of what
    * would keep the volume under the surface. Triangles fitted to points lie in the middle of these,
    * their vertices outside of ridges; curved triangles through the vertices would lie too far out.
-   * In [0, 2], or negative (default): the number in the field array "VertexShift" of the mesh, which
-   * vtkConformalSOM finds from the points, or 1 where there is none. With 0 the surface goes through
-   * the points of the mesh.
+   * In [0, 2], or negative (default): the number in the field array "VertexShift" of the mesh,
+   * which vtkConformalSOM finds from the points, or 1 where there is none. With 0 the surface goes
+   * through the points of the mesh.
    */
   vtkSetClampMacro(VertexShift, double, -1.0, 2.0);
   vtkGetMacro(VertexShift, double);

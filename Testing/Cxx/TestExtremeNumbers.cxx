@@ -10,7 +10,6 @@
 #include "vtkGenusZeroHull.h"
 #include "vtkGlobalConformalMap.h"
 #include "vtkSphericalAlignment.h"
-#include "vtkSurfaceHarmonics.h"
 #include "vtkSphericalMorph.h"
 #include "vtkSphericalRegistration.h"
 #include "vtkSphericalResample.h"
@@ -18,6 +17,7 @@
 #include "vtkSphericalTextureBlend.h"
 #include "vtkSphericalTextureImage.h"
 #include "vtkSphericalTextureMap.h"
+#include "vtkSurfaceHarmonics.h"
 #include "vtkSurfaceMismatch.h"
 
 #include "vtkCellData.h"

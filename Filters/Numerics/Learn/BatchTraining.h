@@ -20,9 +20,9 @@ namespace conformal
 /// From the sphere: on lattices of rising frequency up to options.Frequency. Each pass is Eq. 3 of
 /// \cite Liou2008 summed over its patterns, the weights kept still meanwhile: w_i becomes the mean
 /// of the patterns, weighted by h. A pattern stands for the foot point of its projection, shared by
-/// the three corners of that simplex by their barycentric weights, or by those of its reference point
-/// r (options.ReferencePoint); the neighborhood function is
-/// diffusion of these shares over the lattice, narrower from pass to pass. A polish ends it.
+/// the three corners of that simplex by their barycentric weights, or by those of its reference
+/// point r (options.ReferencePoint); the neighborhood function is diffusion of these shares over
+/// the lattice, narrower from pass to pass. A polish ends it.
 ///
 /// From a hull (HullStart.h): where the surface so learned has parts without patterns, or always,
 /// as options.StartingShape says. Averages over neighborhoods would cut across the creases between

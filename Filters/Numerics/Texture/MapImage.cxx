@@ -19,8 +19,7 @@ int cellOf(const Vector3& n, double spacing)
   const double last = spacing * (std::ceil(90.0 / spacing - 1e-9) - 1.0);
   const bool isNearPole = std::abs(degrees[1]) > last;
   const int row = static_cast<int>(std::floor(degrees[1] / spacing)) + rowsBelow;
-  return columns * row +
-    static_cast<int>(std::floor(degrees[0] / (isNearPole ? 90.0 : spacing)));
+  return columns * row + static_cast<int>(std::floor(degrees[0] / (isNearPole ? 90.0 : spacing)));
 }
 }
 
