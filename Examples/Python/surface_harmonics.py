@@ -10,9 +10,6 @@ import argparse
 import os
 import sys
 
-import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
 from conformalsom import vtkSPHARMCoefficientWriter, vtkSurfaceHarmonics
 from conformalsom.command import pictures
 from conformalsom.command.steps import StepFailed, Steps
@@ -56,11 +53,6 @@ def harmonics_of(mapped, degree):
     return harmonics
 
 
-def largest_radius(surface):
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    return np.linalg.norm(points - points.mean(axis=0), axis=1).max()
-
-
 def scene_of(surface, label, args):
     camera = pictures.camera_on(surface, args.view, args.up, PANEL[0] / PANEL[1])
     return pictures.scene(pictures.actor_of(surface), label, camera)
@@ -70,7 +62,7 @@ def main():
     args = arguments()
     steps = Steps()
     mapped = mapped_models.read(args.model, args.balance, steps)
-    radius = largest_radius(mapped)
+    radius = mapped_models.largest_radius(mapped)
     made = {}
     for degree in sorted(set(args.degrees)):
         made[degree] = harmonics_of(mapped, degree)

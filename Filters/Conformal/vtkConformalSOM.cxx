@@ -133,12 +133,8 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
   {
     if (must)
     {
-      const auto closed = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
-      static_cast<conformal::Mesh&>(own) = closed;
-      if (closed.InsideOut)
-      {
-        own.Triangles.col(1).swap(own.Triangles.col(2));
-      }
+      static_cast<conformal::Mesh&>(own) = vtkConformalConversions::Outward(
+        vtkConformalConversions::ToClosedMesh(self, surface, frame, run));
     }
     else if (samples.dimension() == 3 && surface->GetNumberOfPoints() == samples.totalSize())
     {

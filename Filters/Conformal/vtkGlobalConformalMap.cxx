@@ -82,11 +82,7 @@ int vtkGlobalConformalMap::RequestData(
         { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
           40.0 * size });
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
-      conformal::Mesh outward = mesh;
-      if (mesh.InsideOut)
-      {
-        outward.Triangles.col(1).swap(outward.Triangles.col(2));
-      }
+      const conformal::Mesh outward = vtkConformalConversions::Outward(mesh);
       const conformal::GlobalConformalMapResult map =
         conformal::globalConformalMap(outward, options, steps.next());
       steps.next();

@@ -295,6 +295,17 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
 }
 
 //------------------------------------------------------------------------------
+conformal::Mesh Outward(const ClosedMesh& mesh)
+{
+  conformal::Mesh outward = mesh;
+  if (mesh.InsideOut)
+  {
+    outward.Triangles.col(1).swap(outward.Triangles.col(2));
+  }
+  return outward;
+}
+
+//------------------------------------------------------------------------------
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output)
 {
@@ -334,11 +345,7 @@ conformal::Mesh ToMeshIfClosed(
   {
     return {};
   }
-  if (mesh.InsideOut)
-  {
-    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
-  }
-  return mesh;
+  return Outward(mesh);
 }
 
 //------------------------------------------------------------------------------

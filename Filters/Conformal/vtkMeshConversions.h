@@ -47,6 +47,9 @@ struct ClosedMesh : conformal::Mesh
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
+/// The same mesh, counter-clockwise seen from outside.
+conformal::Mesh Outward(const ClosedMesh& mesh);
+
 /// Into the output the surface that a closed mesh was made of as it is, or, where it had to be
 /// repaired, the mesh with the data of the points that are left.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,

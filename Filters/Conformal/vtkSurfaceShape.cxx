@@ -60,11 +60,7 @@ int vtkSurfaceShape::RequestData(
       conformal::Steps steps(
         vtkConformalConversions::RunOf(this), { 560.0, 4000.0, 40.0 }); // for each point
       const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
-      conformal::Mesh outward = mesh;
-      if (mesh.InsideOut)
-      {
-        outward.Triangles.col(1).swap(outward.Triangles.col(2));
-      }
+      const conformal::Mesh outward = vtkConformalConversions::Outward(mesh);
       const conformal::SurfaceShape shape =
         conformal::measureSurfaceShape(outward, options, steps.next());
       steps.next();

@@ -6,22 +6,20 @@ Each file is a closed surface of genus zero, mapped by vtkGlobalConformalMap wit
 Distances are root mean squares over the surface, its largest radius being 1; seconds are those of the
 harmonics alone, on one thread.
 """
+import os
 import sys
 import time
 
-import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
 from conformalsom import vtkConformalPLYReader, vtkGlobalConformalMap, vtkSurfaceHarmonics
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
+
+from helpers import mapped_models  # pylint: disable=wrong-import-position
+
 BALANCES = (0.0, 0.25, 0.5, 1.0)
 DEGREES = (12, 20, 32, 64, 128)
-
-
-def largest_radius(surface):
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    return np.linalg.norm(points - points.mean(0), axis=1).max()
 
 
 def measure(mapped, degree):
@@ -33,7 +31,7 @@ def measure(mapped, degree):
     harmonics.Update()
     seconds = time.process_time() - start
     distance = harmonics.GetOutput().GetFieldData().GetArray("RootMeanSquareDistance").GetValue(0)
-    return distance / largest_radius(mapped), seconds
+    return distance / mapped_models.largest_radius(mapped), seconds
 
 
 def main(names):

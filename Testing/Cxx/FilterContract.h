@@ -137,6 +137,22 @@ private:
   vtkNew<vtkTest::ErrorObserver> Observer;
   vtkNew<vtkTest::ErrorObserver> Executive;
 };
+
+/// A filter, run as often as asked, and what it says of the last run.
+template <typename Class>
+class FilterTest : public testing::Test
+{
+protected:
+  void Run()
+  {
+    this->Seen.Clear();
+    this->Filter->Modified();
+    this->Filter->Update();
+  }
+
+  vtkNew<Class> Filter;
+  Observed Seen{ this->Filter };
+};
 }
 
 #endif

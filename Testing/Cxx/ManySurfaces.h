@@ -22,7 +22,7 @@ inline vtkPolyData* BlockOf(vtkMultiBlockDataSetAlgorithm* filter, unsigned int 
 
 /// Surfaces in the blocks of a data set go into a filter whose output port 1 is their mean.
 template <typename Class>
-class OfManySurfaces : public testing::Test
+class OfManySurfaces : public FilterTest<Class>
 {
 protected:
   OfManySurfaces() { this->Filter->SetInputDataObject(this->Blocks); }
@@ -34,13 +34,6 @@ protected:
   }
 
   vtkPolyData* Mean() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
-
-  void Run()
-  {
-    this->Seen.Clear();
-    this->Filter->Modified();
-    this->Filter->Update();
-  }
 
   void ExpectRefused(const std::string& why)
   {
@@ -80,8 +73,6 @@ protected:
 
   std::vector<vtkSmartPointer<vtkPolyData>> Surfaces;
   vtkNew<vtkMultiBlockDataSet> Blocks;
-  vtkNew<Class> Filter;
-  Observed Seen{ this->Filter };
 };
 }
 

@@ -107,6 +107,21 @@ Reading WrittenAndRead(
   EXPECT_EQ(folder.numberOfFiles(), 1u);
   return Read<Reader>(path);
 }
+
+/// The map to the sphere, which formats of cortical surfaces keep as floats.
+inline void ExpectSameSphere(vtkPolyData* read, vtkPolyData* written)
+{
+  ExpectSpherePosition(read);
+  vtkDataArray* as = read->GetPointData()->GetArray("SpherePosition");
+  vtkDataArray* was = written->GetPointData()->GetArray("SpherePosition");
+  for (vtkIdType i = 0; i < was->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      ASSERT_NEAR(as->GetComponent(i, c), was->GetComponent(i, c), 1e-7);
+    }
+  }
+}
 }
 
 #endif

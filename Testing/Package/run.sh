@@ -78,8 +78,8 @@ install_packages()
   shift 3
   for name in "$@"; do
     if compgen -G "$from/${name}_*.deb" >/dev/null; then
-      cp "$from/$name"_*.deb "$root/tmp"
-      names+=("/tmp/$(basename "$from/$name"_*.deb)")
+      cp "$from/$name"_*.deb "$root/opt"
+      names+=("/opt/$(basename "$from/$name"_*.deb)")
     else
       names+=("$name")
     fi

@@ -65,6 +65,12 @@ def mark(surface, landmarks, name="Landmark"):
     return name
 
 
+def largest_radius(surface):
+    """Of its points from their mean, the unit of distances."""
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    return np.linalg.norm(points - points.mean(axis=0), axis=1).max()
+
+
 def figure(surface, name, component=0):
     """A number of the field data."""
     return surface.GetFieldData().GetArray(name).GetComponent(0, component)
