@@ -3,7 +3,7 @@
 # A unit is a header and its source, given by their path without an ending. The result are the units
 # that the given ones cannot do without: themselves, and what they or their needs include.
 function (conformal_find_reachable_units result)
-  set(roots Filters/Conformal Filters/Inputs Filters/Numerics IO/Surface)
+  set(roots Filters/Conformal Filters/Inputs Filters/Numerics IO/Formats IO/Surface)
   list(TRANSFORM roots PREPEND "${PROJECT_SOURCE_DIR}/")
   set(reached)
   set(next ${ARGN})

@@ -3,7 +3,8 @@
 #
 # Installs what is missing, builds the filters it uses into build/release (all of them, where they are
 # built already) and runs the command conformalsom, whose options may follow (--help lists them).
-# Without SCAN, a scan and a picture made by code are used.
+# Without SCAN, a scan and a picture made by code are used; without options too, readers and writers
+# that this does not take are not built.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -14,8 +15,12 @@ log=$root/build/release/build.log
 mkdir -p "$(dirname "$log")"
 cache=$root/build/release/CMakeCache.txt
 preset=quickstart
-if [ -e "$cache" ] && ! grep -q '^CONFORMALSOM_FILTERS:[A-Z]*=.' "$cache"; then
-  preset=release
+[ $# -eq 0 ] || preset=quickstart-files
+if [ -e "$cache" ]; then # what was built stays
+  case $(sed -n 's/^CONFORMALSOM_CLASSES:[A-Z]*=//p' "$cache") in
+    '') preset=release ;;
+    *'vtk*Reader'*) preset=quickstart-files ;;
+  esac
 fi
 echo "Building into build/release"
 if ! (cd "$root" && cmake --preset "$preset" && cmake --build --preset release) >"$log" 2>&1; then

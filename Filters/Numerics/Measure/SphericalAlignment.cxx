@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Search/TriangleTree.h"
+#include "Sphere/ClosestMoebiusTransform.h"
 
 #include <cmath>
 #include <stdexcept>

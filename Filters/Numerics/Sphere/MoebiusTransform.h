@@ -3,7 +3,6 @@
 #ifndef ConformalMoebiusTransform_h
 #define ConformalMoebiusTransform_h
 
-#include "Base/Run.h"
 #include "Base/Types.h"
 
 namespace conformal
@@ -20,6 +19,12 @@ struct MoebiusTransform
   void applyTo(Points& spherePositions) const;
 };
 
+/// A point of the ball, where rounding or too long a step has brought it out.
+Vector3 insideBall(const Vector3& x);
+
+/// The center of two transforms in a row: the point that goes to `step` after `center` went to 0.
+Vector3 combinedCenter(const Vector3& center, const Vector3& step);
+
 /// The rotation that brings directions closest to others, in the sense of weighted least squares
 /// \cite Kabsch1976.
 /// @param[in] from, to  #P by 3
@@ -33,12 +38,6 @@ Eigen::Matrix3d closestRotation(
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P, not negative, not all zero
 MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::VectorXd& weights);
-
-/// The transform that brings positions closest to others, in the sense of weighted least squares.
-/// @param[in] from, to  #P by 3 unit vectors, three or more of them different
-/// @param[in] weights   #P, not negative
-MoebiusTransform closestMoebiusTransform(
-  const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run = {});
 }
 
 #endif

@@ -76,13 +76,13 @@ public:
     this->Map /= size;
   }
 
-  // Add sum d_k conj(z)^k, k = 1 ... Powers, so that the Beltrami coefficients vanish in the mean
+  // Add sum d_k conj(z)^k, k = 1 ... powers, so that the Beltrami coefficients vanish in the mean
   // over the sphere. Only up to a radius; `robustly` leaves out the triangles that are misshapen.
-  template <int Powers>
-  void correct(double radius, bool robustly)
+  void correct(int powers, double radius, bool robustly)
   {
-    using Matrix = Eigen::Matrix<Complex, Powers, Powers>;
-    using Vector = Eigen::Matrix<Complex, Powers, 1>;
+    // Powers that are not wanted get coefficients of 0.
+    using Matrix = Eigen::Matrix<Complex, MaximumPowers, MaximumPowers>;
+    using Vector = Eigen::Matrix<Complex, MaximumPowers, 1>;
     const Index blocks = (this->Triangles.rows() + BlockSize - 1) / BlockSize;
     std::vector<Matrix> matrices(blocks, Matrix::Zero());
     std::vector<Vector> sides(blocks, Vector::Zero());
@@ -101,13 +101,20 @@ public:
           }
           Vector row;
           Complex power = 1.0;
-          for (int k = 0; k < Powers; ++k)
+          for (int k = 0; k < powers; ++k)
           {
             row[k] = static_cast<double>(k + 1) * power;
             power *= std::conj(z) / radius;
           }
-          matrix += weight * row.conjugate() * row.transpose();
-          side += weight * wanted * row.conjugate();
+          for (int k = 0; k < powers; ++k)
+          {
+            const Complex left = weight * std::conj(row[k]);
+            for (int l = 0; l < powers; ++l)
+            {
+              matrix(k, l) += left * row[l];
+            }
+            side[k] += weight * wanted * std::conj(row[k]);
+          }
         }
       });
     Matrix matrix = Matrix::Zero();
@@ -131,7 +138,7 @@ public:
         continue;
       }
       Complex power = z;
-      for (int k = 0; k < Powers; ++k)
+      for (int k = 0; k < powers; ++k)
       {
         this->Map[v] += found[k] * power;
         power *= z / radius;
@@ -297,7 +304,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   constexpr int rounds = 6, roundsForAll = 3;
   for (int i = 0; i < rounds; ++i)
   {
-    plane.correct<1>(everywhere, i >= roundsForAll);
+    plane.correct(1, everywhere, i >= roundsForAll);
     plane.normalize();
     correcting.report((i + 1.0) / rounds);
   }
@@ -311,7 +318,7 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
       free.push_back(v);
     }
   }
-  plane.correct<MaximumPowers>(Fit * radius, true);
+  plane.correct(MaximumPowers, Fit * radius, true);
   for (Index v = 0; v < size; ++v)
   {
     const Complex w = 1.0 / map[v];

@@ -1,4 +1,4 @@
-#include "Sphere/MoebiusTransform.h"
+#include "Sphere/ClosestMoebiusTransform.h"
 
 #include "Base/Random.h"
 #include "Mesh/GeodesicSphere.h"

@@ -5,7 +5,7 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/Remeshing.h"
 #include "Runs.h"
-#include "Sphere/MoebiusTransform.h"
+#include "Sphere/ClosestMoebiusTransform.h"
 #include "Sphere/SphereOrientation.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "Linear/EdgeWeights.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
-#include "Sphere/MoebiusTransform.h"
+#include "Sphere/ClosestMoebiusTransform.h"
 #include "SphereMap/FlipRepair.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "Linear/EdgeWeights.h"
 #include "Mesh/GeodesicSphere.h"
-#include "Sphere/MoebiusTransform.h"
+#include "Sphere/ClosestMoebiusTransform.h"
 
 #include <gtest/gtest.h>
 

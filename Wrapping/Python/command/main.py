@@ -97,7 +97,7 @@ def arguments(argv):
 def expect_extension(path, extensions):
     """Raise WrongUsage for a format that there is no writer for."""
     if outputs.extension_of(path) not in extensions:
-        raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}")
+        raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}{outputs.lacking('Writer')}")
 
 
 def expect_directions(view, up):

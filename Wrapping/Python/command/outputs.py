@@ -7,25 +7,36 @@ from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from conformalsom import (
-    vtkConformalOFFWriter, vtkConformalPLYWriter, vtkGIFTIWriter, vtkGuMeshWriter, vtkSurfaceFileWriter,
-    vtkSurfacePageWriter, vtkTexturedSurfaceWriter)
+import conformalsom
+from conformalsom import vtkSurfaceFileWriter, vtkTexturedSurfaceWriter
 
 # What takes a picture too, and what then lies beside the file.
 PAINTED = {".glb": (), ".obj": (".mtl", ".png"), ".ply": (".png",)}
+OURS = {
+    ".ply": "vtkConformalPLYWriter",
+    ".off": "vtkConformalOFFWriter",
+    ".m": "vtkGuMeshWriter",
+    ".gii": "vtkGIFTIWriter",
+    ".html": "vtkSurfacePageWriter",
+}
 PLAIN = {
     ".obj": vtkOBJWriter,
-    ".ply": vtkConformalPLYWriter,
     ".vtp": vtkXMLPolyDataWriter,
     ".vtk": vtkPolyDataWriter,
     ".stl": vtkSTLWriter,
-    ".off": vtkConformalOFFWriter,
-    ".m": vtkGuMeshWriter,
-    ".gii": vtkGIFTIWriter,
-    ".html": vtkSurfacePageWriter,
+    **{extension: getattr(conformalsom, name) for extension, name in OURS.items()
+       if name not in conformalsom.CLASSES_LEFT_OUT},
 }
 SURFACES = sorted({*PAINTED, *PLAIN})
 PICTURES = [".jpg", ".png"]
+
+
+def lacking(kind):
+    """What to add to a message about types of files where this build lacks some: kind is Reader or Writer."""
+    if not any(name.endswith(kind) for name in conformalsom.CLASSES_LEFT_OUT):
+        return ""
+    return ("; for more of them build these, too: "
+            "cmake --preset quickstart-files && cmake --build --preset release")
 
 
 def extension_of(path):

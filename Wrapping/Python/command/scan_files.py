@@ -10,6 +10,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
 
+from . import outputs
+
 OUR_READERS = [reader for reader in vars(conformalsom).values()
                if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
 VTK_READERS = {
@@ -87,7 +89,7 @@ def opened(path, choose, extensions):
         raise ValueError(f"{path}: not a file" if os.path.exists(path) else f"{path}: no such file")
     reader_type = choose(path)
     if reader_type is None:
-        raise ValueError(f"{path}: expected a file of type {' '.join(extensions)}")
+        raise ValueError(f"{path}: expected a file of type {' '.join(extensions)}{outputs.lacking('Reader')}")
     reader = reader_type()
     reader.SetFileName(path)
     return reader

@@ -1,4 +1,4 @@
-# A build of one filter has what this needs and nothing else, and a filter that there is not is an error.
+# A build of chosen classes has what these need and nothing else, and a class that there is not is an error.
 cmake_minimum_required(VERSION 3.18)
 
 set(build "${WORK_DIR}/chosen")
@@ -7,31 +7,32 @@ set(configure "${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${build}" -G "${GENERATO
   -DCMAKE_BUILD_TYPE=Debug -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCONFORMALSOM_WRAP_PYTHON=OFF
   -DCMAKE_SHARED_LINKER_FLAGS=-Wl,--no-undefined)
 
-execute_process(COMMAND ${configure} -DCONFORMALSOM_FILTERS=vtkNoFilter
+execute_process(COMMAND ${configure} -DCONFORMALSOM_CLASSES=vtkNoFilter
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-if (result EQUAL 0 OR NOT output MATCHES "there is no filter vtkNoFilter")
+if (result EQUAL 0 OR NOT output MATCHES "there is no class vtkNoFilter")
   message(FATAL_ERROR "vtkNoFilter was accepted, or not named: ${output}")
 endif ()
 
-execute_process(COMMAND ${configure} -DCONFORMALSOM_FILTERS=vtkGeodesicSphereSource
+execute_process(COMMAND ${configure} -DCONFORMALSOM_CLASSES=vtkGeodesicSphere*\\;vtkConformalOFF*
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if (NOT result EQUAL 0)
   message(FATAL_ERROR "${output}")
 endif ()
-execute_process(COMMAND "${CMAKE_COMMAND}" --build "${build}" --target FiltersConformal
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${build}" --target FiltersConformal IOSurface
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if (NOT result EQUAL 0)
   message(FATAL_ERROR "${output}")
 endif ()
 file(READ "${build}/compile_commands.json" commands)
-foreach (unit IN ITEMS vtkGeodesicSphereSource Mesh/GeodesicSphere)
+foreach (unit IN ITEMS vtkGeodesicSphereSource Mesh/GeodesicSphere vtkConformalOFFReader vtkConformalOFFWriter OFF/OFFParser)
   if (NOT commands MATCHES "/${unit}\\.cxx\"")
     message(SEND_ERROR "The build lacks ${unit}")
   endif ()
 endforeach ()
-foreach (unit IN ITEMS vtkConformalSOM Learn/ConformalSOM Register/SphericalRegistration)
+foreach (unit IN ITEMS vtkConformalSOM Learn/ConformalSOM Register/SphericalRegistration vtkConformalPLYReader
+    PLY/PLYParser)
   if (commands MATCHES "/${unit}\\.cxx\"")
-    message(SEND_ERROR "The build has ${unit}, which the filter does not need")
+    message(SEND_ERROR "The build has ${unit}, which the classes do not need")
   endif ()
 endforeach ()
 file(REMOVE_RECURSE "${build}")
