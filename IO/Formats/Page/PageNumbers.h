@@ -1,4 +1,4 @@
-/// Numbers as a page has them: whole codes of few bytes, in an order that compresses well. page.js
+/// Numbers as a page has them: whole codes of few bytes, in an order that compresses well. The script
 /// reads them.
 
 #ifndef ConformalPageNumbers_h

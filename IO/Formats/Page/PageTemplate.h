@@ -1,4 +1,4 @@
-/// The texts of page.html, page.css and page.js; CMake compiles them in.
+/// The texts of page.html, page.css and the script; CMake compiles them in.
 
 #ifndef ConformalPageTemplate_h
 #define ConformalPageTemplate_h
@@ -9,7 +9,7 @@ namespace conformal
 {
 extern const std::string_view PageHTML; ///< with {{NAME}} where something is put in
 extern const std::string_view PageCSS;
-extern const std::string_view PageJS;
+extern const std::string_view PageScript;
 }
 
 #endif

@@ -359,6 +359,6 @@ std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
   report(progress, 1.0);
   return filled(PageHTML,
     { { "title", title }, { "style", PageCSS }, { "description", builder.Description },
-      { "data", data }, { "picture", picture }, { "three", library }, { "program", PageJS } });
+      { "data", data }, { "picture", picture }, { "three", library }, { "program", PageScript } });
 }
 }

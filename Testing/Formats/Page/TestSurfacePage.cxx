@@ -137,7 +137,7 @@ std::string decoded(const std::string& text, std::size_t size)
   return { reinterpret_cast<const char*>(bytes.data()), bytes.size() };
 }
 
-// The codes of page.js, read as it reads them.
+// The codes of script/inputs.js, read as it reads them.
 class CodeReader
 {
 public:
