@@ -143,6 +143,10 @@ SurfaceShape measureSurfaceShape(
   steps.next();
   Eigen::VectorXd areas = nearestAreas(surface);
   const double area = areas.sum();
+  if (!(area > 0.0))
+  {
+    throw std::invalid_argument("the surface has no area");
+  }
   constexpr double speck = 1e-9; // of the mean: keeps densities of needles finite
   areas = areas.cwiseMax(speck * area / static_cast<double>(size));
   Columns integrals(size, 2);

@@ -31,7 +31,7 @@ struct SurfaceShape
 ///
 /// H being the mean curvature and s the scale: where the surface is nearly flat over that distance,
 /// its height below its neighborhood.
-/// @throws std::invalid_argument if a scale is out of range
+/// @throws std::invalid_argument if a scale is out of range, or the surface has no area
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SurfaceShape measureSurfaceShape(

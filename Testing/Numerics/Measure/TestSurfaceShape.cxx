@@ -274,6 +274,13 @@ TEST(SurfaceShape, RefusesScalesOutOfRange)
   EXPECT_THROW(conformal::measureSurfaceShape(mesh, { 0.1, 0.0 }), std::invalid_argument);
 }
 
+TEST(SurfaceShape, RefusesASurfaceWithoutArea)
+{
+  Mesh mesh = sphere(4);
+  mesh.Positions.setConstant(0.1);
+  EXPECT_THROW(conformal::measureSurfaceShape(mesh, {}), std::invalid_argument);
+}
+
 TEST(SurfaceShape, StopsWhenAsked)
 {
   for (const double fraction : { 0.0, 0.5 })
