@@ -54,6 +54,13 @@ set(library_package "libconformalsom${version_suffix}")
 debian_documents(runtime "${library_package}")
 debian_documents(development libconformalsom-dev)
 debian_documents(python python3-conformalsom)
+execute_process(
+  COMMAND "${CONFORMALSOM_GZIP}" --best --no-name --stdout conformalsom.1
+  WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/Wrapping/Python"
+  OUTPUT_FILE "${PROJECT_BINARY_DIR}/conformalsom.1.gz")
+install(FILES "${PROJECT_BINARY_DIR}/conformalsom.1.gz"
+  DESTINATION "${CMAKE_INSTALL_MANDIR}/man1"
+  COMPONENT python)
 
 set(CPACK_PACKAGE_NAME conformalsom)
 set(CPACK_PACKAGE_CONTACT "${CONFORMALSOM_MAINTAINER}")

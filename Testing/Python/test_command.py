@@ -3,6 +3,7 @@ nothing unasked, says what went wrong, and its own picture is that of the README
 import json
 import os
 import pty
+import re
 import shutil
 import signal
 import subprocess
@@ -322,6 +323,18 @@ class TestCommand(unittest.TestCase):
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(run.stdout, command(self.folder, *arguments).stdout)
+
+    def test_manual_has_all_options(self):
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "Python",
+                               "conformalsom.1"), encoding="ascii") as file:
+            manual = file.read().replace("\\-", "-")
+        told = command(self.folder, "--help").stdout
+        options = re.compile(r"(?<!\w)--[a-z]+")
+        self.assertEqual(set(options.findall(manual)), set(options.findall(told)))
+        examples = [line.strip() for line in told.splitlines() if line.startswith("  conformalsom ")]
+        self.assertEqual(len(examples), 3)
+        for example in examples:
+            self.assertIn(example, manual)
 
     def test_picture_of_the_readme_is_what_the_quickstart_draws(self):
         subprocess.run([sys.executable, toy_bear.__file__, os.path.join(self.folder, "own")], check=True)
