@@ -127,8 +127,10 @@ class TestExport(unittest.TestCase):
         surface, path = self.written("OCTAHEDRAL", ".glb", image=image)
         drawn = os.path.join(LEFT_OVERS, "ExportF3D.png")
         os.makedirs(LEFT_OVERS, exist_ok=True)
+        # So F3D 3 calls what was a dry run before: nobody's settings are read.
+        told = subprocess.run([F3D, "--help"], stdout=subprocess.PIPE, text=True, check=True).stdout
         subprocess.run(
-            [F3D, path, "--dry-run", "--no-background", f"--output={drawn}", f"--resolution={SIZE},{SIZE}",
+            [F3D, path, "--no-config" if "--no-config" in told else "--dry-run", "--no-background", f"--output={drawn}", f"--resolution={SIZE},{SIZE}",
              *(f"--camera-{name}={','.join(map(str, vector))}" for name, vector in (
                  ("position", POSITION), ("focal-point", FOCAL_POINT), ("view-up", VIEW_UP))),
              f"--camera-view-angle={ANGLE}"], check=True, stdout=subprocess.DEVNULL)
