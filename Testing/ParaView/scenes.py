@@ -71,4 +71,6 @@ if __name__ == "__main__":
             exec(script.read())
     else:
         simple.LoadState(sys.argv[1])
+    for texture in servermanager.ProxyManager().GetProxiesInGroup("textures").values():
+        texture.FileName = texture.FileName  # without it, pvbatch of ParaView 5.13 has not read it
     draw(sys.argv[2])
