@@ -1,5 +1,5 @@
-/// Numbers as a page has them: whole codes of few bytes, in an order that compresses well. The script
-/// reads them.
+/// Numbers as a page has them: whole codes of few bytes, in an order that compresses well. The
+/// script reads them.
 
 #ifndef ConformalPageNumbers_h
 #define ConformalPageNumbers_h
