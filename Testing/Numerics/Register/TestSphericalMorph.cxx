@@ -161,13 +161,11 @@ TEST(SphericalMorph, ALimbTurnsAndKeepsItsLength)
   const auto lengthOfEnds = [](const Points& points)
   {
     double sum = 0.0;
-    Index count = 0;
     for (Index r = 0; r < sphere().Triangles.rows(); ++r)
     {
       if (sphere().Positions(sphere().Triangles(r, 0), 2) > 0.6)
       {
         sum += conformal::areaVector(points, sphere().Triangles, r).norm();
-        ++count;
       }
     }
     return sum;
