@@ -13,6 +13,9 @@ install()
     libeigen3-dev libexpat1-dev zlib1g-dev libgtest-dev libbenchmark-dev libboost-dev assimp-utils \
     connectome-workbench mypy libjs-three chromium f3d \
     xvfb xauth libgl1-mesa-dri openmpi-bin "$@"
+  if apt-cache show python3-pyvista >/dev/null 2>&1; then # Debian has it since 13
+    bash CMake/install-packages.sh python3-pyvista
+  fi
 }
 
 # logged LOG TITLE COMMAND...: run with all output in the log, and show its end if it fails

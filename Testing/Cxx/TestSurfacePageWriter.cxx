@@ -187,6 +187,7 @@ TEST(SurfacePageWriter, CutsPolygonsAndStrips)
   writing.Writer->SetInputData(0, stripper->GetOutput());
   EXPECT_NE(writing.write(folder).find(expected), std::string::npos);
   surface->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+  surface->GetPolys()->Modified();
   const std::string more = "\"triangles\":" + std::to_string(surface->GetNumberOfPolys() + 1) + ",";
   writing.Writer->SetInputData(0, surface);
   EXPECT_NE(writing.write(folder).find(more), std::string::npos);

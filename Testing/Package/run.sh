@@ -50,6 +50,7 @@ fresh()
     rm -rf --one-file-system "$base"
     debootstrap --variant=minbase --include=ca-certificates "$1" "$base" "$mirror" sid
     cp /etc/resolv.conf /etc/hosts "$base/etc"
+    apt-config dump Acquire >"$base/etc/apt/apt.conf.d/01host"
     chroot "$base" useradd --create-home --shell /bin/bash tester
     touch "$base/complete"
   fi
@@ -100,26 +101,32 @@ step()
   fi
 }
 
+# What failed last is shown; not by ||, after which bash goes on within a function.
+said=''
+trap '[ $? -eq 0 ] || [ -z "$said" ] || tail "$said" >&2' EXIT
+
 rows=()
 for suite in "$@"; do
   mkdir -p "$folder"
   log=$folder/$suite
   from=$packages
   if [ -z "$from" ]; then
-    build_packages "$suite" >"$log.build.log" 2>&1 || { tail "$log.build.log" >&2; exit 1; }
+    said=$log.build.log
+    build_packages "$suite" >"$said" 2>&1
     from=$folder/$suite.packages
   fi
   library=$(basename "$from"/libconformalsom[0-9]*.deb | sed 's/_.*//')
+  said=$log.vtk.log
   install_packages "$suite" "$log.vtk" "$from" "$library" libconformalsom-dev python3-conformalsom \
-    cmake make g++ >"$log.vtk.log" 2>&1 || { tail "$log.vtk.log" >&2; exit 1; }
+    cmake make g++ >"$said" 2>&1
   python=$(step "$log.python.log" "$log.vtk" "python3 first_steps.py && conformalsom --help")
   cxx=$(step "$log.cxx.log" "$log.vtk" \
     'cmake -S ConformalTexture -B consumer && cmake --build consumer &&
      consumer/ConformalTexture painted.vtp | tee says && grep "116642 points" says')
-  install_packages "$suite" "$log.paraview" "$from" paraview-conformalsom python3-paraview \
-    >"$log.paraview.log" 2>&1 || { tail "$log.paraview.log" >&2; exit 1; }
+  said=$log.paraview.log
+  install_packages "$suite" "$log.paraview" "$from" paraview-conformalsom python3-paraview >"$said" 2>&1
   pvbatch=$(step "$log.pvbatch.log" "$log.paraview" 'pvbatch first_steps_paraview.py')
-  lintian=clean
+  said='' lintian=clean
   lintian --allow-root --fail-on error "$from"/*.deb >"$log.lintian.log" 2>&1 || lintian=ERRORS
   grep '^E:' "$log.lintian.log" || true
   rows+=("$(printf '%-10s %-8s %-8s %-8s %s' "$suite" "$python" "$cxx" "$pvbatch" "$lintian")")

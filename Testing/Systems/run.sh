@@ -99,13 +99,19 @@ tests()
   echo "$((total - failed - skipped)) of $total, $skipped skipped"
 }
 
+# What failed last is shown; not by ||, after which bash goes on within a function.
+said=''
+trap '[ $? -eq 0 ] || [ -z "$said" ] || tail "$said" >&2' EXIT
+
 row='%-10s %-8s %-8s %-8s %-10s %-8s %-26s %s\n'
 printf "$row" suite VTK ParaView Python quickstart figures tests "tests of the plugin"
 status=0
 for suite in "$@"; do
   root=$folder/$suite
   mkdir -p "$folder"
-  prepare "$suite" "$root" >"$root.log" 2>&1 || { tail "$root.log"; exit 1; }
+  said=$root.log
+  prepare "$suite" "$root" >"$said" 2>&1
+  said=''
   quickstart=ran figures=equal
   within "$root" tester 'cd ConformalSOM && bash Examples/quickstart.sh' \
     >"$root.quickstart.log" 2>&1 </dev/null || { quickstart=failed; status=1; }

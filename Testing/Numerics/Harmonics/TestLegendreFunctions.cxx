@@ -21,10 +21,10 @@ namespace
 /// Of one order at 64 angles from the north pole.
 LegendreBlock functionsOf(int degree, int order, const LegendreLane& angles)
 {
-  const LegendreLane heights = angles.cos();
-  LegendreLane logRadii;
+  LegendreLane heights, logRadii;
   for (Index i = 0; i < LegendreLanes; ++i)
   {
+    heights[i] = std::cos(angles[i]); // as Boost does: near a pole its last bit tells
     logRadii[i] = std::log2(std::sin(angles[i]));
   }
   LegendreBlock values(LegendreLanes, degree - order + 1);
