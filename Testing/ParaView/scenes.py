@@ -46,9 +46,11 @@ def open_and_paint(scan, picture):
 
 
 def draw(path):
-    """Save the active view as a picture, without the axes and their letters."""
+    """Save the active view as a picture, on one background, without the axes and their letters."""
     view = simple.GetActiveView()
     view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0  # ParaView 6 has another one
+    view.Background = [0.32, 0.34, 0.43]
     simple.SaveScreenshot(path, view, ImageResolution=SIZE)
 
 
