@@ -64,7 +64,8 @@ public:
   ///@{
   /**
    * Name of the point array that the page shows at first; others are chosen from a menu. If empty,
-   * the picture, without one the active colors, or else the first array. Default is empty.
+   * the picture, without one the active colors, or else the first array that is not constant.
+   * Default is empty.
    */
   vtkSetMacro(ColorArrayName, std::string);
   vtkGetMacro(ColorArrayName, std::string);

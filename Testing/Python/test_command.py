@@ -6,22 +6,26 @@ import pty
 import re
 import shutil
 import signal
+import stat
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGReader, vtkPNGWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import conformalsom
 from conformalsom.command import outputs, scan_files
+from conformalsom.command import textures as command_textures
 import toy_bear
 from baselines import expect_picture, require_display
 from helpers import builtin_figure, textures
@@ -174,18 +178,26 @@ class TestCommand(unittest.TestCase):
     def test_failures_end_with_a_message_and_status_1(self):
         with open(os.path.join(self.output, "surface.png"), "rb") as file:
             picture = file.read()
+        with open(os.path.join(self.output, "surface.stl"), "rb") as file:
+            stl = file.read()
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        huge = picture[:8] + chunk(b"IHDR", struct.pack(">IIBBBBB", 200000, 200000, 8, 2, 0, 0, 0)) + chunk(
+            b"IDAT", zlib.compress(b"0")) + chunk(b"IEND", b"")
         for name, content in (
                 ("broken.ply", b"ply\nformat ascii 1.0\nelement vertex 5\n"), ("scan.doc", b"no scan\n"),
                 ("empty.xyz", b""), ("short.png", picture[:len(picture) // 2]),
                 ("changed.png", picture[:200] + b"?" + picture[201:]), ("text.png", b"text"),
-                ("text.jpg", b"text"), ("file", b"")):
+                ("text.jpg", b"text"), ("file", b""), ("jpeg.stl", b"\xff\xd8\xff" + bytes(500)),
+                ("short.stl", stl[:1000]), ("huge.png", huge),
+                ("short.vtk", b"# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 90 float\n1 2 3 4\n")):
             with open(os.path.join(self.folder, name), "wb") as file:
                 file.write(content)
         good = ("my scan.vtp", *COARSE)
         for arguments, message in (
                 (("missing.ply",), "missing.ply: no such file"),
                 (("out",), "out: not a file"),
-                (("scan.doc",), "scan.doc: expected a file of type .off .ply"),
+                (("scan.doc",), "scan.doc: expected a file of type .asc .conf"),
                 (("broken.ply",), "broken.ply: Read the scan: "),
                 (("empty.xyz",), "empty.xyz: Read the scan: "),
                 ((*good, "--texture", "missing.png"), "missing.png: no such file"),
@@ -193,7 +205,10 @@ class TestCommand(unittest.TestCase):
                 ((*good, "--texture", "changed.png"), "changed.png: the PNG file is broken at byte"),
                 ((*good, "--texture", "text.png"), "text.png: not a PNG file"),
                 ((*good, "--texture", "text.jpg"), "text.jpg: not a JPEG file"),
-                ((*good, "-o", "file/failed.stl"), "file: ")):
+                (("jpeg.stl",), "jpeg.stl: not an STL file, or not all of one"),
+                (("short.stl",), "short.stl: not an STL file, or not all of one"),
+                (("short.vtk",), "short.vtk: Error reading"),
+                ((*good, "--texture", "huge.png"), "huge.png: the PNG file is too short for 200000 x 200000 pixels")):
             with self.subTest(arguments):
                 self.fails(1, message, *arguments, "-o", "failed.glb")
 
@@ -208,7 +223,10 @@ class TestCommand(unittest.TestCase):
                 ("--view and --up must be finite", "my scan.vtp", "-o", "x.glb", "--view", "0", "2", "0"),
                 ("not parallel", "my scan.vtp", "-o", "x.glb", "--view", "0", "nan", "1"),
                 ("x.glb would be written twice", "my scan.vtp", "other.ply", "-o", "x.glb"),
-                ("x.png would be written twice", "my scan.vtp", "-o", "x.obj", "--picture", "x.png")):
+                ("x.png would be written twice", "my scan.vtp", "-o", "x.obj", "--picture", "x.png"),
+                ("out is not a regular file", "my scan.vtp", "--report", "out", "--overwrite"),
+                ("my scan.vtp cannot be written to", "my scan.vtp", "-o", "my scan.vtp/x.glb"),
+                (r"n\xfcr.ply: names of files must be UTF-8", os.fsdecode(b"n\xfcr.ply"), "-o", "x.glb")):
             with self.subTest(message):
                 self.fails(2, message, *arguments)
 
@@ -226,6 +244,11 @@ class TestCommand(unittest.TestCase):
             with self.subTest(arguments):
                 self.fails(2, message, "my scan.vtp", "--texture", "my picture.png", *arguments)
         os.unlink(os.path.join(self.folder, "link.vtp"))
+        with open(os.path.join(self.folder, "list.conf"), "w", encoding="ascii") as file:
+            file.write("bmesh part.ply 0 0 0 0 0 0 1\n")
+        with open(os.path.join(self.folder, "part.ply"), "wb"):
+            pass
+        self.fails(2, "part.ply is an input", "list.conf", "-o", "part.ply", "--overwrite")
 
     def test_several_scans_go_on_after_one_that_fails(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -323,6 +346,58 @@ class TestCommand(unittest.TestCase):
                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(run.stdout, command(self.folder, *arguments).stdout)
+
+    def test_pictures_may_be_gray_and_of_16_bits(self):
+        """All of one picture, as a reader of glTF finds them in the file."""
+        gray = np.add.outer(np.arange(32), np.arange(48)).astype(np.uint8)[..., None] * 3
+        alpha = np.full_like(gray, 200)
+        expected = {
+            "gray.png": gray, "gray.jpg": gray, "gray16.png": gray.astype(np.uint16) * 257,
+            "alpha.png": np.dstack([gray, alpha]), "rgb16.png": np.dstack([gray] * 3).astype(np.uint16) * 257}
+        for name, pixels in expected.items():
+            with self.subTest(name):
+                image = vtkImageData()
+                image.SetDimensions(48, 32, 1)
+                image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(48 * 32, -1), deep=True))
+                writer = vtkJPEGWriter() if name.endswith(".jpg") else vtkPNGWriter()
+                writer.SetInputData(image)
+                writer.SetFileName(os.path.join(self.folder, name))
+                writer.Write()
+                reader = command_textures.texture_reader(writer.GetFileName())
+                reader.Update()
+                scalars = vtk_to_numpy(command_textures.colors_of(reader.GetOutput()).GetPointData().GetScalars())
+                self.assertEqual((scalars.dtype, scalars.shape[1]), (np.uint8, 4 if name == "alpha.png" else 3))
+                for channel in scalars[:, :3].T:
+                    self.assertLessEqual(np.abs(channel.astype(int) - gray.ravel()).max(), 3 * name.endswith(".jpg"))
+        run = command(self.folder, "my scan.vtp", "--texture", "gray.png", *COARSE, "-o", "gray/x.glb")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_report_alone_is_on_the_standard_output(self):
+        run = command(self.folder, "my scan.vtp", *COARSE, "--measure", "--report", "-")
+        self.assertEqual(len(json.loads(run.stdout)["Surfaces"]), 1)
+        self.assertIn("learned mesh", run.stderr)
+
+    def test_what_is_replaced_keeps_its_rights(self):
+        for extension in (".vtp", ".stl", ".obj", ".off"):
+            with self.subTest(extension):
+                path = os.path.join(self.folder, "private" + extension)
+                with open(path, "wb"):
+                    pass
+                os.chmod(path, 0o600)
+                run = command(self.folder, "my scan.vtp", *COARSE, "-o", path, "--overwrite")
+                self.assertEqual((run.returncode, run.stderr), (0, ""))
+                self.assertEqual(stat.S_IMODE(os.stat(path).st_mode), 0o600)
+                os.remove(path)
+
+    def test_surface_that_is_cut_short_is_no_file(self):
+        for extension in (".vtp", ".stl", ".obj", ".off"):
+            with self.subTest(extension):
+                run = subprocess.run(
+                    ["bash", "-c", 'ulimit -f 8; exec "$@"', "bash", COMMAND, "my scan.vtp", *COARSE,
+                     "-o", "cut" + extension], cwd=self.folder, text=True, check=False,
+                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                self.assertEqual(run.returncode, 1, run.stderr)
+                self.assertFalse(os.path.exists(os.path.join(self.folder, "cut" + extension)))
 
     def test_manual_has_all_options(self):
         with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "Python",

@@ -142,6 +142,19 @@ class TestPyVista(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "expected an image"):
             paint(conformal_map(ellipsoid()), np.zeros((4, 4)))
 
+        with self.assertRaisesRegex(ValueError, "lattice is geodesic, but can be .*Geodesic"):
+            learn(ellipsoid(), lattice="geodesic")
+        for nothing in (None, "scan.ply", pyvista.MultiBlock()):
+            with self.assertRaisesRegex(TypeError, "expected a data set of PyVista or an array"):
+                learn(nothing)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "short.png")
+            write_png(np.zeros((40, 40, 3), np.uint8), path)
+            with open(path, "r+b") as file:
+                file.truncate(60)
+            with self.assertRaisesRegex(ValueError, "the PNG file is broken"):
+                paint(smooth(learn(ellipsoid(), **SMALL)), path)
+
     def test_the_example_draws(self):
         with tempfile.TemporaryDirectory() as folder:
             ellipsoid().save(os.path.join(folder, "scan.ply"))

@@ -1,5 +1,6 @@
 """What filters say while they work, for scripts that act on it."""
 import contextlib
+import typing
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -12,13 +13,13 @@ class FilterFailed(RuntimeError):
 class Messages:
     """The texts of errors and warnings, in order and without file, line and address."""
 
-    def __init__(self):
-        self.errors = []
-        self.warnings = []
+    def __init__(self) -> None:
+        self.errors: typing.List[str] = []
+        self.warnings: typing.List[str] = []
 
 
 @contextlib.contextmanager
-def heard(algorithm):
+def heard(algorithm) -> typing.Iterator[Messages]:
     """Hear an algorithm, which prints nothing meanwhile: a Messages that fills while it works."""
     messages = Messages()
 

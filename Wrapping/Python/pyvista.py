@@ -21,34 +21,38 @@ except ModuleNotFoundError as error:
                               "pip install pyvista", name="pyvista") from error
 
 from conformalsom import vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSphericalTextureMap
+from conformalsom.command import textures
 from conformalsom.messages import FilterFailed, heard
 
 
-def learn(cloud, **properties):
+def learn(cloud, **properties) -> pyvista.PolyData:
     """Learn a closed mesh with a map to the sphere from points: vtkConformalSOM.
 
     The cloud is any PyVista data set with points, or an array of n x 3 numbers. The mesh is a
     pyvista.PolyData, and "SpherePosition" among its point arrays is the map.
     """
     if not isinstance(cloud, pyvista.DataSet):
+        if isinstance(cloud, (str, os.PathLike, type(None), pyvista.MultiBlock)):
+            raise TypeError(f"expected a data set of PyVista or an array of n x 3, not {type(cloud).__name__}; "
+                            "pyvista.read() reads files")
         points = np.asarray(cloud, dtype=float)
         if points.ndim != 2 or points.shape[1] != 3:
-            raise ValueError(f"expected points as an array of n x 3, not {' x '.join(map(str, points.shape))}")
+            raise ValueError(f"expected points as an array of n x 3, not of the shape {points.shape}")
         cloud = pyvista.PolyData(points)
     return run(vtkConformalSOM(), cloud, **properties)
 
 
-def smooth(mesh, **properties):
+def smooth(mesh, **properties) -> pyvista.PolyData:
     """Make a mapped mesh smooth and dense: vtkCurvedSeamlessSurface."""
     return run(vtkCurvedSeamlessSurface(), mesh, **properties)
 
 
-def conformal_map(mesh, **properties):
+def conformal_map(mesh, **properties) -> pyvista.PolyData:
     """Map a closed triangle mesh of genus zero to the sphere: vtkGlobalConformalMap."""
     return run(vtkGlobalConformalMap(), mesh, **properties)
 
 
-def paint(mesh, image, **properties):
+def paint(mesh, image, **properties) -> pyvista.PolyData:
     """Lay an image on a mapped mesh, its middle in view_direction (0, 0, 1), view_up (0, 1, 0) being up.
 
     The image is a file, a pyvista.Texture, or an array of rows x columns x 3 or 4, first row on top. The result
@@ -85,8 +89,11 @@ def set_property(algorithm, name, value):
     setter = "Set" + "".join(word[:1].upper() + word[1:] for word in name.split("_"))
     if not hasattr(algorithm, setter):
         raise TypeError(f"{algorithm.GetClassName()} has no property {name}")
-    if isinstance(value, str) and hasattr(algorithm, setter + "To" + value):
+    names = [method[len(setter) + 2:] for method in dir(algorithm) if method.startswith(setter + "To")]
+    if isinstance(value, str) and value in names:
         getattr(algorithm, setter + "To" + value)()
+    elif isinstance(value, str) and names:
+        raise ValueError(f"{name} is {value}, but can be {', '.join(names)}")
     else:
         getattr(algorithm, setter)(value)
 
@@ -94,10 +101,13 @@ def set_property(algorithm, name, value):
 def pixels_of(image):
     """An image as an array of rows x columns x 3 or 4 bytes, first row on top."""
     if isinstance(image, (str, os.PathLike)):
-        image = pyvista.read_texture(os.fspath(image))
+        reader = textures.texture_reader(os.fspath(image))
+        reader.Update()
+        image = pyvista.Texture(textures.colors_of(reader.GetOutput()))
     pixels = image.to_array() if isinstance(image, pyvista.Texture) else np.asarray(image)
-    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8:
-        raise ValueError("expected an image of rows x columns x 3 or 4 bytes")
+    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8 or pixels.size == 0:
+        raise ValueError("expected an image of rows x columns x 3 or 4 bytes, "
+                         f"not of the shape {pixels.shape} and of {pixels.dtype}")
     return pixels
 
 

@@ -6,6 +6,7 @@
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkSphericalTextureMap.h"
 
+#include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSuperquadricSource.h"
@@ -54,7 +55,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(texture->GetOutputPort());
   writer->SetFileName(argv[1]);
-  const bool written = writer->Write() != 0;
+  const bool written = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
   std::cout << texture->GetOutput()->GetNumberOfPoints() << " points\n";
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

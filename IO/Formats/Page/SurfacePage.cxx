@@ -70,6 +70,34 @@ std::vector<double> lengths(const NamedArray& array, const std::vector<std::size
   return values;
 }
 
+// The values that are shown as colors of the palette.
+std::vector<double> shownValues(const NamedArray& array, const std::vector<std::size_t>& order)
+{
+  return array.Components == 1 ? component(array, 0, order) : lengths(array, order);
+}
+
+// Their range. What differs by rounding alone is constant, lest that is all that one sees.
+PageRange shownRange(const NamedArray& array, const std::vector<double>& values)
+{
+  PageRange range = rangeOf(values);
+  const double rounding = array.Type == ScalarType::Float32 ? 1e-6 : 1e-12;
+  if (isFloating(array.Type) &&
+    range.High / 2.0 - range.Low / 2.0 <=
+      rounding * std::max(std::abs(range.Low), std::abs(range.High)))
+  {
+    range.Low = range.High;
+  }
+  return range;
+}
+
+bool isConstant(const NamedArray& array)
+{
+  std::vector<std::size_t> all(array.numberOfTuples());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  const PageRange range = shownRange(array, shownValues(array, all));
+  return range.Low == range.High;
+}
+
 // Builds the page's binary data, and the description that says what they are.
 class PageBuilder
 {
@@ -182,9 +210,8 @@ public:
       }
       return head + ",\"kind\":\"colors\"}";
     }
-    const std::vector<double> values =
-      array.Components == 1 ? component(array, 0, this->Order) : lengths(array, this->Order);
-    const PageRange range = rangeOf(values);
+    const std::vector<double> values = shownValues(array, this->Order);
+    const PageRange range = shownRange(array, values);
     constexpr double exact = 9007199254740992.0; // whole numbers up to here are doubles
     const double length = range.High - range.Low;
     const bool isWhole = array.Components == 1 && !isFloating(array.Type) && -exact <= range.Low &&
@@ -251,11 +278,19 @@ int firstShown(
     }
     return index;
   }
-  if (hasPicture || arrays.empty())
+  if (hasPicture)
   {
     return -1;
   }
-  return std::max({ 0, find("RGB"), find("RGBA") });
+  const int colors = std::max(find("RGB"), find("RGBA"));
+  if (colors >= 0)
+  {
+    return colors;
+  }
+  // Where a picture would not be is nothing to see without one.
+  const auto varying = std::find_if_not(arrays.begin(), arrays.end(),
+    [](const NamedArray* array) { return array->Name == "OutsideImage" || isConstant(*array); });
+  return varying == arrays.end() ? -1 : static_cast<int>(varying - arrays.begin());
 }
 
 std::string htmlText(std::string_view text)

@@ -15,7 +15,7 @@ namespace conformal
 struct SurfacePageOptions
 {
   std::string Title;
-  std::string ColorArrayName;  ///< shown first; if empty the picture, else colors, else any
+  std::string ColorArrayName;  ///< shown first; if empty the picture, else colors, else what varies
   bool RepeatsTexture = false; ///< beyond [0, 1] the picture comes again, instead of its border
   /// What the viewer has to the right, above, and towards himself at first: rows of unit length, in
   /// the coordinates of the surface.

@@ -407,6 +407,17 @@ TEST(SurfacePage, ShowsFirstWhatIsAskedForOrThePictureOrColors)
   EXPECT_EQ(first(""), 0);
   EXPECT_EQ(first("JPEG"), -1);
   EXPECT_EQ(first("JPEG", "B"), 1);
+  // What differs by rounding alone shows nothing: it is constant.
+  NamedArray& even = data.PointArrays[data.PointArrays.size() - 2];
+  ASSERT_EQ(even.Name, "A");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    reinterpret_cast<double*>(even.Values.data())[i] = i % 2 == 0 ? 1.0 : 1.0 - 0x1p-52;
+  }
+  EXPECT_EQ(first(""), 1);
+  EXPECT_NE(element(conformal::makeSurfacePage(data, "", Three, {}), "description")
+              .find("\"name\":\"A\",\"kind\":\"numbers\",\"components\":1,\"range\":[1,1]"),
+    std::string::npos);
   data.PointArrays.push_back(randomArray<unsigned char>("RGBA", ScalarType::UInt8, 4, count, 1));
   EXPECT_EQ(first(""), 2);
   conformal::SurfacePageOptions options;

@@ -8,10 +8,11 @@ import typing
 
 import numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow, vtkVersion
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 import conformalsom
 
-from . import outputs, pictures, scan_files, surfaces
+from . import outputs, pictures, scan_files, surfaces, textures
 from .progress import Bar
 from .steps import Interrupted, StepFailed
 
@@ -81,7 +82,8 @@ def arguments(argv):
                         help="points of the smooth surface at least, or about; default 64002")
     parser.add_argument("--measure", action="store_true",
                         help="measure distances to the scan and distortion of the map, and print a table")
-    parser.add_argument("--report", metavar="FILE", help="write these figures as JSON; - is the terminal")
+    parser.add_argument("--report", metavar="FILE", help="write these figures as JSON; - is the standard output, and the table "
+                        "goes to the standard error")
     parser.add_argument("--picture", metavar="FILE",
                         help="draw scan, mesh and surface side by side, .png or .jpg; wants a display")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist, but no inputs")
@@ -107,11 +109,21 @@ def expect_directions(view, up):
         raise WrongUsage("--view and --up must be finite, not zero, and not parallel")
 
 
+def expect_utf8(name):
+    """Raise WrongUsage for a file name that VTK cannot take."""
+    try:
+        name.encode("utf-8")
+    except UnicodeEncodeError:
+        raise WrongUsage(f"{ascii(os.fsencode(name))[2:-1]}: names of files must be UTF-8") from None
+
+
 def paths_of(options):
     """The files to write for each scan, after a look at whether they can be written without loss."""
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("nothing to make: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
+    for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
+        expect_utf8(name or "")
     all_paths, files = [], set()
     for scan in options.scans:
         paths = Paths([outputs.surface_named(pattern, scan) for pattern in options.output],
@@ -134,7 +146,14 @@ def expect_free(path, options, files):
     if os.path.realpath(path) in files:
         raise WrongUsage(f"{path} would be written twice; {{}} in a name stands for the scan's")
     files.add(os.path.realpath(path))
-    for source in (*options.scans, options.texture or ""):
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise WrongUsage(f"{path} is not a regular file")
+    folder = os.path.dirname(os.path.abspath(path))
+    while not os.path.lexists(folder):
+        folder = os.path.dirname(folder)
+    if not (os.path.isdir(folder) and os.access(folder, os.W_OK)):
+        raise WrongUsage(f"{path}: {folder} cannot be written to")
+    for source in (*(file for scan in options.scans for file in scan_files.inputs_of(scan)), options.texture or ""):
         if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
             raise WrongUsage(f"{path} is an input and would be replaced")
     if os.path.lexists(path) and not options.overwrite:
@@ -157,7 +176,7 @@ def write_report(path, entries):
     """Write the figures of all scans as JSON."""
     text = json.dumps({"Version": conformalsom.__version__, "Surfaces": entries}, indent=2) + "\n"
     if path == "-":
-        sys.stdout.write(text)
+        print(text, end="")
         return
     with outputs.whole(path) as part, open(part, "w", encoding="utf-8") as file:
         file.write(text)
@@ -168,8 +187,10 @@ def run(options, all_paths, steps):
     status, texture, entries = 0, None, []
     if options.texture:
         steps.begin(options.texture)
-        texture = scan_files.texture_reader(options.texture)
-        steps.run("Read the texture", texture)
+        reader = textures.texture_reader(options.texture)
+        steps.run("Read the texture", reader)
+        texture = vtkTrivialProducer()
+        texture.SetOutput(textures.colors_of(reader.GetOutput()))
     for scan, paths in zip(options.scans, all_paths):
         steps.begin(scan)
         try:
@@ -183,8 +204,15 @@ def run(options, all_paths, steps):
             status = 1
     if options.report:
         write_report(options.report, entries)
-    sys.stdout.flush()
+    if sys.stdout:  # it may be closed
+        sys.stdout.flush()
     return status
+
+
+def drop_output():
+    """Let what could not be printed go, lest Python tries again at its end."""
+    if sys.stdout:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def main(argv=None):
@@ -205,9 +233,10 @@ def main(argv=None):
         os.kill(os.getpid(), number)  # so that whoever called knows
         return 128 + number
     except BrokenPipeError:  # nobody reads on
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        drop_output()
         return 1
     except (StepFailed, ValueError, OSError) as error:
         steps.clear()
         complain(message_of(error))
+        drop_output()
         return 1

@@ -1,6 +1,8 @@
 """Files to write: which format an extension stands for, what they are called, and how they get whole."""
 import contextlib
+import errno
 import os
+import stat
 import tempfile
 
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
@@ -79,6 +81,13 @@ def whole(path):
     path = os.path.realpath(path)
     folder = os.path.dirname(path)
     os.makedirs(folder, exist_ok=True)
+    mode = None
+    if os.path.lexists(path):
+        mode = os.stat(path).st_mode
+        if not stat.S_ISREG(mode):
+            raise OSError(errno.EINVAL, "not a regular file", path)
+        if not os.access(path, os.W_OK):
+            raise OSError(errno.EACCES, os.strerror(errno.EACCES), path)
     try:
         made = tempfile.TemporaryDirectory(prefix=".conformalsom-", dir=folder)
     except OSError as error:
@@ -86,6 +95,8 @@ def whole(path):
     with made as temporary:
         part = os.path.join(temporary, os.path.basename(path))
         yield part
+        if mode is not None:
+            os.chmod(part, stat.S_IMODE(mode))
         os.replace(part, path)
 
 
@@ -100,3 +111,13 @@ def write(steps, writer, path):
     with whole(path) as part:
         writer.SetFileName(part)
         steps.run(label, writer, writer.Write)
+        if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
+            expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
+
+
+def expect_polygons(part, number, path):
+    """Raise OSError unless an .obj file has so many polygons; path is what it is to become."""
+    with open(part, "rb") as file:
+        data = file.read()
+    if not data.endswith(b"\n") or data.count(b"\nf ") != number:
+        raise OSError(errno.EIO, "it could not be written whole", path)

@@ -1,10 +1,8 @@
-"""Scans and pictures from files."""
+"""Scans from files."""
 import os
 import struct
-import zlib
 
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -20,7 +18,6 @@ VTK_READERS = {
     ".vtp": vtkXMLPolyDataReader,
     ".vtk": vtkPolyDataReader,
 }
-TEXTURE_READERS = {".png": vtkPNGReader, ".jpg": vtkJPEGReader, ".jpeg": vtkJPEGReader}
 
 
 def reader_class(path):
@@ -43,7 +40,30 @@ def reader_class(path):
 def scan_reader(path):
     """The reader for a scan, with the file name set."""
     extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
-    return opened(path, reader_class, [*extensions, *VTK_READERS])
+    reader = opened(path, reader_class, sorted({*extensions, *VTK_READERS}))
+    if isinstance(reader, vtkSTLReader):
+        check_stl(path)
+    return reader
+
+
+def check_stl(path):
+    """Raise ValueError for what is no STL file, or only a part of one, which VTK's reader takes."""
+    with open(path, "rb") as file:
+        head = file.read(84)
+    triangles = struct.unpack("<80xI", head)[0] if len(head) == 84 else 0
+    is_text = head.lstrip().startswith(b"solid")
+    if not is_text and not 0 < 50 * triangles <= os.path.getsize(path) - 84:
+        raise ValueError(f"{path}: not an STL file, or not all of one")
+
+
+def inputs_of(path):
+    """The files that reading a scan reads: a list of scans names others."""
+    if os.path.splitext(path)[1].lower() != ".conf" or not os.path.isfile(path):
+        return [path]
+    with open(path, encoding="utf-8", errors="replace") as file:
+        words = [line.split() for line in file]
+    return [path, *(os.path.join(os.path.dirname(path), line[1])
+                    for line in words if len(line) > 1 and line[0] == "bmesh")]
 
 
 def read_models(paths):
@@ -54,33 +74,6 @@ def read_models(paths):
         reader.Update()
         models[os.path.splitext(os.path.basename(path))[0]] = reader.GetOutput()
     return models
-
-
-def texture_reader(path):
-    """The reader for a picture, with the file name set."""
-    reader = opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
-                    TEXTURE_READERS)
-    if isinstance(reader, vtkPNGReader):
-        check_png(path)
-    elif not reader.CanReadFile(path):
-        raise ValueError(f"{path}: not a JPEG file")
-    return reader
-
-
-def check_png(path):
-    """Raise ValueError for a PNG file that is broken, at which VTK's reader would crash."""
-    with open(path, "rb") as file:
-        data = file.read()
-    if not data.startswith(b"\x89PNG\r\n\x1a\n"):
-        raise ValueError(f"{path}: not a PNG file")
-    place, kind = 8, b""
-    while kind != b"IEND":
-        length, kind = struct.unpack(">I4s", data[place:place + 8].ljust(8, b"\0"))
-        end = place + 12 + length  # length, name and checksum have 4 bytes each
-        checksum = zlib.crc32(data[place + 4:end - 4]).to_bytes(4, "big")
-        if data[end - 4:end] != checksum:
-            raise ValueError(f"{path}: the PNG file is broken at byte {place}")
-        place = end
 
 
 def opened(path, choose, extensions):

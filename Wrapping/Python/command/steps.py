@@ -2,6 +2,8 @@
 import sys
 import time
 
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
 from conformalsom.messages import FilterFailed, heard
 
 
@@ -47,6 +49,15 @@ class Steps:
             raise StepFailed(f"{label}: {messages.errors[0]}")
         self.warnings += [f"{label}: {text}" for text in messages.warnings]
         self.ended(label, messages.warnings)
+
+    @staticmethod
+    def take_outside_messages():
+        """What VTK has told since outside of any algorithm, if its output window is a vtkStringOutputWindow."""
+        window = vtkOutputWindow.GetInstance()
+        if not isinstance(window, vtkStringOutputWindow):
+            return []
+        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
+        return window.GetOutput().splitlines()
 
     def interrupt(self, number, _):
         """A signal handler: abort the filter that runs, or stop at once if none does."""

@@ -1,5 +1,7 @@
 """From a scan to a painted surface: points -> learned mesh -> smooth surface -> picture on it."""
+import contextlib
 import math
+import sys
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -63,7 +65,11 @@ def make_surface(scan_path, texture, paths, options, steps):
     The texture is a source of an image, or None: then the scan's own colors are used if it has some.
     """
     scan = scan_files.scan_reader(scan_path)
+    steps.take_outside_messages()
     steps.run("Read the scan", scan)
+    broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
+    if broken:  # so VTK's reader of .vtk tells of a file that ends early
+        raise ValueError(f"{scan_path}: {broken[0]}")
     points = scan.GetOutputDataObject(0)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
@@ -118,7 +124,8 @@ def make_surface(scan_path, texture, paths, options, steps):
         outputs.write(steps, writer, paths.picture)
     if options.measure:
         steps.clear()
-        report.print_table(points, learned, smoothed, steps.seconds)
+        with contextlib.redirect_stdout(sys.stderr if options.report == "-" else sys.stdout):
+            report.print_table(points, learned, smoothed, steps.seconds)
     return {
         "Scan": scan_path,
         "Files": paths.all(),
