@@ -37,3 +37,6 @@ def heard(algorithm) -> typing.Iterator[Messages]:
     finally:
         for source, tag in observed:
             source.RemoveObserver(tag)
+        # The executive adds that the algorithm failed, which says nothing where that has said why.
+        own = [text for text in messages.errors if " returned failure for request: " not in text]
+        messages.errors[:] = own or messages.errors
