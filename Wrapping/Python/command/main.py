@@ -96,10 +96,10 @@ def arguments(argv):
         parser.error(str(error))
 
 
-def expect_extension(path, extensions):
+def expect_extension(path, extensions, more=""):
     """Raise WrongUsage for a format that there is no writer for."""
     if outputs.extension_of(path) not in extensions:
-        raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}{outputs.lacking('Writer')}")
+        raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}{more}")
 
 
 def expect_directions(view, up):
@@ -124,24 +124,26 @@ def paths_of(options):
     expect_directions(options.view, options.up)
     for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
         expect_utf8(name or "")
+    inputs = [options.texture or "", *(file for scan in options.scans for file in scan_files.inputs_of(scan))]
     all_paths, files = [], set()
     for scan in options.scans:
         paths = Paths([outputs.surface_named(pattern, scan) for pattern in options.output],
                       outputs.named(options.picture or "", scan))
-        for path, extensions in [(path, outputs.SURFACES) for path in paths.surfaces] + [
-                (path, outputs.PICTURES) for path in (paths.picture,) if path]:
-            expect_extension(path, extensions)
+        for path in paths.surfaces:
+            expect_extension(path, outputs.SURFACES, outputs.lacking("Writer"))
+        if paths.picture:
+            expect_extension(paths.picture, outputs.PICTURES)
         for file in [file for path in paths.all() for file in outputs.files_of(path)]:
-            expect_free(file, options, files)
+            expect_free(file, inputs, options.overwrite, files)
         all_paths.append(paths)
     if options.report not in (None, "-"):
-        expect_free(options.report, options, files)
+        expect_free(options.report, inputs, options.overwrite, files)
     if options.picture and not pictures.can_draw():
         raise WrongUsage("--picture wants a display: put xvfb-run before the command")
     return all_paths
 
 
-def expect_free(path, options, files):
+def expect_free(path, inputs, overwrite, files):
     """Raise WrongUsage for a file that must not be written; the others are added to the files."""
     if os.path.realpath(path) in files:
         raise WrongUsage(f"{path} would be written twice; {{}} in a name stands for the scan's")
@@ -153,10 +155,10 @@ def expect_free(path, options, files):
         folder = os.path.dirname(folder)
     if not (os.path.isdir(folder) and os.access(folder, os.W_OK)):
         raise WrongUsage(f"{path}: {folder} cannot be written to")
-    for source in (*(file for scan in options.scans for file in scan_files.inputs_of(scan)), options.texture or ""):
+    for source in inputs:
         if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
             raise WrongUsage(f"{path} is an input and would be replaced")
-    if os.path.lexists(path) and not options.overwrite:
+    if os.path.lexists(path) and not overwrite:
         raise WrongUsage(f"{path} already exists; use --overwrite or another name")
 
 

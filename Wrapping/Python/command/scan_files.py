@@ -40,7 +40,8 @@ def reader_class(path):
 def scan_reader(path):
     """The reader for a scan, with the file name set."""
     extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
-    reader = opened(path, reader_class, sorted({*extensions, *VTK_READERS}))
+    known = " ".join(sorted({*extensions, *VTK_READERS}))
+    reader = opened(path, reader_class, known + outputs.lacking("Reader"))
     if isinstance(reader, vtkSTLReader):
         check_stl(path)
     return reader
@@ -76,13 +77,13 @@ def read_models(paths):
     return models
 
 
-def opened(path, choose, extensions):
-    """A reader of the class that is chosen for a file."""
+def opened(path, choose, known):
+    """A reader of the class that is chosen for a file; else an error that tells the known types."""
     if not os.path.isfile(path):
         raise ValueError(f"{path}: not a file" if os.path.exists(path) else f"{path}: no such file")
     reader_type = choose(path)
     if reader_type is None:
-        raise ValueError(f"{path}: expected a file of type {' '.join(extensions)}{outputs.lacking('Reader')}")
+        raise ValueError(f"{path}: expected a file of type {known}")
     reader = reader_type()
     reader.SetFileName(path)
     return reader

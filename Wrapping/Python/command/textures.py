@@ -18,7 +18,7 @@ MOST_OF_A_BYTE = 1032  # bytes that one byte of a PNG file can stand for
 def texture_reader(path):
     """The reader for a picture, with the file name set."""
     reader = opened(path, lambda path: TEXTURE_READERS.get(os.path.splitext(path)[1].lower()),
-                    TEXTURE_READERS)
+                    " ".join(TEXTURE_READERS))
     if isinstance(reader, vtkPNGReader):
         check_png(path)
     elif not reader.CanReadFile(path):
