@@ -6,20 +6,21 @@ set(conformal_mpi_environment
   "OMPI_MCA_rmaps_base_oversubscribe=1"
   "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe")
 
-# conformal_add_tests(<layer> LIBRARIES <library>... TESTS <unit>...)
+# conformal_add_tests(<layer> LIBRARIES <library>...)
 #
-# One GoogleTest program for a layer, one CTest test for each Test<unit>.cxx, named
-# <layer>.<unit>; one in a folder is written <folder>/<unit>. A unit's suites start with its name,
-# by which they are chosen; a choice of none would pass unseen, so it fails here.
+# One GoogleTest program of all Test<unit>.cxx in this folder and those below, and a CTest test
+# <layer>.<unit> for each. A unit's suites start with its name, by which they are chosen; a choice of
+# none would pass unseen, so it fails here.
 function (conformal_add_tests layer)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;TESTS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
   set(program "conformal${layer}Tests")
-  list(TRANSFORM arg_TESTS REPLACE "([^/]+)$" "Test\\1.cxx" OUTPUT_VARIABLE sources)
+  file(GLOB_RECURSE sources RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" CONFIGURE_DEPENDS "Test*.cxx")
   add_executable(${program} ${sources})
   target_link_libraries(${program}
     PRIVATE ${arg_LIBRARIES} GTest::gtest_main conformalBuild conformalWarnings)
-  foreach (test IN LISTS arg_TESTS)
-    get_filename_component(unit "${test}" NAME)
+  foreach (source IN LISTS sources)
+    get_filename_component(unit "${source}" NAME_WE)
+    string(REGEX REPLACE "^Test" "" unit "${unit}")
     add_test(NAME ${layer}.${unit} COMMAND ${program} --gtest_filter=${unit}.*)
     set_tests_properties(${layer}.${unit} PROPERTIES
       FAIL_REGULAR_EXPRESSION "Running 0 tests"

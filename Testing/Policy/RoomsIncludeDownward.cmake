@@ -2,7 +2,7 @@
 # source) include each other, not even through others. Tests have the rooms of what they test.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Surface Learn Texture Measure Register Harmonics)
+set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Repair Surface Learn Texture Measure Register Harmonics)
 set(below_Base)
 set(below_Mesh Base)
 set(below_TriangleMap Base)
@@ -12,6 +12,7 @@ set(below_Linear Base Mesh)
 set(below_Sphere Base Mesh Search)
 set(below_SphereMap Base Mesh Linear Sphere)
 set(below_Hull Base Mesh Search Cloud)
+set(below_Repair Base Mesh)
 set(below_Surface Base Mesh TriangleMap Search Cloud Linear Sphere)
 set(below_Learn Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull)
 set(below_Texture Base Mesh Search Sphere)

@@ -1,5 +1,6 @@
 #include "Hull/DistanceBasins.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Steps.h"
 #include "Mesh/GeodesicSphere.h"
 
@@ -21,39 +22,26 @@ struct Saddle
   int BasinA, BasinB;
 };
 
-// Basins joined into one; names are basins' numbers.
+// Merged basins. The highest basin names a set; basin 0, the outside, is the highest of all.
 class Joined
 {
 public:
   explicit Joined(std::vector<float> peaks)
-    : Parents(peaks.size())
+    : Sets(static_cast<Index>(peaks.size()))
     , Peaks(std::move(peaks))
   {
-    for (std::size_t i = 0; i < this->Parents.size(); ++i)
-    {
-      this->Parents[i] = static_cast<int>(i);
-    }
   }
-  int find(int basin)
-  {
-    while (this->Parents[basin] != basin)
-    {
-      this->Parents[basin] = this->Parents[this->Parents[basin]];
-      basin = this->Parents[basin];
-    }
-    return basin;
-  }
-  // The lower peak joins the higher; the outside, basin 0, has the highest.
+  int find(int basin) { return this->Sets.find(basin); }
   void join(int rootA, int rootB)
   {
     const bool first = this->Peaks[rootA] > this->Peaks[rootB] ||
       (this->Peaks[rootA] == this->Peaks[rootB] && rootA < rootB);
-    this->Parents[first ? rootB : rootA] = first ? rootA : rootB;
+    this->Sets.rename(first ? rootB : rootA, first ? rootA : rootB);
   }
   float peak(int root) const { return this->Peaks[root]; }
 
 private:
-  std::vector<int> Parents;
+  DisjointSets Sets;
   std::vector<float> Peaks;
 };
 

@@ -1,5 +1,6 @@
 #include "Mesh/GenusZeroCheck.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Steps.h"
 #include "Mesh/MeshTopology.h"
 
@@ -89,35 +90,7 @@ void forEachEdge(const Sides& sides, const Body& body)
   }
 }
 
-// Sets that grow together; the smallest id names a set.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(Index size)
-    : Parents(size)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-  }
-  int find(int i)
-  {
-    while (this->Parents[i] != i)
-    {
-      i = this->Parents[i] = this->Parents[this->Parents[i]];
-    }
-    return i;
-  }
-  void unite(int a, int b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<int> Parents;
-};
-
-// Sets among the given vertices, which unite() has joined; others must be alone.
+// Count the sets of the members. Each of the other ids must be in a set of its own.
 Index countSets(DisjointSets& sets, const std::vector<char>& isMember)
 {
   Index count = 0;

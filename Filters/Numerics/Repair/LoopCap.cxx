@@ -1,4 +1,4 @@
-#include "Hull/LoopCap.h"
+#include "Repair/LoopCap.h"
 
 #include "Mesh/Mesh.h"
 #include "Mesh/PolygonTriangulation.h"

@@ -1,4 +1,4 @@
-#include "Hull/HandleLoops.h"
+#include "Repair/HandleLoops.h"
 
 #include "HandleMeshes.h"
 #include "Runs.h"

@@ -1,4 +1,4 @@
-#include "Hull/GluedSurface.h"
+#include "Repair/GluedSurface.h"
 
 #include "HandleMeshes.h"
 #include "Mesh/GenusZeroCheck.h"

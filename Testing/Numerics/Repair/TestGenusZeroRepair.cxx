@@ -1,4 +1,4 @@
-#include "Hull/GenusZeroRepair.h"
+#include "Repair/GenusZeroRepair.h"
 
 #include "Base/Random.h"
 #include "HandleMeshes.h"

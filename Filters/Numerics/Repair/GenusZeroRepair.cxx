@@ -1,9 +1,9 @@
-#include "Hull/GenusZeroRepair.h"
+#include "Repair/GenusZeroRepair.h"
 
 #include "Base/Steps.h"
-#include "Hull/HandleLoops.h"
-#include "Hull/LoopCap.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Repair/HandleLoops.h"
+#include "Repair/LoopCap.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,6 @@
-#include "Hull/GluedSurface.h"
+#include "Repair/GluedSurface.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Steps.h"
 #include "Mesh/Mesh.h"
 
@@ -77,67 +78,39 @@ void forEachEdge(const EdgeSides& sides, const Body& body)
   }
 }
 
-// Triangles that are joined, and whether each is turned over relative to the first of its set.
+// Connected triangles, and for each whether it is turned over relative to the first one of its set.
+// Triangle r is id r as it is, and id r + Size when turned over.
 class TurnedSets
 {
 public:
   explicit TurnedSets(Index size)
-    : Parents(size)
-    , Turned(size, 0)
+    : Size(static_cast<int>(size))
+    , Sets(2 * size)
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
 
-  int first(int r)
-  {
-    this->shorten(r);
-    return this->Parents[r];
-  }
+  // Return the smallest triangle of the set of a triangle.
+  int first(int r) { return std::min(this->Sets.find(r), this->Sets.find(r + this->Size)); }
 
-  bool isTurned(int r)
-  {
-    this->shorten(r);
-    return this->Turned[r] != 0;
-  }
+  bool isTurned(int r) { return this->Sets.find(r) > this->Sets.find(r + this->Size); }
 
-  // Join two, of which one is turned relative to the other or not. False if they are joined
-  // already and do not agree with that.
+  // Connect two triangles, one turned over relative to the other or not. Return false, and do
+  // nothing, if they are connected already the other way.
   bool join(int a, int b, bool turned)
   {
-    const int firstA = this->first(a), firstB = this->first(b);
-    const char relative = static_cast<char>(this->Turned[a] ^ this->Turned[b] ^ int(turned));
-    if (firstA == firstB)
+    const int same = turned ? b + this->Size : b, opposite = turned ? b : b + this->Size;
+    if (this->Sets.find(a) == this->Sets.find(opposite))
     {
-      return relative == 0;
+      return false;
     }
-    this->Parents[std::max(firstA, firstB)] = std::min(firstA, firstB);
-    this->Turned[std::max(firstA, firstB)] = relative;
+    this->Sets.unite(a, same);
+    this->Sets.unite(a + this->Size, opposite);
     return true;
   }
 
 private:
-  // Make a triangle name the first one of its set itself, and all on the way there.
-  void shorten(int r)
-  {
-    int first = r;
-    char turned = 0;
-    for (; this->Parents[first] != first; first = this->Parents[first])
-    {
-      turned = static_cast<char>(turned ^ this->Turned[first]);
-    }
-    while (this->Parents[r] != first && r != first)
-    {
-      const int parent = this->Parents[r];
-      const char own = this->Turned[r];
-      this->Parents[r] = first;
-      this->Turned[r] = turned;
-      turned = static_cast<char>(turned ^ own);
-      r = parent;
-    }
-  }
-
-  std::vector<int> Parents;
-  std::vector<char> Turned; // relative to the parent
+  int Size;
+  DisjointSets Sets;
 };
 
 // Of a triangle on an edge, the direction away from the edge.

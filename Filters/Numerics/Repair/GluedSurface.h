@@ -5,7 +5,7 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
-#include "Hull/LoopCap.h"
+#include "Repair/LoopCap.h"
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #define ConformalGenusZeroRepair_h
 
 #include "Base/Run.h"
-#include "Hull/GluedSurface.h"
 #include "Mesh/Mesh.h"
+#include "Repair/GluedSurface.h"
 
 #include <utility>
 #include <vector>

@@ -1,5 +1,6 @@
-#include "Hull/HandleLoops.h"
+#include "Repair/HandleLoops.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Steps.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <random>
 #include <utility>
@@ -139,37 +139,6 @@ HandleLoop loopOf(const LoopSpace& space, const std::vector<int>& sidesTo, int s
   return loop;
 }
 
-// Sets of triangles that grow together.
-class TriangleSets
-{
-public:
-  explicit TriangleSets(int size)
-    : Parents(size)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), 0);
-  }
-
-  bool join(int a, int b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  int find(int i)
-  {
-    while (this->Parents[i] != i)
-    {
-      i = this->Parents[i] = this->Parents[this->Parents[i]];
-    }
-    return i;
-  }
-
-  std::vector<int> Parents;
-};
-
 // One side of each edge that is neither in the tree of paths nor in one of triangles across the
 // other edges: 2 g of them. Edges of long loops go into the latter first, so that those of short
 // loops are left.
@@ -196,11 +165,11 @@ std::vector<int> looseEdges(
     }
   }
   std::sort(others.begin(), others.end());
-  TriangleSets sets(surface.numberOfTriangles());
+  DisjointSets sets(surface.numberOfTriangles());
   std::vector<int> loose;
   for (const auto& [length, side] : others)
   {
-    if (sets.join(side / 3, surface.Across[side] / 3))
+    if (sets.unite(side / 3, surface.Across[side] / 3))
     {
       isCrossed[side] = isCrossed[surface.Across[side]] = 1;
     }

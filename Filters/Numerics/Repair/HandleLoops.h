@@ -5,7 +5,7 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
-#include "Hull/GluedSurface.h"
+#include "Repair/GluedSurface.h"
 
 #include <vector>
 

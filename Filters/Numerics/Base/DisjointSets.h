@@ -1,0 +1,51 @@
+/// Disjoint sets that are merged, by union-find with path halving (Tarjan and van Leeuwen 1984).
+#ifndef ConformalDisjointSets_h
+#define ConformalDisjointSets_h
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace conformal
+{
+/// Sets of the ids 0 .. size - 1, at first one for each id. The name of a set is one of its ids.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(Index size)
+    : Parents(static_cast<std::size_t>(size))
+  {
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
+  }
+
+  /// Return the name of the set that contains an id.
+  int find(int id)
+  {
+    while (this->Parents[id] != id)
+    {
+      id = this->Parents[id] = this->Parents[this->Parents[id]];
+    }
+    return id;
+  }
+
+  /// Merge the sets of two ids. The smaller name becomes the name of the merged set.
+  /// @return whether the sets were different
+  bool unite(int a, int b)
+  {
+    a = this->find(a);
+    b = this->find(b);
+    this->rename(std::max(a, b), std::min(a, b));
+    return a != b;
+  }
+
+  /// Merge the set named `name` into the set named `newName`.
+  void rename(int name, int newName) { this->Parents[name] = newName; }
+
+private:
+  std::vector<int> Parents;
+};
+}
+
+#endif
