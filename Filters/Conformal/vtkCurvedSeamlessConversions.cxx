@@ -3,12 +3,12 @@
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Cloud/TrainingSamples.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
 #include "Mesh/EvenTriangles.h"
 #include "Mesh/GeodesicSphere.h"
-#include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessMap.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -38,8 +38,7 @@ int PolishedOf(vtkFieldData* data)
   return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
 }
 
-double VertexShiftOf(
-  const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkFieldData* data)
+double VertexShiftOf(const glue::CurvedSeamlessProperties& properties, vtkFieldData* data)
 {
   if (!(properties.VertexShift < 0.0))
   {
@@ -62,8 +61,8 @@ double VertexShiftOf(
 }
 
 // With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
-bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& properties,
-  vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
+bool IsPolished(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
+  vtkPolyData* surface, const glue::ClosedMesh& mesh)
 {
   int polished = properties.Polished;
   if (polished == vtkCurvedSeamlessMap::AUTOMATIC)
@@ -87,7 +86,7 @@ bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& propert
 conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
 {
   conformal::Points all;
-  if (!vtkConformalConversions::FindSpherePositions(surface, all))
+  if (!glue::FindSpherePositions(surface, all))
   {
     throw std::invalid_argument("the surface has no point array SpherePosition; vtkConformalSOM "
                                 "and vtkGlobalConformalMap write it");
@@ -107,9 +106,9 @@ struct Model : conformal::MappedMesh
 };
 
 // That of the first process that has a surface, on all of them.
-Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkObject* self,
-  vtkPolyData* surface, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes, const conformal::Run& run)
+Model ModelOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame, glue::Processes& processes,
+  const conformal::Run& run)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
@@ -118,7 +117,7 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
     isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank();
   if (tells)
   {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
+    auto mesh = glue::ToClosedMesh(self, surface, frame, run);
     model.Options.Polished = IsPolished(properties, self, surface, mesh);
     model.Options.VertexShift = VertexShiftOf(properties, surface->GetFieldData());
     model.SpherePositions = MapOf(surface, mesh.PointIds);
@@ -127,8 +126,7 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   }
   if (!isAlone)
   {
-    static_cast<conformal::MappedMesh&>(model) =
-      vtkConformalConversions::GatherMesh(processes.reduce(), model);
+    static_cast<conformal::MappedMesh&>(model) = glue::GatherMesh(processes.reduce(), model);
     model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
     const std::vector<double> own(tells ? 1 : 0, model.Options.VertexShift);
     const std::vector<double> shift = conformal::gather(processes.reduce(), own);
@@ -138,12 +136,11 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
 }
 
 conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
-  const conformal::CoordinateFrame& frame, conformal::Points& copy,
-  vtkConformalConversions::Processes& processes, const conformal::Run& run)
+  const conformal::CoordinateFrame& frame, conformal::Points& copy, glue::Processes& processes,
+  const conformal::Run& run)
 {
-  conformal::TrainingSamples samples(
-    vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
-    vtkConformalConversions::GhostTest(cloud), processes.reduce(), run);
+  conformal::TrainingSamples samples(glue::ViewPoints(cloud->GetPoints(), frame, copy), {},
+    glue::GhostTest(cloud), processes.reduce(), run);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
@@ -153,7 +150,7 @@ conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map)

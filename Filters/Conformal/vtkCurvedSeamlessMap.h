@@ -48,7 +48,7 @@ namespace conformal
 class CurvedSeamlessSurface;
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 struct BuiltSurface;
 }
@@ -212,7 +212,7 @@ public:
   /**
    * The map as a filter of this module has built it; none for null.
    */
-  void Take(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map);
+  void Take(std::shared_ptr<const glue::BuiltSurface> map);
 #endif
 
 protected:
@@ -231,7 +231,7 @@ private:
   double VertexShift = -1.0;
   int NumberOfFitRounds = 6;
   double FitSmoothness = 0.01;
-  std::shared_ptr<const vtkConformalConversions::BuiltSurface> Map;
+  std::shared_ptr<const glue::BuiltSurface> Map;
 };
 
 #endif

@@ -2,12 +2,14 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/CarriedArrays.h"
+#include "Glue/MappedSurfaces.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Measure/SurfaceMismatch.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/ShapeModes.h"
-#include "vtkCarriedArrays.h"
-#include "vtkConformalConversions.h"
-#include "vtkMappedSurfaces.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
@@ -33,10 +35,9 @@ namespace
 void SetShape(vtkPolyData* surface, const conformal::ConsistentMeshes& meshes,
   const conformal::Points& shape, vtkCellArray* triangles, const conformal::CoordinateFrame& frame)
 {
-  vtkConformalConversions::SetPoints(surface, shape, frame);
+  glue::SetPoints(surface, shape, frame);
   surface->SetPolys(triangles);
-  vtkConformalConversions::AddVectors(surface->GetPointData(),
-    vtkConformalConversions::SpherePositionName(), meshes.Sphere.Positions);
+  glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), meshes.Sphere.Positions);
 }
 
 double MeanSquareDistance(const conformal::Points& model, const conformal::Triangles& triangles,
@@ -70,12 +71,12 @@ void AddModes(
   {
     const std::string name = "ShapeMode" + std::to_string(k + 1);
     conformal::Points mode = modes.Modes[k];
-    vtkConformalConversions::LengthsFromFrame(mode.data(), mode.size(), frame, name.c_str());
-    vtkConformalConversions::AddVectors(mean->GetPointData(), name.c_str(), mode);
+    glue::LengthsFromFrame(mode.data(), mode.size(), frame, name.c_str());
+    glue::AddVectors(mean->GetPointData(), name.c_str(), mode);
   }
   if (!modes.Modes.empty())
   {
-    vtkConformalConversions::AddNumbers(mean->GetFieldData(), "ExplainedVariance", modes.Explained);
+    glue::AddNumbers(mean->GetFieldData(), "ExplainedVariance", modes.Explained);
   }
 }
 }
@@ -95,7 +96,7 @@ vtkPolyData* vtkConsistentRemesh::GetMeanShape()
 //------------------------------------------------------------------------------
 int vtkConsistentRemesh::FillInputPortInformation(int, vtkInformation* info)
 {
-  vtkConformalConversions::AcceptSurfaces(info);
+  glue::AcceptSurfaces(info);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
@@ -120,10 +121,10 @@ int vtkConsistentRemesh::RequestData(
   conformal::ShapeModesOptions options;
   options.Alignment = static_cast<conformal::ShapeAlignment>(this->Alignment);
   options.NumberOfModes = this->NumberOfModes;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       Surfaces surfaces;
       AddSurfaces(inputVector[0], surfaces);
       const std::vector<vtkPolyData*> held = surfaces.pointers();

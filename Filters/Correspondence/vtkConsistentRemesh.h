@@ -40,12 +40,12 @@
 #ifndef vtkConsistentRemesh_h
 #define vtkConsistentRemesh_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
 class vtkPolyData;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkConsistentRemesh : public vtkMultiBlockDataSetAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkConsistentRemesh : public vtkMultiBlockDataSetAlgorithm
 {
 public:
   static vtkConsistentRemesh* New();

@@ -1,11 +1,13 @@
 #include "vtkSphericalAlignment.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Linear/EdgeWeights.h"
 #include "Measure/SphericalAlignment.h"
-#include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -53,7 +55,7 @@ Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landm
 Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference,
   const conformal::Run& run)
 {
-  const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface, reference });
+  const conformal::CoordinateFrame frame = glue::FrameOf({ surface, reference });
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
   // Conversions, then what is expected of carryMap().
@@ -61,12 +63,12 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
     run, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
   steps.next();
   conformal::MappedMesh other;
-  other.Positions = vtkConformalConversions::ToPoints(reference->GetPoints(), frame);
-  other.Triangles = vtkConformalConversions::ToTriangles(reference);
-  other.SpherePositions = vtkConformalConversions::ToSpherePositions(reference);
+  other.Positions = glue::ToPoints(reference->GetPoints(), frame);
+  other.Triangles = glue::ToTriangles(reference);
+  other.SpherePositions = glue::ToSpherePositions(reference);
   steps.next();
-  const conformal::Points points = vtkConformalConversions::ToPoints(surface->GetPoints(), frame);
-  const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface);
+  const conformal::Points points = glue::ToPoints(surface->GetPoints(), frame);
+  const conformal::Triangles triangles = glue::ToTriangles(surface);
   if (triangles.rows() == 0 || other.Triangles.rows() == 0)
   {
     throw std::invalid_argument(
@@ -120,34 +122,34 @@ void vtkSphericalAlignment::RemoveAllLandmarks()
 int vtkSphericalAlignment::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto reference = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const auto landmarks = this->Landmarks;
   const auto kind = static_cast<conformal::AlignmentKind>(this->Transform);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this,
           surface->GetNumberOfPoints() == 0 ? "the surface is empty; nothing was aligned"
                                             : "the reference is empty; nothing was aligned");
         return;
       }
-      vtkInputChecks::RequireCellIds(surface); // which landmarks need not, but the output has
+      glue::RequireCellIds(surface); // which landmarks need not, but the output has
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const bool hasLandmarks = !landmarks.empty();
-      conformal::Steps steps(vtkConformalConversions::RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 20.0 * size, hasLandmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
           hasLandmarks ? 0.0 : (kind == conformal::AlignmentKind::Moebius ? 1700.0 : 20.0) * size,
           10.0 * size, 40.0 * size });
       steps.next();
-      conformal::Points map = vtkConformalConversions::ToSpherePositions(surface);
+      conformal::Points map = glue::ToSpherePositions(surface);
       const conformal::Run pairing = steps.next();
       const Pairs pairs = hasLandmarks
-        ? PairsOfLandmarks(landmarks, map, vtkConformalConversions::ToSpherePositions(reference))
+        ? PairsOfLandmarks(landmarks, map, glue::ToSpherePositions(reference))
         : PairsOfSurfaces(surface, map, reference, pairing);
       const conformal::SphericalAlignmentResult result =
         conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights, kind, steps.next());
@@ -156,13 +158,12 @@ int vtkSphericalAlignment::RequestData(
 
       steps.next();
       output->ShallowCopy(surface);
-      vtkConformalConversions::AddVectors(
-        output->GetPointData(), vtkConformalConversions::SpherePositionName(), map);
+      glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map);
       vtkFieldData* data = output->GetFieldData();
-      vtkConformalConversions::AddNumber(data, "AlignmentError", result.Error);
-      vtkConformalConversions::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
+      glue::AddNumber(data, "AlignmentError", result.Error);
+      glue::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
       const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
-      vtkConformalConversions::AddTuple(data, "AlignmentRotation", rows.data(), 9);
+      glue::AddTuple(data, "AlignmentRotation", rows.data(), 9);
     });
 }
 

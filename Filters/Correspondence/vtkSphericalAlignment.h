@@ -31,13 +31,13 @@
 #ifndef vtkSphericalAlignment_h
 #define vtkSphericalAlignment_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <utility> // for pairs of points
 #include <vector>  // for Landmarks
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalAlignment : public vtkPolyDataAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkSphericalAlignment : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSphericalAlignment* New();

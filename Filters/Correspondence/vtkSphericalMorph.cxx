@@ -2,11 +2,13 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/CarriedArrays.h"
+#include "Glue/MappedSurfaces.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/SphericalMorph.h"
-#include "vtkCarriedArrays.h"
-#include "vtkConformalConversions.h"
-#include "vtkMappedSurfaces.h"
 
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -117,7 +119,7 @@ void vtkSphericalMorph::RemoveAllWeights()
 //------------------------------------------------------------------------------
 int vtkSphericalMorph::FillInputPortInformation(int port, vtkInformation* info)
 {
-  vtkConformalConversions::AcceptSurfaces(info);
+  glue::AcceptSurfaces(info);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
   return 1;
 }
@@ -169,10 +171,10 @@ int vtkSphericalMorph::RequestData(
   remesh.NumberOfPoints = this->NumberOfPoints;
   conformal::SphericalMorphOptions options;
   options.Path = static_cast<conformal::MorphPath>(this->Path);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       Surfaces surfaces;
       AddSurfaces(inputVector[0], surfaces);
       AddSurfaces(inputVector[1], surfaces);

@@ -37,7 +37,7 @@
 #ifndef vtkSphericalMorph_h
 #define vtkSphericalMorph_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // for what is kept
@@ -46,7 +46,7 @@
 class vtkAlgorithmOutput;
 class vtkDataObject;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalMorph : public vtkPolyDataAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkSphericalMorph : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSphericalMorph* New();

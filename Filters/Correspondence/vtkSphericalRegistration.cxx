@@ -1,10 +1,12 @@
 #include "vtkSphericalRegistration.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/RegisteredSurfaces.h"
+#include "Glue/Run.h"
 #include "Register/SphericalRegistration.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkRegisteredSurfaces.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -34,8 +36,8 @@ int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
   return vertices[id];
 }
 
-int NearestVertex(vtkPolyData* data, const vtkConformalConversions::SurfaceToRegister& surface,
-  const double position[3])
+int NearestVertex(
+  vtkPolyData* data, const glue::SurfaceToRegister& surface, const double position[3])
 {
   int nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -54,11 +56,10 @@ int NearestVertex(vtkPolyData* data, const vtkConformalConversions::SurfaceToReg
 }
 
 void AddTargets(vtkPointData* data, const conformal::Points& places,
-  const vtkConformalConversions::SurfaceToRegister& fixed, vtkPolyData* fixedData,
-  const conformal::Run& run)
+  const glue::SurfaceToRegister& fixed, vtkPolyData* fixedData, const conformal::Run& run)
 {
   std::vector<vtkIdType> cellIds;
-  const conformal::Triangles cells = vtkConformalConversions::ToTriangles(fixedData, cellIds);
+  const conformal::Triangles cells = glue::ToTriangles(fixedData, cellIds);
   const conformal::MappedMesh& mesh = fixed.Core.Surface;
   // Cells are known by their points, since triangles were perhaps turned or left out.
   std::vector<std::pair<std::array<vtkIdType, 3>, vtkIdType>> known(cellIds.size());
@@ -94,7 +95,7 @@ void AddTargets(vtkPointData* data, const conformal::Points& places,
   }
   data->AddArray(targetCells);
   data->AddArray(targetPoints);
-  vtkConformalConversions::AddVectors(data, "TargetBarycentric", weights);
+  glue::AddVectors(data, "TargetBarycentric", weights);
 }
 }
 
@@ -172,8 +173,8 @@ void vtkSphericalRegistration::RemoveAllFeatures()
 int vtkSphericalRegistration::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto moving = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto fixed = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto moving = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto fixed = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const auto landmarks = this->Landmarks;
   const auto positions = this->Positions;
@@ -183,10 +184,10 @@ int vtkSphericalRegistration::RequestData(
   options.ShapeWeight = this->ShapeWeight;
   options.StretchWeight = this->StretchWeight;
   options.Frequency = this->Frequency;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (moving->GetNumberOfPoints() == 0 || fixed->GetNumberOfPoints() == 0)
       {
         WarnOfEmptyInput(this,

@@ -36,7 +36,7 @@
 #ifndef vtkSphericalRegistration_h
 #define vtkSphericalRegistration_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <array>   // for LandmarkPoints
@@ -44,7 +44,7 @@
 #include <utility> // for pairs
 #include <vector>  // for lists
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalRegistration : public vtkPolyDataAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkSphericalRegistration : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSphericalRegistration* New();

@@ -2,10 +2,11 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/CarriedArrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Register/SphericalResample.h"
-#include "vtkCarriedArrays.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -28,17 +29,16 @@ namespace
 conformal::Points SpherePositionsOf(
   vtkPolyData* surface, const conformal::Points& positions, const char* what)
 {
-  if (surface->GetPointData()->GetArray(vtkConformalConversions::SpherePositionName()))
+  if (surface->GetPointData()->GetArray(glue::SpherePositionName()))
   {
-    return vtkConformalConversions::ToSpherePositions(surface);
+    return glue::ToSpherePositions(surface);
   }
   constexpr double tolerance = 1e-3;
   const Eigen::VectorXd radii = positions.rowwise().norm();
   if (!(radii.maxCoeff() - radii.minCoeff() <= tolerance * radii.minCoeff()))
   {
     throw std::invalid_argument(std::string("the ") + what + " has no point array " +
-      vtkConformalConversions::SpherePositionName() +
-      ", and its points do not lie on a sphere around the origin");
+      glue::SpherePositionName() + ", and its points do not lie on a sphere around the origin");
   }
   conformal::Points map = positions;
   conformal::normalizeRows(map);
@@ -48,9 +48,8 @@ conformal::Points SpherePositionsOf(
 conformal::MappedMesh ToMapped(vtkPolyData* surface, const char* what)
 {
   conformal::MappedMesh mesh;
-  mesh.Triangles = vtkConformalConversions::ToTriangles(surface);
-  mesh.Positions = vtkConformalConversions::ToPoints(
-    surface->GetPoints(), vtkConformalConversions::FrameOf({ surface }));
+  mesh.Triangles = glue::ToTriangles(surface);
+  mesh.Positions = glue::ToPoints(surface->GetPoints(), glue::FrameOf({ surface }));
   if (!mesh.Positions.allFinite())
   {
     throw std::invalid_argument(std::string("some points of the ") + what + " are not finite");
@@ -118,16 +117,16 @@ void vtkSphericalResample::SetSourceData(vtkPolyData* source)
 int vtkSphericalResample::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto target = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto source = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto target = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto source = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const std::string maskName = this->MaskArrayName;
   conformal::SphericalResampleOptions options;
   options.Method = static_cast<conformal::ResampleMethod>(this->Method);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (target->GetNumberOfPoints() == 0 || source->GetNumberOfPoints() == 0)
       {
         WarnOfEmptyInput(this,

@@ -36,14 +36,14 @@
 #ifndef vtkSphericalResample_h
 #define vtkSphericalResample_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for MaskArrayName
 
 class vtkAlgorithmOutput;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalResample : public vtkPolyDataAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkSphericalResample : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSphericalResample* New();

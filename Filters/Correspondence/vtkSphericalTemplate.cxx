@@ -2,10 +2,12 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/MappedSurfaces.h"
+#include "Glue/Points.h"
+#include "Glue/RegisteredSurfaces.h"
+#include "Glue/Run.h"
 #include "Register/SphericalTemplate.h"
-#include "vtkConformalConversions.h"
-#include "vtkMappedSurfaces.h"
-#include "vtkRegisteredSurfaces.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -30,8 +32,8 @@ vtkStandardNewMacro(vtkSphericalTemplate);
 namespace
 {
 // The vertices that an array has numbers above 0 for.
-std::map<double, int> LandmarksOf(vtkPolyData* surface,
-  const vtkConformalConversions::SurfaceToRegister& registered, const std::string& arrayName)
+std::map<double, int> LandmarksOf(
+  vtkPolyData* surface, const glue::SurfaceToRegister& registered, const std::string& arrayName)
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(arrayName.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
@@ -124,7 +126,7 @@ vtkPolyData* vtkSphericalTemplate::GetMeanSurface()
 //------------------------------------------------------------------------------
 int vtkSphericalTemplate::FillInputPortInformation(int, vtkInformation* info)
 {
-  vtkConformalConversions::AcceptSurfaces(info);
+  glue::AcceptSurfaces(info);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
@@ -152,10 +154,10 @@ int vtkSphericalTemplate::RequestData(
   options.MeanFrequency = this->MeanFrequency;
   options.MaximumNumberOfRounds = this->MaximumNumberOfRounds;
   options.Tolerance = this->Tolerance;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       Surfaces surfaces;
       AddSurfaces(inputVector[0], surfaces);
       std::vector<std::size_t> used; // those that are not empty

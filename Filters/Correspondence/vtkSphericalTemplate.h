@@ -40,7 +40,7 @@
 #ifndef vtkSphericalTemplate_h
 #define vtkSphericalTemplate_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkMultiBlockDataSetAlgorithm.h"
 
 #include <string>  // for names
@@ -49,7 +49,7 @@
 
 class vtkPolyData;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSphericalTemplate : public vtkMultiBlockDataSetAlgorithm
+class VTKFILTERSCORRESPONDENCE_EXPORT vtkSphericalTemplate : public vtkMultiBlockDataSetAlgorithm
 {
 public:
   static vtkSphericalTemplate* New();

@@ -1,7 +1,7 @@
-#include "vtkCarriedArrays.h"
+#include "Glue/CarriedArrays.h"
 
 #include "Base/Steps.h"
-#include "vtkConformalConversions.h"
+#include "Glue/Points.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -21,7 +21,7 @@ using Arrays = std::vector<vtkDataArray*>; // of one name, one of each surface
 bool IsCarried(vtkPointData* data, vtkDataArray* array)
 {
   const std::string name = array && array->GetName() ? array->GetName() : "";
-  return !name.empty() && name != vtkConformalConversions::SpherePositionName() &&
+  return !name.empty() && name != glue::SpherePositionName() &&
     name != vtkDataSetAttributes::GhostArrayName() && array != data->GetNormals() &&
     array != data->GetTCoords() && array != data->GetGlobalIds() &&
     array != data->GetPedigreeIds() && array->GetNumberOfComponents() > 0;
@@ -129,7 +129,7 @@ void SetNumbers(vtkDataArray* output, const std::vector<double>& numbers)
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 int NumberOfCarriedComponents(vtkPolyData* surface)

@@ -1,6 +1,6 @@
 // Point arrays of surfaces, carried to the points of another one.
-#ifndef vtkCarriedArrays_h
-#define vtkCarriedArrays_h
+#ifndef GlueCarriedArrays_h
+#define GlueCarriedArrays_h
 
 #include "Base/Run.h"                 // for Run
 #include "Register/ResampleWeights.h" // for what points are made of
@@ -11,7 +11,7 @@ class vtkObject;
 class vtkPointData;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// Carries every array of numbers that all of the surfaces have by one name with equally many
 /// components. An array of integers of 1 component is one of labels: a point gets the label of the

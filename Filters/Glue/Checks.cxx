@@ -1,4 +1,4 @@
-#include "vtkInputChecks.h"
+#include "Glue/Checks.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -96,7 +96,7 @@ void RequireIds(vtkCellArray* cells, vtkIdType firstCellId, vtkIdType numberOfPo
 }
 }
 
-namespace vtkInputChecks
+namespace glue
 {
 //------------------------------------------------------------------------------
 void RequireConsistentInputs(vtkAlgorithm* self)

@@ -1,6 +1,6 @@
 // What every filter and every writer checks before it reads its inputs.
-#ifndef vtkInputChecks_h
-#define vtkInputChecks_h
+#ifndef GlueChecks_h
+#define GlueChecks_h
 
 #include <string> // for what the data are
 
@@ -8,7 +8,7 @@ class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 
-namespace vtkInputChecks
+namespace glue
 {
 /// The data on every connection of every input port, by RequireConsistentData. For RequestData;
 /// before that the inputs may be those of an earlier run.

@@ -1,9 +1,9 @@
-#include "vtkCloudNormals.h"
+#include "Glue/CloudNormals.h"
 
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/VertexNormals.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace vtkConformalConversions
+namespace glue
 {
 namespace
 {

@@ -1,6 +1,6 @@
 // The normals that a cloud of points brings along.
-#ifndef vtkCloudNormals_h
-#define vtkCloudNormals_h
+#ifndef GlueCloudNormals_h
+#define GlueCloudNormals_h
 
 #include "Base/CoordinateFrame.h" // for points in a frame
 #include "Base/Reduce.h"          // for Reduce
@@ -8,7 +8,7 @@
 
 class vtkPointSet;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// Normals of all points, seen where they lie or in the copy, which must outlive the view.
 struct CloudNormals

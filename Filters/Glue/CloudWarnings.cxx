@@ -1,8 +1,8 @@
-#include "vtkCloudWarnings.h"
+#include "Glue/CloudWarnings.h"
 
 #include "vtkObject.h"
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count)

@@ -1,12 +1,12 @@
 // Warnings shared by the filters of points.
-#ifndef vtkCloudWarnings_h
-#define vtkCloudWarnings_h
+#ifndef GlueCloudWarnings_h
+#define GlueCloudWarnings_h
 
 #include "Base/Types.h" // for Index
 
 class vtkObject;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// One warning each. The filter decides what is worth one.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);

@@ -1,13 +1,13 @@
 // What differs between versions of VTK.
-#ifndef vtkCompatibility_h
-#define vtkCompatibility_h
+#ifndef GlueCompatibility_h
+#define GlueCompatibility_h
 
 #include "vtkAlgorithm.h"
 #include "vtkIdList.h"
 #include "vtkPolygon.h"
 #include "vtkVersionMacros.h"
 
-namespace vtkCompatibility
+namespace glue
 {
 /// Somebody wants the algorithm to stop: its AbortExecute is set, or since VTK 9.3 that of one it
 /// reads from. The pipeline is told then, which marks the outputs as aborted.

@@ -1,4 +1,4 @@
-#include "vtkHarmonicTables.h"
+#include "Glue/HarmonicTables.h"
 
 #include "Harmonics/SphericalHarmonics.h"
 
@@ -63,7 +63,7 @@ conformal::Index PlaceOf(double degree, double order, int highest)
 }
 }
 
-namespace vtkHarmonicTables
+namespace glue
 {
 //------------------------------------------------------------------------------
 void ToTable(const Harmonics& harmonics, vtkTable* table)

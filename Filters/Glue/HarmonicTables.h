@@ -1,6 +1,6 @@
 // Tables of spherical-harmonic coefficients, which filters, sources and writers share.
-#ifndef vtkHarmonicTables_h
-#define vtkHarmonicTables_h
+#ifndef GlueHarmonicTables_h
+#define GlueHarmonicTables_h
 
 #include "Base/Types.h" // for Columns
 
@@ -9,7 +9,7 @@
 
 class vtkTable;
 
-namespace vtkHarmonicTables
+namespace glue
 {
 /// Coefficients of functions, a row for each harmonic in the order of
 /// Harmonics/SphericalHarmonics.h.

@@ -1,7 +1,8 @@
-#include "vtkMappedSurfaces.h"
+#include "Glue/MappedSurfaces.h"
 
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataIterator.h"
@@ -15,7 +16,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 void AcceptSurfaces(vtkInformation* portInformation)

@@ -1,6 +1,6 @@
 // Several surfaces with maps to the sphere, from the inputs of a filter.
-#ifndef vtkMappedSurfaces_h
-#define vtkMappedSurfaces_h
+#ifndef GlueMappedSurfaces_h
+#define GlueMappedSurfaces_h
 
 #include "Base/CoordinateFrame.h" // for points in a frame
 #include "Base/Run.h"             // for Run
@@ -17,7 +17,7 @@ class vtkInformation;
 class vtkInformationVector;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// A port takes a vtkPolyData or composite data of them.
 void AcceptSurfaces(vtkInformation* portInformation);

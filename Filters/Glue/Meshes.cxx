@@ -1,11 +1,12 @@
-#include "vtkMeshConversions.h"
+#include "Glue/Meshes.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Compatibility.h"
+#include "Glue/Points.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/PolygonTriangulation.h"
-#include "vtkCompatibility.h"
-#include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -105,9 +106,8 @@ private:
     {
       this->Polygon->GetPoints()->SetPoint(k, corners.row(k).data());
     }
-    const vtkIdType count = vtkCompatibility::Triangulate(this->Polygon, this->Ears) != 0
-      ? this->Ears->GetNumberOfIds()
-      : 0;
+    const vtkIdType count =
+      glue::Triangulate(this->Polygon, this->Ears) != 0 ? this->Ears->GetNumberOfIds() : 0;
     conformal::Triangles ears(count / 3, 3);
     std::copy_n(this->Ears->begin(), ears.size(), ears.data());
     return ears;
@@ -158,7 +158,7 @@ struct Repairs
 };
 
 // Repair what can be without a loss; the rest of the mesh is made only if it is of genus zero then.
-Repairs Repair(const conformal::Points& points, vtkConformalConversions::ClosedMesh& mesh,
+Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   conformal::GenusZeroReport& report, const conformal::Run& run = {})
 {
   Repairs done;
@@ -195,7 +195,7 @@ Repairs Repair(const conformal::Points& points, vtkConformalConversions::ClosedM
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds)
@@ -205,7 +205,7 @@ conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& c
   {
     throw std::length_error("the surface has more than " + std::to_string(most) + " points");
   }
-  vtkInputChecks::RequireCellIds(surface);
+  glue::RequireCellIds(surface);
   cellIds.clear();
   TriangleCollector collector(surface->GetPoints(), cellIds);
   const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
@@ -236,7 +236,7 @@ bool HasCellIds(vtkPolyData* surface)
 {
   try
   {
-    vtkInputChecks::RequireCellIds(surface);
+    glue::RequireCellIds(surface);
   }
   catch (const std::invalid_argument&)
   {

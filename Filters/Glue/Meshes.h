@@ -1,6 +1,6 @@
 // From vtkPolyData to the triangle meshes of the core.
-#ifndef vtkMeshConversions_h
-#define vtkMeshConversions_h
+#ifndef GlueMeshes_h
+#define GlueMeshes_h
 
 #include "Base/CoordinateFrame.h" // for points in a frame
 #include "Base/Types.h"           // for Points, Triangles
@@ -13,7 +13,7 @@
 class vtkObject;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// The triangles of a surface: polygons and strips cut up, lines, vertices and polygons of fewer
 /// than three points left out, as are the triangles of a repeated point that join strips.

@@ -1,5 +1,5 @@
 // With MPI; see also vtkProcessSignalsWithoutMPI.cxx.
-#include "vtkProcessSignals.h"
+#include "Glue/ProcessSignals.h"
 
 #include "vtkCommunicator.h"
 #include "vtkMPICommunicator.h"
@@ -23,7 +23,7 @@ enum Tags
 };
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 struct ProcessSignals::Messages
 {

@@ -1,13 +1,13 @@
 // Non-blocking messages between the processes of a filter.
-#ifndef vtkProcessSignals_h
-#define vtkProcessSignals_h
+#ifndef GlueProcessSignals_h
+#define GlueProcessSignals_h
 
 #include <functional> // for what is done while waiting
 #include <memory>     // for std::unique_ptr
 
 class vtkMultiProcessController;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// Tells the other processes, which are busy or waiting, that this one has to stop. Only MPI can
 /// look for a message without waiting for one: with other controllers, and where VTK is built

@@ -1,7 +1,7 @@
 // Where VTK is built without MPI no signals are available.
-#include "vtkProcessSignals.h"
+#include "Glue/ProcessSignals.h"
 
-namespace vtkConformalConversions
+namespace glue
 {
 struct ProcessSignals::Messages
 {

@@ -1,10 +1,10 @@
-#include "vtkProcessConversions.h"
+#include "Glue/Processes.h"
 
 #include "Base/AcrossProcesses.h"
-#include "vtkCompatibility.h"
-#include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
-#include "vtkMeshConversions.h"
+#include "Glue/Checks.h"
+#include "Glue/Compatibility.h"
+#include "Glue/Meshes.h"
+#include "Glue/Run.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -103,7 +103,7 @@ void KeepTriangles(vtkPolyData* surface, vtkIdType begin, vtkIdType end)
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 Processes::Processes(vtkAlgorithm* self, vtkMultiProcessController* controller)
@@ -202,7 +202,7 @@ std::string Processes::meet()
       error = MessageOf(e);
       this->call();
     }
-    if (vtkCompatibility::IsAbortWanted(this->Self) && !this->StopWanted)
+    if (glue::IsAbortWanted(this->Self) && !this->StopWanted)
     {
       this->StopWanted = true;
       this->call();
@@ -265,7 +265,7 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   Processes processes(self, controller);
   const auto checkAndRun = [&]()
   {
-    vtkInputChecks::RequireConsistentInputs(self);
+    glue::RequireConsistentInputs(self);
     core(processes);
     processes.run().report(1.0); // the last time that a request to stop is noticed
   };

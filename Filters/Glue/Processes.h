@@ -1,12 +1,12 @@
 // From vtkMultiProcessController to the processes of the core.
-#ifndef vtkProcessConversions_h
-#define vtkProcessConversions_h
+#ifndef GlueProcesses_h
+#define GlueProcesses_h
 
 #include "Base/CoordinateFrame.h" // for ToSharedMesh's argument
 #include "Base/Reduce.h"          // for Reduce
 #include "Base/Run.h"             // for Run
-#include "Mesh/Mesh.h"            // for MappedMesh
-#include "vtkProcessSignals.h"
+#include "Glue/ProcessSignals.h"
+#include "Mesh/Mesh.h" // for MappedMesh
 
 #include <functional> // for RunCore's argument
 #include <string>     // for what went wrong
@@ -16,7 +16,7 @@ class vtkInformationVector;
 class vtkMultiProcessController;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// The processes that run a filter together, each on its part of the points. One process, or no
 /// controller, is the ordinary case.

@@ -1,7 +1,8 @@
-#include "vtkRegisteredSurfaces.h"
+#include "Glue/RegisteredSurfaces.h"
 
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -13,7 +14,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace vtkConformalConversions
+namespace glue
 {
 namespace
 {

@@ -1,6 +1,6 @@
 // Surfaces that are registered with others.
-#ifndef vtkRegisteredSurfaces_h
-#define vtkRegisteredSurfaces_h
+#ifndef GlueRegisteredSurfaces_h
+#define GlueRegisteredSurfaces_h
 
 #include "Base/CoordinateFrame.h"           // for points in a frame
 #include "Base/Run.h"                       // for Run
@@ -15,7 +15,7 @@
 class vtkObject;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// Names of point arrays that surfaces are to agree on, and their weights.
 using FeatureList = std::vector<std::pair<std::string, double>>;

@@ -1,7 +1,7 @@
-#include "vtkSphereImageConversions.h"
+#include "Glue/SphereImages.h"
 
+#include "Glue/Arrays.h"
 #include "Texture/SphericalTexture.h"
-#include "vtkConformalConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -68,7 +68,7 @@ double NumberIn(vtkFieldData* data, const char* name, double least, double large
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image)

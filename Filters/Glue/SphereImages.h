@@ -1,6 +1,6 @@
 // Images of the sphere: how they lie there, as field data of a surface, and their pixels.
-#ifndef vtkSphereImageConversions_h
-#define vtkSphereImageConversions_h
+#ifndef GlueSphereImages_h
+#define GlueSphereImages_h
 
 #include "Texture/SphereProjection.h"      // for SphereImage
 #include "Texture/SphericalTextureImage.h" // for PixelSink
@@ -14,7 +14,7 @@ class vtkInformation;
 class vtkPointSet;
 class vtkUnsignedCharArray;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// "SpherePole", "SphereUp", "SphereRight", "TextureProjection", "TextureFieldOfView",
 /// "TextureScale" and "TextureMargin".

@@ -1,13 +1,15 @@
 #include "vtkBodyMap.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Sphere/SphereCoverage.h"
 #include "Texture/BodyCoordinates.h"
 #include "Texture/BodyRelief.h"
-#include "vtkConformalConversions.h"
-#include "vtkInputChecks.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -34,8 +36,8 @@ void AddPoint(vtkFieldData* data, const char* name, const conformal::Vector3& po
   const conformal::CoordinateFrame& frame)
 {
   conformal::Points row = point.transpose();
-  vtkConformalConversions::LengthsFromFrame(row.data(), 3, frame, name);
-  vtkConformalConversions::AddVectors(data, name, row);
+  glue::LengthsFromFrame(row.data(), 3, frame, name);
+  glue::AddVectors(data, name, row);
 }
 
 void AddAngles(vtkPointData* data, const conformal::Points& map)
@@ -47,8 +49,8 @@ void AddAngles(vtkPointData* data, const conformal::Points& map)
     longitudes[i] = degrees[0];
     latitudes[i] = degrees[1];
   }
-  vtkConformalConversions::AddNumbers(data, "Longitude", longitudes);
-  vtkConformalConversions::AddNumbers(data, "Latitude", latitudes);
+  glue::AddNumbers(data, "Longitude", longitudes);
+  glue::AddNumbers(data, "Latitude", latitudes);
 }
 
 void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoid,
@@ -57,8 +59,8 @@ void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoi
   const conformal::ReferenceEllipsoid reference =
     isEllipsoid ? conformal::referenceEllipsoid(body) : conformal::referenceSphere(body);
   const conformal::BodyRelief relief = conformal::measureRelief(body, reference);
-  vtkConformalConversions::AddLengths(output->GetPointData(), "Height", relief.Heights, frame);
-  vtkConformalConversions::AddNumbers(output->GetPointData(), "Slope", relief.Slopes);
+  glue::AddLengths(output->GetPointData(), "Height", relief.Heights, frame);
+  glue::AddNumbers(output->GetPointData(), "Slope", relief.Slopes);
   AddPoint(output->GetFieldData(), "ReferenceCenter", reference.Center, frame);
   AddPoint(output->GetFieldData(), "ReferenceRadii", reference.Radii, frame);
   vtkNew<vtkDoubleArray> axes;
@@ -100,10 +102,10 @@ void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLin
     degrees.push_back(line.Degrees);
   }
   points.conservativeResize(first, 3);
-  vtkConformalConversions::SetPoints(output, points, frame);
+  glue::SetPoints(output, points, frame);
   output->SetLines(cells);
   output->GetCellData()->AddArray(isMeridian);
-  vtkConformalConversions::AddNumbers(output->GetCellData(), "Degrees", degrees);
+  glue::AddNumbers(output->GetCellData(), "Degrees", degrees);
 }
 
 // One place on the sphere should belong to one point.
@@ -169,8 +171,8 @@ int vtkBodyMap::FillInputPortInformation(int port, vtkInformation* info)
 int vtkBodyMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto places = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto places = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* graticule = vtkPolyData::GetData(outputVector, 1);
   vtkPolyData* placed = vtkPolyData::GetData(outputVector, 2);
@@ -180,10 +182,10 @@ int vtkBodyMap::RequestData(
   options.UseMarkerPoint = this->UseMarkerPoint;
   const bool isEllipsoid = this->Reference == ELLIPSOID;
   const double spacing = this->GraticuleSpacing;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (surface->GetNumberOfPoints() == 0)
       {
         WarnOfEmptyInput(this, "the surface is empty; the output is empty");
@@ -233,7 +235,7 @@ int vtkBodyMap::RequestData(
       const conformal::Run placing = steps.next();
       if (places)
       {
-        vtkInputChecks::RequireCellIds(places);
+        glue::RequireCellIds(places);
         const conformal::Points points =
           conformal::placeOnBody(body, DirectionsOf(places), placing);
         if (!points.allFinite())

@@ -47,12 +47,12 @@
 #ifndef vtkBodyMap_h
 #define vtkBodyMap_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersShapeModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkAlgorithmOutput;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkBodyMap : public vtkPolyDataAlgorithm
+class VTKFILTERSSHAPE_EXPORT vtkBodyMap : public vtkPolyDataAlgorithm
 {
 public:
   static vtkBodyMap* New();

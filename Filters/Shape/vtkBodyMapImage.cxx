@@ -1,10 +1,12 @@
 #include "vtkBodyMapImage.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Texture/MapImage.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkSphereImageConversions.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -47,13 +49,13 @@ int vtkBodyMapImage::FillInputPortInformation(int, vtkInformation* info)
 int vtkBodyMapImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  return vtkConformalConversions::RunRequest(this,
+  return glue::RunRequest(this,
     [&]()
     {
       const conformal::Vector2 half =
         conformal::halfSizeOfMap(static_cast<conformal::MapProjection>(this->Projection));
-      vtkConformalConversions::SetImageInformation(outputVector->GetInformationObject(0),
-        this->ImageSize, -half[0], -half[1], 2.0 * half[0], 2.0 * half[1]);
+      glue::SetImageInformation(outputVector->GetInformationObject(0), this->ImageSize, -half[0],
+        -half[1], 2.0 * half[0], 2.0 * half[1]);
     });
 }
 
@@ -68,7 +70,7 @@ int vtkBodyMapImage::RequestUpdateExtent(
 int vtkBodyMapImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const std::string arrayName = this->ArrayName;
   conformal::MapImage map;
@@ -76,10 +78,10 @@ int vtkBodyMapImage::RequestData(
   map.CentralLongitude = this->CentralLongitude;
   const double spacing = this->GraticuleSpacing >= 1.0 ? this->GraticuleSpacing : 0.0;
   const bool withPositions = this->GeneratePositions;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (surface->GetNumberOfPoints() == 0)
       {
         WarnOfEmptyInput(this, "the surface is empty; the image is empty");

@@ -36,12 +36,12 @@
 #ifndef vtkBodyMapImage_h
 #define vtkBodyMapImage_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersShapeModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
 
 #include <string> // for ArrayName
 
-class VTKFILTERSCONFORMAL_EXPORT vtkBodyMapImage : public vtkImageAlgorithm
+class VTKFILTERSSHAPE_EXPORT vtkBodyMapImage : public vtkImageAlgorithm
 {
 public:
   static vtkBodyMapImage* New();

@@ -2,15 +2,17 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/HarmonicTables.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Harmonics/HarmonicAlignment.h"
 #include "Harmonics/HarmonicFit.h"
 #include "Harmonics/HarmonicSurface.h"
 #include "Harmonics/SphericalHarmonics.h"
 #include "Linear/EdgeWeights.h"
-#include "vtkConformalConversions.h"
-#include "vtkHarmonicTables.h"
-#include "vtkInputChecks.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -95,9 +97,9 @@ conformal::Columns ValuesOf(
 conformal::MappedMesh MeshOf(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
 {
   conformal::MappedMesh mesh;
-  mesh.SpherePositions = vtkConformalConversions::ToSpherePositions(surface);
-  mesh.Triangles = vtkConformalConversions::ToTriangles(surface);
-  mesh.Positions = vtkConformalConversions::ToPoints(surface->GetPoints(), frame);
+  mesh.SpherePositions = glue::ToSpherePositions(surface);
+  mesh.Triangles = glue::ToTriangles(surface);
+  mesh.Positions = glue::ToPoints(surface->GetPoints(), frame);
   if (mesh.Triangles.rows() == 0)
   {
     throw std::invalid_argument("the surface has no triangles");
@@ -112,7 +114,7 @@ conformal::MappedMesh MeshOf(vtkPolyData* surface, const conformal::CoordinateFr
 // The coordinates of a reference in a frame.
 conformal::Columns ReferenceOf(vtkTable* table, const conformal::CoordinateFrame& frame)
 {
-  conformal::Points coordinates = vtkHarmonicTables::FromTable(table).Coefficients.leftCols(3);
+  conformal::Points coordinates = glue::FromTable(table).Coefficients.leftCols(3);
   for (conformal::Index i = 0; i < coordinates.rows(); ++i)
   {
     coordinates.row(i) = frame.toFrameFromAfar(coordinates.row(i));
@@ -159,8 +161,8 @@ conformal::Columns AlignedCoefficients(const conformal::Columns& coefficients,
 void AddTable(vtkTable* table, const conformal::Columns& coefficients,
   const std::vector<ChosenArray>& arrays, const conformal::CoordinateFrame& frame)
 {
-  vtkHarmonicTables::Harmonics harmonics = { coefficients, {} };
-  vtkConformalConversions::LengthsFromFrame(
+  glue::Harmonics harmonics = { coefficients, {} };
+  glue::LengthsFromFrame(
     harmonics.Coefficients.data(), 3 * coefficients.rows(), frame, "a coefficient");
   for (const ChosenArray& chosen : arrays)
   {
@@ -174,7 +176,7 @@ void AddTable(vtkTable* table, const conformal::Columns& coefficients,
   {
     throw std::overflow_error("values of the arrays are too large for their harmonics");
   }
-  vtkHarmonicTables::ToTable(harmonics, table);
+  glue::ToTable(harmonics, table);
 }
 
 // The columns of an array, with its name.
@@ -215,13 +217,13 @@ void AddSummary(vtkFieldData* data, const conformal::Columns& coefficients,
   {
     spectrum[l] = std::sqrt(power[l] / power[1]);
   }
-  vtkConformalConversions::AreasFromFrame(
+  glue::AreasFromFrame(
     power.data(), static_cast<conformal::Index>(power.size()), frame, "HarmonicPower");
-  vtkConformalConversions::AddNumbers(data, "HarmonicPower", power);
-  vtkConformalConversions::AddNumbers(data, "ShapeSpectrum", spectrum);
+  glue::AddNumbers(data, "HarmonicPower", power);
+  glue::AddNumbers(data, "ShapeSpectrum", spectrum);
   for (const ChosenArray& chosen : arrays)
   {
-    vtkConformalConversions::AddNumbers(data, ("HarmonicPower_" + chosen.Name).c_str(),
+    glue::AddNumbers(data, ("HarmonicPower_" + chosen.Name).c_str(),
       PowerOf(coefficients.middleCols(chosen.First, chosen.Components)));
   }
 }
@@ -232,10 +234,10 @@ void AddAlignment(vtkFieldData* data, const conformal::HarmonicAlignment& alignm
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const RowMajor map = alignment.MapRotation, surface = alignment.SurfaceRotation;
   conformal::Vector3 center = alignment.Center;
-  vtkConformalConversions::LengthsFromFrame(center.data(), 3, frame, "SurfaceCenter");
-  vtkConformalConversions::AddTuple(data, "MapRotation", map.data(), 9);
-  vtkConformalConversions::AddTuple(data, "SurfaceRotation", surface.data(), 9);
-  vtkConformalConversions::AddTuple(data, "SurfaceCenter", center.data(), 3);
+  glue::LengthsFromFrame(center.data(), 3, frame, "SurfaceCenter");
+  glue::AddTuple(data, "MapRotation", map.data(), 9);
+  glue::AddTuple(data, "SurfaceRotation", surface.data(), 9);
+  glue::AddTuple(data, "SurfaceCenter", center.data(), 3);
 }
 
 double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal::Points& rebuilt)
@@ -313,24 +315,24 @@ int vtkSurfaceHarmonics::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkSurfaceHarmonics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto reference = vtkConformalConversions::Held(vtkTable::GetData(inputVector[1]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = glue::Held(vtkTable::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* tableOutput = vtkTable::GetData(outputVector, 1);
   const int degree = this->Degree, kept = std::min(this->ReconstructionDegree, degree);
   const int kind = this->Alignment, frequency = this->Frequency;
   const bool isGeodesic = this->Lattice == GEODESIC;
   const std::vector<std::string> names = this->PointArrays;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (surface->GetNumberOfPoints() == 0)
       {
         WarnOfEmptyInput(this, "the surface is empty; it has no harmonics");
         return;
       }
-      vtkInputChecks::RequireCellIds(surface);
+      glue::RequireCellIds(surface);
       const std::vector<ChosenArray> arrays = ArraysOf(surface, names);
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const double columns =

@@ -58,7 +58,7 @@
 #ifndef vtkSurfaceHarmonics_h
 #define vtkSurfaceHarmonics_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersShapeModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
 #include <string> // for PointArrays
@@ -66,7 +66,7 @@
 
 class vtkTable;
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceHarmonics : public vtkPolyDataAlgorithm
+class VTKFILTERSSHAPE_EXPORT vtkSurfaceHarmonics : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSurfaceHarmonics* New();

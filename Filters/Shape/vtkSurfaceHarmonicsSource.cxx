@@ -2,10 +2,12 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/HarmonicTables.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Harmonics/HarmonicSurface.h"
 #include "Harmonics/SphericalHarmonics.h"
-#include "vtkConformalConversions.h"
-#include "vtkHarmonicTables.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -30,19 +32,19 @@ int vtkSurfaceHarmonicsSource::FillInputPortInformation(int, vtkInformation* inf
 int vtkSurfaceHarmonicsSource::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto table = vtkConformalConversions::Held(vtkTable::GetData(inputVector[0]));
+  const auto table = glue::Held(vtkTable::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency, kept = this->ReconstructionDegree;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (table->GetNumberOfColumns() == 0)
       {
         WarnOfEmptyInput(this, "the table of coefficients is empty; there is no surface");
         return;
       }
-      vtkHarmonicTables::Harmonics harmonics = vtkHarmonicTables::FromTable(table);
+      glue::Harmonics harmonics = glue::FromTable(table);
       conformal::Columns coefficients = conformal::upToDegree(harmonics.Coefficients, kept);
       const conformal::Points coordinates = coefficients.leftCols(3);
       const conformal::CoordinateFrame frame = conformal::frameOf({ coordinates });

@@ -22,10 +22,10 @@
 #ifndef vtkSurfaceHarmonicsSource_h
 #define vtkSurfaceHarmonicsSource_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersShapeModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceHarmonicsSource : public vtkPolyDataAlgorithm
+class VTKFILTERSSHAPE_EXPORT vtkSurfaceHarmonicsSource : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSurfaceHarmonicsSource* New();

@@ -1,9 +1,11 @@
 #include "vtkSurfaceShape.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Measure/SurfaceShape.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -28,13 +30,12 @@ void AddShape(
 {
   // A frame whose lengths are one by a length.
   const conformal::CoordinateFrame inverse = { 1.0 / frame.Unit };
-  vtkConformalConversions::AddLengths(
-    data, "MeanCurvature", ToVector(shape.MeanCurvature), inverse);
+  glue::AddLengths(data, "MeanCurvature", ToVector(shape.MeanCurvature), inverse);
   std::vector<double> gaussian = ToVector(shape.GaussianCurvature);
-  vtkConformalConversions::AreasFromFrame(
+  glue::AreasFromFrame(
     gaussian.data(), static_cast<conformal::Index>(gaussian.size()), inverse, "GaussianCurvature");
-  vtkConformalConversions::AddNumbers(data, "GaussianCurvature", gaussian);
-  vtkConformalConversions::AddLengths(data, "SulcalDepth", ToVector(shape.SulcalDepth), frame);
+  glue::AddNumbers(data, "GaussianCurvature", gaussian);
+  glue::AddLengths(data, "SulcalDepth", ToVector(shape.SulcalDepth), frame);
 }
 }
 
@@ -42,30 +43,28 @@ void AddShape(
 int vtkSurfaceShape::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::SurfaceShapeOptions options;
   options.CurvatureScale = this->CurvatureScale;
   options.DepthScale = this->DepthScale;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
-      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface });
-      conformal::Steps steps(
-        vtkConformalConversions::RunOf(this), { 560.0, 4000.0, 40.0 }); // for each point
-      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
-      const conformal::Mesh outward = vtkConformalConversions::Outward(mesh);
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
+      conformal::Steps steps(glue::RunOf(this), { 560.0, 4000.0, 40.0 }); // for each point
+      const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
+      const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::SurfaceShape shape =
         conformal::measureSurfaceShape(outward, options, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;
-      vtkConformalConversions::PassClosedMesh(surface, mesh, frame, result);
+      glue::PassClosedMesh(surface, mesh, frame, result);
       AddShape(result->GetPointData(), shape, frame);
       output->ShallowCopy(result);
     });

@@ -36,10 +36,10 @@
 #ifndef vtkSurfaceShape_h
 #define vtkSurfaceShape_h
 
-#include "vtkFiltersConformalModule.h" // for export macro
+#include "vtkFiltersShapeModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSCONFORMAL_EXPORT vtkSurfaceShape : public vtkPolyDataAlgorithm
+class VTKFILTERSSHAPE_EXPORT vtkSurfaceShape : public vtkPolyDataAlgorithm
 {
 public:
   static vtkSurfaceShape* New();

@@ -1,4 +1,4 @@
-#include "vtkInputChecks.h"
+#include "Glue/Checks.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -75,11 +75,11 @@ std::string Refusal(const std::function<void()>& check)
 
 std::string Refusal(vtkDataObject* data)
 {
-  return Refusal([&]() { vtkInputChecks::RequireConsistentData(data, "it"); });
+  return Refusal([&]() { glue::RequireConsistentData(data, "it"); });
 }
 }
 
-TEST(InputChecks, DataThatFitPass)
+TEST(Checks, DataThatFitPass)
 {
   const vtkNew<vtkPolyData> surface = Square();
   EXPECT_EQ(Refusal(surface), "");
@@ -99,7 +99,7 @@ TEST(InputChecks, DataThatFitPass)
   EXPECT_EQ(Refusal(nullptr), "");
 }
 
-TEST(InputChecks, SaysWhichArrayHowManyAndWhatToDo)
+TEST(Checks, SaysWhichArrayHowManyAndWhatToDo)
 {
   const vtkNew<vtkPolyData> surface = Square();
   surface->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("Good", 1, 4));
@@ -114,7 +114,7 @@ TEST(InputChecks, SaysWhichArrayHowManyAndWhatToDo)
     "for each cell, or remove it.");
 }
 
-TEST(InputChecks, GhostsAreOneUnsignedCharEach)
+TEST(Checks, GhostsAreOneUnsignedCharEach)
 {
   const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
   const vtkNew<vtkPolyData> surface = Square();
@@ -129,7 +129,7 @@ TEST(InputChecks, GhostsAreOneUnsignedCharEach)
 }
 
 // Components that are changed after VTK looked at them.
-TEST(InputChecks, VectorsOfPointsHaveThreeComponents)
+TEST(Checks, VectorsOfPointsHaveThreeComponents)
 {
   const vtkNew<vtkPolyData> surface = Square();
   const vtkNew<vtkFloatArray> normals = ArrayOf<vtkFloatArray>("N", 3, 4);
@@ -145,7 +145,7 @@ TEST(InputChecks, VectorsOfPointsHaveThreeComponents)
   EXPECT_EQ(Refusal(surface), "it: the points have 2 components instead of 3. Convert them.");
 }
 
-TEST(InputChecks, OffsetsFitTheIds)
+TEST(Checks, OffsetsFitTheIds)
 {
   for (const std::initializer_list<vtkIdType>& offsets :
     { std::initializer_list<vtkIdType>{ 0, 4 }, { 0, 3, 2 }, { 1, 3 }, { 0, 2 }, {} })
@@ -168,7 +168,7 @@ TEST(InputChecks, OffsetsFitTheIds)
   }
 }
 
-TEST(InputChecks, ImagesAndGridsHaveThePointsOfTheirExtent)
+TEST(Checks, ImagesAndGridsHaveThePointsOfTheirExtent)
 {
   vtkNew<vtkImageData> image;
   image->SetExtent(2, 4, 5, 6, 0, 0);
@@ -185,11 +185,10 @@ TEST(InputChecks, ImagesAndGridsHaveThePointsOfTheirExtent)
   EXPECT_NE(Refusal(grid).find("has 2 tuples for 1 cell."), std::string::npos);
 }
 
-TEST(InputChecks, CellsNamePointsThatAreThere)
+TEST(Checks, CellsNamePointsThatAreThere)
 {
   const vtkNew<vtkPolyData> surface = Square();
-  const auto refusal = [&]()
-  { return Refusal([&]() { vtkInputChecks::RequireCellIds(surface); }); };
+  const auto refusal = [&]() { return Refusal([&]() { glue::RequireCellIds(surface); }); };
   EXPECT_EQ(refusal(), "");
   vtkNew<vtkCellArray> strips;
   const vtkIdType ids[] = { 0, 1, 2, 4 }, negative[] = { 0, -1 };
@@ -206,13 +205,12 @@ TEST(InputChecks, CellsNamePointsThatAreThere)
 }
 
 // All connections of all ports, the optional ones that have none left out.
-TEST(InputChecks, LooksAtEveryConnection)
+TEST(Checks, LooksAtEveryConnection)
 {
   const vtkNew<vtkPolyData> good = Square(), bad = Square();
   bad->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("Bad", 1, 3));
   vtkNew<vtkAppendPolyData> append;
-  const auto refusal = [&]()
-  { return Refusal([&]() { vtkInputChecks::RequireConsistentInputs(append); }); };
+  const auto refusal = [&]() { return Refusal([&]() { glue::RequireConsistentInputs(append); }); };
   EXPECT_EQ(refusal(), "");
   append->AddInputData(good);
   EXPECT_EQ(refusal(), "");
@@ -220,5 +218,5 @@ TEST(InputChecks, LooksAtEveryConnection)
   EXPECT_NE(
     refusal().find("input port 0: the point array \"Bad\" has 3 tuples"), std::string::npos);
   vtkNew<vtkSphereSource> source;
-  EXPECT_EQ(Refusal([&]() { vtkInputChecks::RequireConsistentInputs(source); }), "");
+  EXPECT_EQ(Refusal([&]() { glue::RequireConsistentInputs(source); }), "");
 }

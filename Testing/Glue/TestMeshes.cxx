@@ -1,5 +1,5 @@
 // What every filter that needs a closed surface does with a surface that is not quite one.
-#include "vtkMeshConversions.h"
+#include "Glue/Meshes.h"
 
 #include "FilterContract.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -19,9 +19,9 @@
 #include <limits>
 #include <stdexcept>
 
-using vtkConformalConversions::ClosedMesh;
-using vtkConformalConversions::ToClosedMesh;
-using vtkConformalConversions::ToTriangles;
+using glue::ClosedMesh;
+using glue::ToClosedMesh;
+using glue::ToTriangles;
 
 namespace
 {
@@ -74,7 +74,7 @@ protected:
 };
 }
 
-TEST_F(MeshConversions, TakesAGoodSurfaceAsItIs)
+TEST_F(Meshes, TakesAGoodSurfaceAsItIs)
 {
   const auto surface = Sphere();
   const ClosedMesh mesh = ToClosedMesh(this->Filter, surface, {});
@@ -86,7 +86,7 @@ TEST_F(MeshConversions, TakesAGoodSurfaceAsItIs)
   EXPECT_FALSE(this->Observed.Warning());
 }
 
-TEST_F(MeshConversions, RefusesOpenSurfacesWithFigures)
+TEST_F(Meshes, RefusesOpenSurfacesWithFigures)
 {
   const auto surface = Sphere();
   fixtures::ChangePolygons(surface, [](vtkIdType i, vtkIdList*) { return i != 0; });
@@ -94,7 +94,7 @@ TEST_F(MeshConversions, RefusesOpenSurfacesWithFigures)
   EXPECT_FALSE(this->Observed.Warning());
 }
 
-TEST_F(MeshConversions, RefusesAnotherGenusWithItsEulerNumber)
+TEST_F(Meshes, RefusesAnotherGenusWithItsEulerNumber)
 {
   vtkNew<vtkSuperquadricSource> torus;
   torus->ToroidalOn();
@@ -104,7 +104,7 @@ TEST_F(MeshConversions, RefusesAnotherGenusWithItsEulerNumber)
   EXPECT_NE(this->WhyNot(triangles->GetOutput()).find("Euler number 0"), std::string::npos);
 }
 
-TEST_F(MeshConversions, RefusesSeveralComponents)
+TEST_F(Meshes, RefusesSeveralComponents)
 {
   vtkNew<vtkAppendPolyData> both;
   both->AddInputData(Sphere(2));
@@ -113,7 +113,7 @@ TEST_F(MeshConversions, RefusesSeveralComponents)
   EXPECT_NE(this->WhyNot(both->GetOutput()).find("2 components"), std::string::npos);
 }
 
-TEST_F(MeshConversions, RefusesWhatIsNotManifoldWithFirstIds)
+TEST_F(Meshes, RefusesWhatIsNotManifoldWithFirstIds)
 {
   const auto surface = Sphere();
   surface->GetPolys()->InsertNextCell({ 0, 40, 80 });
@@ -126,7 +126,7 @@ TEST_F(MeshConversions, RefusesWhatIsNotManifoldWithFirstIds)
   EXPECT_NE(why.find("1 edge of more than two triangles (first: "), std::string::npos);
 }
 
-TEST_F(MeshConversions, RefusesCoordinatesThatAreNotFinite)
+TEST_F(Meshes, RefusesCoordinatesThatAreNotFinite)
 {
   const auto surface = Sphere();
   surface->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0, 0);
@@ -134,7 +134,7 @@ TEST_F(MeshConversions, RefusesCoordinatesThatAreNotFinite)
   EXPECT_NE(this->WhyNot(surface).find("2 of 92 points"), std::string::npos);
 }
 
-TEST_F(MeshConversions, TurnsTrianglesAndWarns)
+TEST_F(Meshes, TurnsTrianglesAndWarns)
 {
   const auto surface = Sphere();
   fixtures::ChangePolygons(surface,
@@ -154,7 +154,7 @@ TEST_F(MeshConversions, TurnsTrianglesAndWarns)
   EXPECT_NE(this->Observed.WarningMessage().find("4 triangles were reversed"), std::string::npos);
 }
 
-TEST_F(MeshConversions, WeldsASoupAndWarns)
+TEST_F(Meshes, WeldsASoupAndWarns)
 {
   const auto sphere = Sphere();
   vtkNew<vtkPoints> corners;
@@ -180,7 +180,7 @@ TEST_F(MeshConversions, WeldsASoupAndWarns)
   EXPECT_EQ(this->Observed.WarningMessage().find("no triangle"), std::string::npos);
 }
 
-TEST_F(MeshConversions, CutsUpQuadsSilently)
+TEST_F(Meshes, CutsUpQuadsSilently)
 {
   // A cube of quads with shared corners.
   vtkNew<vtkPoints> corners;
@@ -205,7 +205,7 @@ TEST_F(MeshConversions, CutsUpQuadsSilently)
   EXPECT_FALSE(this->Observed.Warning());
 }
 
-TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
+TEST_F(Meshes, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
 {
   const auto surface = Sphere();
   surface->GetPointData()->Initialize();
@@ -219,7 +219,7 @@ TEST_F(MeshConversions, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
   EXPECT_NE(warnings.find("1 points that belong to no triangle"), std::string::npos);
 }
 
-TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)
+TEST_F(Meshes, TellsInsideOutAndLeavesIt)
 {
   const auto surface = Sphere();
   fixtures::ChangePolygons(surface,
@@ -234,7 +234,7 @@ TEST_F(MeshConversions, TellsInsideOutAndLeavesIt)
 
 // A polygon whose ears cannot be found still closes the surface.
 // A pyramid over a star: with VTK's triangulation this would take minutes.
-TEST_F(MeshConversions, CutsUpPolygonsOfManyCorners)
+TEST_F(Meshes, CutsUpPolygonsOfManyCorners)
 {
   constexpr vtkIdType count = 100000;
   vtkNew<vtkPoints> points;
@@ -260,7 +260,7 @@ TEST_F(MeshConversions, CutsUpPolygonsOfManyCorners)
   EXPECT_FALSE(mesh.InsideOut);
 }
 
-TEST_F(MeshConversions, KeepsTheBorderOfImpossiblePolygons)
+TEST_F(Meshes, KeepsTheBorderOfImpossiblePolygons)
 {
   vtkNew<vtkPoints> points;
   for (int i = 0; i < 6; ++i)

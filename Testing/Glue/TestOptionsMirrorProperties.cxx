@@ -1,6 +1,6 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "Hull/GenusZeroHull.h"
-#include "Hull/GenusZeroRepair.h"
+#include "Repair/GenusZeroRepair.h"
 #include "Learn/Training.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"

@@ -1,4 +1,4 @@
-#include "vtkSphereImageConversions.h"
+#include "Glue/SphereImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -14,8 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
-using vtkConformalConversions::AddSphereImage;
-using vtkConformalConversions::ToSphereImage;
+using glue::AddSphereImage;
+using glue::ToSphereImage;
 
 namespace
 {
@@ -31,7 +31,7 @@ conformal::SphereImage someImage()
 }
 }
 
-TEST(SphereImageConversions, GoThereAndBack)
+TEST(SphereImages, GoThereAndBack)
 {
   const conformal::SphereImage image = someImage();
   vtkNew<vtkFieldData> data;
@@ -46,7 +46,7 @@ TEST(SphereImageConversions, GoThereAndBack)
   EXPECT_EQ(back.Margin, image.Margin);
 }
 
-TEST(SphereImageConversions, RefuseWhatSaysNothing)
+TEST(SphereImages, RefuseWhatSaysNothing)
 {
   vtkNew<vtkFieldData> complete;
   AddSphereImage(complete, someImage());
@@ -89,7 +89,7 @@ TEST(SphereImageConversions, RefuseWhatSaysNothing)
   }
 }
 
-TEST(SphereImageConversions, RefuseAxesThatAreNotOrthonormal)
+TEST(SphereImages, RefuseAxesThatAreNotOrthonormal)
 {
   using conformal::Vector3;
   const auto read = [](const Vector3& pole, const Vector3& up, const Vector3& right)
@@ -117,7 +117,7 @@ TEST(SphereImageConversions, RefuseAxesThatAreNotOrthonormal)
   EXPECT_THROW(read(1e200 * z, y, x), std::invalid_argument);
 }
 
-TEST(SphereImageConversions, RefuseAProjectionBetweenTwo)
+TEST(SphereImages, RefuseAProjectionBetweenTwo)
 {
   vtkNew<vtkFieldData> data;
   AddSphereImage(data, someImage());
@@ -128,12 +128,12 @@ TEST(SphereImageConversions, RefuseAProjectionBetweenTwo)
   EXPECT_THROW(ToSphereImage(data), std::invalid_argument);
 }
 
-TEST(SphereImageConversions, ImagesHaveCountablePixels)
+TEST(SphereImages, ImagesHaveCountablePixels)
 {
   vtkNew<vtkInformation> info;
   for (const auto& size : { std::pair(0, 1), std::pair(1, -1), std::pair(1 << 16, 1 << 16) })
   {
     const int pixels[2] = { size.first, size.second };
-    EXPECT_THROW(vtkConformalConversions::SetImageInformation(info, pixels), std::invalid_argument);
+    EXPECT_THROW(glue::SetImageInformation(info, pixels), std::invalid_argument);
   }
 }

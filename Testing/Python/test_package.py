@@ -1,4 +1,5 @@
 """The package imports as one, knows its version, and documents every class."""
+import glob
 import os
 import pydoc
 import re
@@ -10,16 +11,17 @@ from conformalsom import *  # noqa: F401,F403 (a part of what is tested)
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
-def listed_classes():
-    """The classes in the lists of the modules."""
-    for folder in ("Filters/Conformal", "IO/Surface"):
-        with open(os.path.join(SOURCE, folder, "CMakeLists.txt"), encoding="ascii") as file:
-            yield from re.search(r"set\(classes([^)]*)\)", file.read()).group(1).split()
+def classes_of_modules():
+    """Names of the classes that the headers of the VTK modules export."""
+    for module in glob.glob(os.path.join(SOURCE, "*", "*", "vtk.module")):
+        for header in glob.glob(os.path.join(os.path.dirname(module), "vtk*.h")):
+            with open(header, encoding="ascii") as file:
+                yield from re.findall(r"^class VTK\w+_EXPORT (vtk\w+)", file.read(), flags=re.M)
 
 
 def enumerations():
     """Classes, their properties that are enumerations, and the names of the values of each."""
-    for name in listed_classes():
+    for name in classes_of_modules():
         values = {}
         for method in vars(getattr(conformalsom, name)):
             match = re.fullmatch(r"Set([A-Z]\w*)To([A-Z]\w*)", method)
@@ -31,7 +33,7 @@ def enumerations():
 
 class TestPackage(unittest.TestCase):
     def test_star_import_brings_every_class(self):
-        for name in listed_classes():
+        for name in classes_of_modules():
             self.assertIn(name, globals())
 
     def test_version_is_the_projects(self):
@@ -40,13 +42,13 @@ class TestPackage(unittest.TestCase):
         self.assertEqual(conformalsom.__version__, version)
 
     def test_help_tells_what_a_class_does(self):
-        for name in listed_classes():
+        for name in classes_of_modules():
             with self.subTest(name):
                 text = pydoc.plain(pydoc.render_doc(getattr(conformalsom, name)))
                 self.assertIn(f"{name} - ", text)
 
     def test_help_tells_what_a_property_means(self):
-        for name in listed_classes():
+        for name in classes_of_modules():
             methods = vars(getattr(conformalsom, name))
             for method in methods:
                 if method.startswith("Set") and "G" + method[1:] in methods:
@@ -56,7 +58,7 @@ class TestPackage(unittest.TestCase):
 
     def test_every_class_is_made_and_printed(self):
         bases = {"vtkSurfaceFileReader", "vtkSurfaceFileWriter"}  # abstract
-        for name in set(listed_classes()) - bases:
+        for name in set(classes_of_modules()) - bases:
             with self.subTest(name):
                 self.assertIn(name, str(getattr(conformalsom, name)()))
 

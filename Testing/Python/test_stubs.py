@@ -16,7 +16,7 @@ import toy_bear
 
 PACKAGE = os.path.dirname(os.path.abspath(conformalsom.__file__))
 PYTHON = os.path.dirname(os.path.abspath(toy_bear.__file__))
-MODULES = "vtkFiltersConformal", "vtkIOSurface"
+MODULES = sorted({class_.__module__.rpartition(".")[2] for class_ in vars(conformalsom).values() if inspect.isclass(class_)})
 CLASSES = {name: class_ for name, class_ in vars(conformalsom).items() if inspect.isclass(class_)}
 INHERITED = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType"}
 

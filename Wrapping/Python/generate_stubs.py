@@ -16,7 +16,6 @@ import sys
 
 from vtkmodules.vtkCommonCore import vtkVersion
 import conformalsom
-from conformalsom import vtkFiltersConformal, vtkIOSurface
 
 MADE_BY_MACRO = ("SafeDownCast", "NewInstance")
 INHERITED = ("IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType")
@@ -192,8 +191,9 @@ def is_ours(class_):
 
 def main():
     """Write the stubs."""
-    classes = {module.__name__: [class_ for class_ in vars(module).values() if inspect.isclass(class_)]
-               for module in (vtkFiltersConformal, vtkIOSurface)}
+    classes = {}
+    for class_ in filter(inspect.isclass, vars(conformalsom).values()):
+        classes.setdefault(class_.__module__, []).append(class_)
     bases = dict.fromkeys(base for module in classes.values() for class_ in module for base in class_.__mro__)
     foreign = [base for base in bases if base.__module__.startswith("vtkmodules.") and not has_stubs(base.__module__)]
     stubs = {name: Stub(module).text("from conformalsom._types import Values\n")
