@@ -79,6 +79,71 @@ void AddModes(
     glue::AddNumbers(mean->GetFieldData(), "ExplainedVariance", modes.Explained);
   }
 }
+
+// Estimated cost of the surfaces, their mesh, mean and modes, each block, and the mean's arrays.
+std::vector<double> CostOf(
+  const glue::Surfaces& surfaces, const conformal::ConsistentRemeshOptions& remesh)
+{
+  const double size = surfaces.numberOfPoints();
+  const auto count = static_cast<double>(surfaces.Held.size());
+  const double points = conformal::expectedRemeshPoints(remesh);
+  const double components = glue::NumberOfCarriedComponents(surfaces.Held.front());
+  std::vector<double> cost = { 150.0 * size, conformal::workOfConsistentRemesh(size, count, remesh),
+    conformal::workOfShapeModes(points, count) };
+  for (vtkPolyData* surface : surfaces.Held)
+  {
+    const auto own = static_cast<double>(surface->GetNumberOfPoints());
+    cost.push_back(components * (20.0 * own + 100.0 * points));
+    cost.push_back(2000.0 * own + 3500.0 * points);
+  }
+  cost.push_back(components * (20.0 * size + 100.0 * points) + 100.0 * count * points);
+  return cost;
+}
+
+// The surfaces on their common mesh, and their mean.
+struct Remeshed
+{
+  const glue::Surfaces& Surfaces;
+  conformal::CoordinateFrame Frame;
+  std::vector<conformal::MappedMesh> Meshes;
+  conformal::ConsistentMeshes Common;
+  conformal::ShapeModes Modes;
+  vtkNew<vtkPolyData> Cells;
+};
+
+vtkNew<vtkPolyData> BlockOf(
+  vtkObject* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
+{
+  const conformal::ConsistentMeshes& common = remeshed.Common;
+  vtkNew<vtkPolyData> block;
+  SetShape(block, common, common.Positions[s], remeshed.Cells->GetPolys(), remeshed.Frame);
+  glue::CarryPointArrays(
+    self, { remeshed.Surfaces.Held[s] }, common.Weights[s], block->GetPointData(), steps.next());
+  glue::AddNumber(block->GetFieldData(), "MeanSquarePointToSurface",
+    MeanSquareDistance(
+      common.Positions[s], common.Sphere.Triangles, remeshed.Meshes[s], steps.next()));
+  AddScores(block->GetFieldData(), remeshed.Modes, static_cast<conformal::Index>(s));
+  return block;
+}
+
+vtkNew<vtkPolyData> MeanOf(vtkObject* self, const Remeshed& remeshed, const conformal::Run& run)
+{
+  const std::vector<vtkPolyData*> surfaces = remeshed.Surfaces.pointers();
+  std::vector<const conformal::ResampleWeights*> parts;
+  std::vector<conformal::Index> sizes;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    parts.push_back(&remeshed.Common.Weights[s]);
+    sizes.push_back(surfaces[s]->GetNumberOfPoints());
+  }
+  const std::vector<double> shares(surfaces.size(), 1.0 / static_cast<double>(surfaces.size()));
+  vtkNew<vtkPolyData> mean;
+  SetShape(mean, remeshed.Common, remeshed.Modes.Mean, remeshed.Cells->GetPolys(), remeshed.Frame);
+  glue::CarryPointArrays(
+    self, surfaces, conformal::blended(parts, sizes, shares), mean->GetPointData(), run);
+  AddModes(mean, remeshed.Modes, remeshed.Frame);
+  return mean;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -124,72 +189,27 @@ int vtkConsistentRemesh::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      Surfaces surfaces;
-      AddSurfaces(inputVector[0], surfaces);
-      const std::vector<vtkPolyData*> held = surfaces.pointers();
+      glue::Surfaces surfaces;
+      glue::AddSurfaces(inputVector[0], surfaces);
       const auto isEmpty = [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; };
-      if (held.empty() || std::any_of(held.begin(), held.end(), isEmpty))
+      if (surfaces.Held.empty() || std::any_of(surfaces.Held.begin(), surfaces.Held.end(), isEmpty))
       {
-        WarnOfEmptyInput(this, "a surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "a surface is empty; the output is empty");
         return;
       }
-      const double size = surfaces.numberOfPoints();
-      const auto count = static_cast<double>(held.size());
-      const auto points = remesh.Lattice == conformal::RemeshLattice::Adaptive
-        ? static_cast<double>(remesh.NumberOfPoints)
-        : 10.0 * remesh.Frequency * remesh.Frequency;
-      const double components = NumberOfCarriedComponents(held.front());
-      // The surfaces, their mesh, mean and modes, each block, and the mean's arrays.
-      std::vector<double> work = { 150.0 * size,
-        conformal::workOfConsistentRemesh(size, count, remesh),
-        conformal::workOfShapeModes(points, count) };
-      for (vtkPolyData* surface : held)
-      {
-        const auto own = static_cast<double>(surface->GetNumberOfPoints());
-        work.push_back(components * (20.0 * own + 100.0 * points));
-        work.push_back(2000.0 * own + 3500.0 * points);
-      }
-      work.push_back(components * (20.0 * size + 100.0 * points) + 100.0 * count * points);
-      conformal::Steps steps(RunOf(this), work);
-      conformal::CoordinateFrame frame;
-      const std::vector<conformal::MappedMesh> meshes =
-        ToMappedMeshes(surfaces, frame, steps.next());
-      const conformal::ConsistentMeshes common =
-        conformal::remeshConsistently(meshes, remesh, steps.next());
-      const conformal::ShapeModes modes =
-        conformal::findShapeModes(common.Sphere.Triangles, common.Positions, options, steps.next());
-
-      const vtkNew<vtkPolyData> mesh;
-      SetTriangles(mesh, common.Sphere.Triangles);
+      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, remesh));
+      Remeshed remeshed{ surfaces };
+      remeshed.Meshes = glue::ToMappedMeshes(surfaces, remeshed.Frame, steps.next());
+      remeshed.Common = conformal::remeshConsistently(remeshed.Meshes, remesh, steps.next());
+      remeshed.Modes = conformal::findShapeModes(
+        remeshed.Common.Sphere.Triangles, remeshed.Common.Positions, options, steps.next());
+      glue::SetTriangles(remeshed.Cells, remeshed.Common.Sphere.Triangles);
       const vtkNew<vtkMultiBlockDataSet> blocks;
-      std::vector<const conformal::ResampleWeights*> parts;
-      std::vector<conformal::Index> sizes;
-      for (std::size_t s = 0; s < held.size(); ++s)
+      for (std::size_t s = 0; s < surfaces.Held.size(); ++s)
       {
-        const auto number = static_cast<unsigned int>(s);
-        const vtkNew<vtkPolyData> block;
-        SetShape(block, common, common.Positions[s], mesh->GetPolys(), frame);
-        CarryPointArrays(this, { held[s] }, common.Weights[s], block->GetPointData(), steps.next());
-        AddNumber(block->GetFieldData(), "MeanSquarePointToSurface",
-          MeanSquareDistance(
-            common.Positions[s], common.Sphere.Triangles, meshes[s], steps.next()));
-        AddScores(block->GetFieldData(), modes, static_cast<conformal::Index>(s));
-        blocks->SetBlock(number, block);
-        if (!surfaces.Names[s].empty())
-        {
-          blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), surfaces.Names[s].c_str());
-        }
-        parts.push_back(&common.Weights[s]);
-        sizes.push_back(held[s]->GetNumberOfPoints());
+        glue::SetNamedBlock(blocks, surfaces, s, BlockOf(this, remeshed, s, steps));
       }
-      const conformal::Run averaging = steps.next();
-      const vtkNew<vtkPolyData> mean;
-      SetShape(mean, common, modes.Mean, mesh->GetPolys(), frame);
-      CarryPointArrays(this, held,
-        conformal::blended(parts, sizes, std::vector<double>(held.size(), 1.0 / count)),
-        mean->GetPointData(), averaging);
-      AddModes(mean, modes, frame);
+      const auto mean = MeanOf(this, remeshed, steps.next());
       output->ShallowCopy(blocks);
       meanOutput->ShallowCopy(mean);
     });

@@ -81,6 +81,14 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   return { map, conformal::carryMap(points, other, steps.next()),
     conformal::vertexAreas(points, triangles) };
 }
+
+void AddAlignment(vtkFieldData* data, const conformal::SphericalAlignmentResult& result)
+{
+  glue::AddNumber(data, "AlignmentError", result.Error);
+  glue::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
+  glue::AddTuple(data, "AlignmentRotation", rows.data(), 9);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -159,11 +167,7 @@ int vtkSphericalAlignment::RequestData(
       steps.next();
       output->ShallowCopy(surface);
       glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map);
-      vtkFieldData* data = output->GetFieldData();
-      glue::AddNumber(data, "AlignmentError", result.Error);
-      glue::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
-      const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
-      glue::AddTuple(data, "AlignmentRotation", rows.data(), 9);
+      AddAlignment(output->GetFieldData(), result);
     });
 }
 

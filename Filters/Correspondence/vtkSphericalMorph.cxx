@@ -30,9 +30,21 @@
 
 vtkStandardNewMacro(vtkSphericalMorph);
 
-// What all factors have in common, and what it was made of.
+// The mesh that all morph factors have in common, and what it was made of.
 struct vtkSphericalMorph::Common
 {
+  static std::shared_ptr<const Common> of(const glue::Surfaces& surfaces,
+    const conformal::ConsistentRemeshOptions& options, conformal::Steps& steps)
+  {
+    auto made = std::make_shared<Common>();
+    made->Times = surfaces.Times;
+    made->Options = options;
+    const std::vector<conformal::MappedMesh> meshes =
+      glue::ToMappedMeshes(surfaces, made->Frame, steps.next());
+    made->Meshes = conformal::remeshConsistently(meshes, options, steps.next());
+    return made;
+  }
+
   std::vector<vtkMTimeType> Times; // of the surfaces
   conformal::ConsistentRemeshOptions Options;
   conformal::CoordinateFrame Frame;
@@ -75,6 +87,55 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
     weight /= sum;
   }
   return weights;
+}
+
+bool HasEmpty(const std::vector<vtkPolyData*>& surfaces)
+{
+  return std::any_of(surfaces.begin(), surfaces.end(),
+    [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; });
+}
+
+void RequireTwo(const std::vector<vtkPolyData*>& surfaces)
+{
+  if (surfaces.size() < 2)
+  {
+    throw std::invalid_argument("two surfaces or more are needed: set the target of the morph, "
+                                "or give composite data of several surfaces");
+  }
+}
+
+// Estimated cost of the surfaces and the mesh that they have in common, unless it is kept, and of
+// the shape, the weights, the arrays and the output.
+std::vector<double> CostOf(const glue::Surfaces& surfaces, bool isKept,
+  const conformal::ConsistentRemeshOptions& remesh, const conformal::SphericalMorphOptions& options)
+{
+  const double size = surfaces.numberOfPoints();
+  const auto count = static_cast<double>(surfaces.Held.size());
+  const double points = conformal::expectedRemeshPoints(remesh);
+  std::vector<double> cost;
+  if (!isKept)
+  {
+    cost = { 150.0 * size, conformal::workOfConsistentRemesh(size, count, remesh) };
+  }
+  cost.insert(cost.end(),
+    { conformal::workOfMorph(points, count, options.Path), 100.0 * count * points,
+      glue::NumberOfCarriedComponents(surfaces.Held.front()) * (20.0 * size + 100.0 * points),
+      100.0 * points });
+  return cost;
+}
+
+// Weights of the points of all surfaces, of which each has its share.
+conformal::ResampleWeights Blend(const conformal::ConsistentMeshes& meshes,
+  const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares)
+{
+  std::vector<const conformal::ResampleWeights*> parts;
+  std::vector<conformal::Index> sizes;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    parts.push_back(&meshes.Weights[s]);
+    sizes.push_back(surfaces[s]->GetNumberOfPoints());
+  }
+  return conformal::blended(parts, sizes, shares);
 }
 }
 
@@ -174,75 +235,32 @@ int vtkSphericalMorph::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      Surfaces surfaces;
-      AddSurfaces(inputVector[0], surfaces);
-      AddSurfaces(inputVector[1], surfaces);
+      glue::Surfaces surfaces;
+      glue::AddSurfaces(inputVector[0], surfaces);
+      glue::AddSurfaces(inputVector[1], surfaces);
       const std::vector<vtkPolyData*> held = surfaces.pointers();
-      const auto isEmpty = [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; };
-      if (held.empty() || std::any_of(held.begin(), held.end(), isEmpty))
+      if (held.empty() || HasEmpty(held))
       {
-        WarnOfEmptyInput(this, "a surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "a surface is empty; the output is empty");
         return;
       }
-      if (held.size() < 2)
-      {
-        throw std::invalid_argument("two surfaces or more are needed: set the target of the morph, "
-                                    "or give composite data of several surfaces");
-      }
+      RequireTwo(held);
       const std::vector<double> shares = SharesOf(weights, factor, held.size());
       const bool isKept = this->Kept && this->Kept->isOf(surfaces.Times, remesh);
-      const double size = surfaces.numberOfPoints();
-      const auto count = static_cast<double>(held.size());
-      const auto points = remesh.Lattice == conformal::RemeshLattice::Adaptive
-        ? static_cast<double>(remesh.NumberOfPoints)
-        : 10.0 * remesh.Frequency * remesh.Frequency;
-      // The surfaces, the mesh that they have in common, the shape, the arrays and the output.
-      conformal::Steps steps(RunOf(this),
-        { isKept ? 0.0 : 150.0 * size,
-          isKept ? 0.0 : conformal::workOfConsistentRemesh(size, count, remesh),
-          conformal::workOfMorph(points, count, options.Path), 100.0 * count * points,
-          NumberOfCarriedComponents(held.front()) * (20.0 * size + 100.0 * points),
-          100.0 * points });
-      const conformal::Run reading = steps.next();
-      std::shared_ptr<const Common> common = this->Kept;
-      if (!isKept)
-      {
-        auto made = std::make_shared<Common>();
-        made->Times = surfaces.Times;
-        made->Options = remesh;
-        const std::vector<conformal::MappedMesh> meshes =
-          ToMappedMeshes(surfaces, made->Frame, reading);
-        made->Meshes = conformal::remeshConsistently(meshes, remesh, steps.next());
-        common = std::move(made);
-      }
-      else
-      {
-        steps.next();
-      }
+      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, isKept, remesh, options));
+      const auto common = isKept ? this->Kept : Common::of(surfaces, remesh, steps);
       const conformal::ConsistentMeshes& meshes = common->Meshes;
-      const conformal::Points shape =
-        conformal::morphShapes(meshes.Sphere, meshes.Positions, shares, options, steps.next());
-      steps.next();
-      std::vector<const conformal::ResampleWeights*> parts;
-      std::vector<conformal::Index> sizes;
-      for (std::size_t s = 0; s < held.size(); ++s)
-      {
-        parts.push_back(&meshes.Weights[s]);
-        sizes.push_back(held[s]->GetNumberOfPoints());
-      }
-      const conformal::ResampleWeights blend = conformal::blended(parts, sizes, shares);
       const vtkNew<vtkPolyData> result;
-      SetSurface(result, shape, meshes.Sphere.Triangles, common->Frame);
-      vtkPointData* data = result->GetPointData();
-      CarryPointArrays(this, held, blend, data, steps.next());
+      glue::SetSurface(result,
+        conformal::morphShapes(meshes.Sphere, meshes.Positions, shares, options, steps.next()),
+        meshes.Sphere.Triangles, common->Frame);
       steps.next();
-      if (vtkDataArray* scalars = held.front()->GetPointData()->GetScalars())
-      {
-        data->SetActiveScalars(scalars->GetName());
-      }
-      AddVectors(data, SpherePositionName(), meshes.Sphere.Positions);
-      AddNumbers(result->GetFieldData(), "MorphWeights", shares);
+      const conformal::ResampleWeights blend = Blend(meshes, held, shares);
+      glue::CarryPointArrays(this, held, blend, result->GetPointData(), steps.next());
+      steps.next();
+      glue::ActivateScalarsOf(held.front(), result);
+      glue::AddVectors(result->GetPointData(), glue::SpherePositionName(), meshes.Sphere.Positions);
+      glue::AddNumbers(result->GetFieldData(), "MorphWeights", shares);
       output->ShallowCopy(result);
       if (isTimed)
       {

@@ -97,6 +97,59 @@ void AddTargets(vtkPointData* data, const conformal::Points& places,
   data->AddArray(targetPoints);
   glue::AddVectors(data, "TargetBarycentric", weights);
 }
+
+// The two surfaces of a registration.
+struct RegisteredPair
+{
+  vtkPolyData *Moving, *Fixed;
+  glue::SurfaceToRegister From, To;
+};
+
+// The vertices of all landmarks, those of point ids first.
+std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
+  const std::vector<std::pair<vtkIdType, vtkIdType>>& ids,
+  const std::vector<std::array<double, 6>>& positions)
+{
+  std::vector<std::pair<int, int>> pairs;
+  const std::vector<int> vertices = surfaces.From.vertices(),
+                         fixedVertices = surfaces.To.vertices();
+  for (const auto& [id, fixedId] : ids)
+  {
+    pairs.emplace_back(VertexAt(vertices, id, "moving"), VertexAt(fixedVertices, fixedId, "fixed"));
+  }
+  for (const auto& position : positions)
+  {
+    if (!std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); }))
+    {
+      throw std::invalid_argument("the position of a landmark is not finite");
+    }
+    pairs.emplace_back(NearestVertex(surfaces.Moving, surfaces.From, position.data()),
+      NearestVertex(surfaces.Fixed, surfaces.To, position.data() + 3));
+  }
+  std::set<int> used;
+  for (const auto& pair : pairs)
+  {
+    if (!used.insert(pair.first).second)
+    {
+      throw std::invalid_argument("the point " +
+        std::to_string(surfaces.From.PointIds[pair.first]) +
+        " of the moving surface is in two landmarks");
+    }
+  }
+  return pairs;
+}
+
+void WarnOfUnmetLandmarks(vtkObject* self, const conformal::SphericalRegistrationResult& result,
+  std::size_t numberOfLandmarks)
+{
+  if (result.NumberOfUnmetLandmarks > 0)
+  {
+    vtkWarningWithObjectMacro(self, << result.NumberOfUnmetLandmarks << " of " << numberOfLandmarks
+                                    << " landmarks cannot be met without folding the map; the "
+                                       "largest distance left is "
+                                    << result.LandmarkError << " on the unit sphere");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -187,68 +240,35 @@ int vtkSphericalRegistration::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
       if (moving->GetNumberOfPoints() == 0 || fixed->GetNumberOfPoints() == 0)
       {
-        WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this,
           moving->GetNumberOfPoints() == 0 ? "the moving surface is empty; nothing was registered"
                                            : "the fixed surface is empty; nothing was registered");
         return;
       }
-      const std::vector<double> weights = WeightsOf(features);
+      const std::vector<double> weights = glue::WeightsOf(features);
       const auto size = static_cast<double>(moving->GetNumberOfPoints());
       const auto fixedSize = static_cast<double>(fixed->GetNumberOfPoints());
       const double fine = options.Frequency * options.Frequency;
-      conformal::Steps steps(RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 800.0 * size, 800.0 * fixedSize, 1.6e9 + 2e6 * fine + 4e3 * (size + fixedSize),
           1000.0 * size + 1000.0 * fixedSize });
-      const SurfaceToRegister from =
-        ToSurfaceToRegister(this, moving, features, FrameOf({ moving }), steps.next());
-      const SurfaceToRegister to =
-        ToSurfaceToRegister(this, fixed, features, FrameOf({ fixed }), steps.next());
-      std::vector<std::pair<int, int>> pairs;
-      const std::vector<int> vertices = from.vertices(), fixedVertices = to.vertices();
-      for (const auto& [id, fixedId] : landmarks)
-      {
-        pairs.emplace_back(
-          VertexAt(vertices, id, "moving"), VertexAt(fixedVertices, fixedId, "fixed"));
-      }
-      for (const auto& position : positions)
-      {
-        for (const double x : position)
-        {
-          if (!std::isfinite(x))
-          {
-            throw std::invalid_argument("the position of a landmark is not finite");
-          }
-        }
-        pairs.emplace_back(NearestVertex(moving, from, position.data()),
-          NearestVertex(fixed, to, position.data() + 3));
-      }
-      std::set<int> used;
-      for (const auto& pair : pairs)
-      {
-        if (!used.insert(pair.first).second)
-        {
-          throw std::invalid_argument("the point " + std::to_string(from.PointIds[pair.first]) +
-            " of the moving surface is in two landmarks");
-        }
-      }
-      const conformal::SphericalRegistrationResult result =
-        conformal::registerSpheres(from.Core, to.Core, pairs, weights, options, steps.next());
+      RegisteredPair pair{ moving, fixed, {}, {} };
+      pair.From =
+        glue::ToSurfaceToRegister(this, moving, features, glue::FrameOf({ moving }), steps.next());
+      pair.To =
+        glue::ToSurfaceToRegister(this, fixed, features, glue::FrameOf({ fixed }), steps.next());
+      const auto vertices = LandmarksOf(pair, landmarks, positions);
+      const conformal::SphericalRegistrationResult result = conformal::registerSpheres(
+        pair.From.Core, pair.To.Core, vertices, weights, options, steps.next());
       const conformal::Run locating = steps.next();
-      const conformal::Points places = PlacesOfAll(from, result.SpherePositions);
+      const conformal::Points places = glue::PlacesOfAll(pair.From, result.SpherePositions);
       const vtkNew<vtkPolyData> registered;
       registered->ShallowCopy(moving);
-      SetRegistration(registered, places, result);
-      AddTargets(registered->GetPointData(), places, to, fixed, locating);
-      if (result.NumberOfUnmetLandmarks > 0)
-      {
-        vtkWarningMacro(<< result.NumberOfUnmetLandmarks << " of " << pairs.size()
-                        << " landmarks cannot be met without folding the map; the largest distance "
-                           "left is "
-                        << result.LandmarkError << " on the unit sphere");
-      }
+      glue::SetRegistration(registered, places, result);
+      AddTargets(registered->GetPointData(), places, pair.To, fixed, locating);
+      WarnOfUnmetLandmarks(this, result, vertices.size());
       output->ShallowCopy(registered);
     });
 }

@@ -93,6 +93,27 @@ void AddMask(vtkPointData* data, const conformal::ResampleWeights& weights)
   }
   data->AddArray(mask);
 }
+
+// Estimated cost of the surfaces, the weights, the mask, and the arrays.
+std::vector<double> CostOf(vtkPolyData* source, vtkPolyData* target, bool isAdaptive, bool isMasked)
+{
+  const auto sourceSize = static_cast<double>(source->GetNumberOfPoints());
+  const auto targetSize = static_cast<double>(target->GetNumberOfPoints());
+  const auto components = static_cast<double>(glue::NumberOfCarriedComponents(source));
+  return { 150.0 * sourceSize, 150.0 * targetSize,
+    (isAdaptive ? 2500.0 : 1200.0) * (sourceSize + targetSize), isMasked ? 50.0 * targetSize : 0.0,
+    components * (20.0 * sourceSize + 100.0 * targetSize) };
+}
+
+void WarnOfFolds(vtkObject* self, conformal::Index numberOfFolds)
+{
+  if (numberOfFolds > 0)
+  {
+    vtkWarningWithObjectMacro(self, << numberOfFolds
+                                    << " triangles of the source's map to the sphere are folded: "
+                                       "values jump there");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -126,24 +147,16 @@ int vtkSphericalResample::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
       if (target->GetNumberOfPoints() == 0 || source->GetNumberOfPoints() == 0)
       {
-        WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this,
           target->GetNumberOfPoints() == 0 ? "the target is empty; the output is empty"
                                            : "the source is empty; the output is empty");
         return;
       }
-      const auto targetSize = static_cast<double>(target->GetNumberOfPoints());
-      const auto sourceSize = static_cast<double>(source->GetNumberOfPoints());
       const bool isAdaptive = options.Method == conformal::ResampleMethod::AreaAdaptive;
-      const auto components = static_cast<double>(NumberOfCarriedComponents(source));
-      // The surfaces, the weights, the mask, and the arrays.
-      conformal::Steps steps(RunOf(this),
-        { 150.0 * sourceSize, 150.0 * targetSize,
-          (isAdaptive ? 2500.0 : 1200.0) * (sourceSize + targetSize),
-          maskName.empty() ? 0.0 : 50.0 * targetSize,
-          components * (20.0 * sourceSize + 100.0 * targetSize) });
+      const bool isMasked = !maskName.empty();
+      conformal::Steps steps(glue::RunOf(this), CostOf(source, target, isAdaptive, isMasked));
       steps.next();
       const conformal::MappedMesh from = ToMapped(source, "source");
       RequireTriangles(from, "the source has no triangles");
@@ -156,28 +169,20 @@ int vtkSphericalResample::RequestData(
       conformal::SphericalResampling resampling =
         conformal::resampleSurface(from, to, options, steps.next());
       steps.next();
-      if (!maskName.empty())
+      const vtkNew<vtkPolyData> result;
+      result->ShallowCopy(target);
+      if (isMasked)
       {
         resampling.Weights = conformal::restrictedTo(resampling.Weights, MaskOf(source, maskName));
       }
-      const vtkNew<vtkPolyData> result;
-      result->ShallowCopy(target);
-      vtkPointData* data = result->GetPointData();
-      CarryPointArrays(this, { source }, resampling.Weights, data, steps.next());
-      if (vtkDataArray* scalars = source->GetPointData()->GetScalars())
+      glue::CarryPointArrays(
+        this, { source }, resampling.Weights, result->GetPointData(), steps.next());
+      glue::ActivateScalarsOf(source, result);
+      if (isMasked)
       {
-        data->SetActiveScalars(scalars->GetName());
+        AddMask(result->GetPointData(), resampling.Weights);
       }
-      if (!maskName.empty())
-      {
-        AddMask(data, resampling.Weights);
-      }
-      if (resampling.NumberOfFolds > 0)
-      {
-        vtkWarningMacro(<< resampling.NumberOfFolds
-                        << " triangles of the source's map to the sphere are folded: values jump "
-                           "there");
-      }
+      WarnOfFolds(this, resampling.NumberOfFolds);
       output->ShallowCopy(result);
     });
 }

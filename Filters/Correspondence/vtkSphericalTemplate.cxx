@@ -9,7 +9,6 @@
 #include "Glue/Run.h"
 #include "Register/SphericalTemplate.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -25,6 +24,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSphericalTemplate);
@@ -92,6 +92,146 @@ std::vector<int> Ordered(
   }
   return vertices;
 }
+
+// The surfaces that are registered: those that are not empty.
+struct UsedSurfaces
+{
+  glue::Surfaces All;
+  std::vector<std::size_t> Numbers; // of the used ones among all
+  conformal::CoordinateFrame Frame;
+};
+
+UsedSurfaces UsedSurfacesOf(vtkInformationVector* inputs)
+{
+  UsedSurfaces used;
+  glue::AddSurfaces(inputs, used.All);
+  std::vector<vtkPointSet*> sets;
+  for (std::size_t s = 0; s < used.All.Held.size(); ++s)
+  {
+    if (used.All.Held[s]->GetNumberOfPoints() > 0)
+    {
+      used.Numbers.push_back(s);
+      sets.push_back(used.All.Held[s]);
+    }
+  }
+  used.Frame = glue::FrameOf(sets);
+  return used;
+}
+
+// The estimated cost of reading each surface, and of the template.
+std::vector<double> CostOf(
+  const UsedSurfaces& surfaces, const conformal::SphericalTemplateOptions& options)
+{
+  std::vector<double> cost;
+  for (const std::size_t s : surfaces.Numbers)
+  {
+    cost.push_back(800.0 * static_cast<double>(surfaces.All.Held[s]->GetNumberOfPoints()));
+  }
+  cost.push_back(conformal::workOfSphericalTemplate(
+    surfaces.All.numberOfPoints(), static_cast<double>(surfaces.Numbers.size()), options));
+  return cost;
+}
+
+// What the template is made of, and the surfaces that it is read from.
+struct TemplateInputs
+{
+  std::vector<glue::SurfaceToRegister> Registered;
+  std::vector<conformal::TemplateInput> Core;
+};
+
+TemplateInputs ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
+  const glue::FeatureList& features, const std::string& landmarkArrayName, conformal::Steps& steps)
+{
+  TemplateInputs inputs;
+  std::map<double, int> ofFirst;
+  for (const std::size_t s : surfaces.Numbers)
+  {
+    vtkPolyData* surface = surfaces.All.Held[s];
+    conformal::TemplateInput input;
+    input.Name = "surface " + std::to_string(s);
+    if (!surfaces.All.Names[s].empty())
+    {
+      input.Name += " (\"" + surfaces.All.Names[s] + "\")";
+    }
+    try
+    {
+      inputs.Registered.push_back(
+        glue::ToSurfaceToRegister(self, surface, features, surfaces.Frame, steps.next()));
+      if (!landmarkArrayName.empty())
+      {
+        const std::map<double, int> landmarks =
+          LandmarksOf(surface, inputs.Registered.back(), landmarkArrayName);
+        ofFirst = inputs.Core.empty() ? landmarks : ofFirst;
+        input.Landmarks = Ordered(landmarks, ofFirst);
+      }
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::invalid_argument(input.Name + ": " + error.what());
+    }
+    input.Surface = inputs.Registered.back().Core;
+    inputs.Core.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+// All surfaces as blocks, those that were used with their registered maps.
+vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+  const conformal::SphericalTemplateResult& result)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (std::size_t s = 0, k = 0; s < surfaces.All.Held.size(); ++s)
+  {
+    const vtkNew<vtkPolyData> block;
+    block->ShallowCopy(surfaces.All.Held[s]);
+    if (k < surfaces.Numbers.size() && surfaces.Numbers[k] == s)
+    {
+      const conformal::SphericalRegistrationResult& registration = result.Registrations[k];
+      glue::SetRegistration(
+        block, glue::PlacesOfAll(inputs.Registered[k], registration.SpherePositions), registration);
+      ++k;
+    }
+    glue::SetNamedBlock(blocks, surfaces.All, s, block);
+  }
+  return blocks;
+}
+
+vtkNew<vtkPolyData> MeanOf(
+  const UsedSurfaces& surfaces, const conformal::SphericalTemplateResult& result)
+{
+  vtkNew<vtkPolyData> mean;
+  glue::SetSurface(mean, result.Mean.Positions, result.Mean.Triangles, surfaces.Frame);
+  glue::AddVectors(mean->GetPointData(), glue::SpherePositionName(), result.Mean.SpherePositions);
+  if (!result.Changes.empty())
+  {
+    glue::AddNumbers(mean->GetFieldData(), "TemplateChange", result.Changes);
+  }
+  glue::AddNumber(mean->GetFieldData(), "TemplateStart",
+    static_cast<long long>(surfaces.Numbers[static_cast<std::size_t>(result.Start)]));
+  return mean;
+}
+
+void Warn(vtkObject* self, const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+  const conformal::SphericalTemplateResult& result)
+{
+  const std::size_t all = surfaces.All.Held.size(), empty = all - surfaces.Numbers.size();
+  if (empty > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << empty << " of " << all << " surfaces are empty; they stay so");
+  }
+  conformal::Index unmet = 0;
+  for (const conformal::SphericalRegistrationResult& registration : result.Registrations)
+  {
+    unmet += registration.NumberOfUnmetLandmarks;
+  }
+  if (unmet > 0)
+  {
+    vtkWarningWithObjectMacro(self, << unmet << " of "
+                                    << inputs.Core.size() * inputs.Core.front().Landmarks.size()
+                                    << " landmarks cannot be met without folding a map");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -157,110 +297,20 @@ int vtkSphericalTemplate::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      Surfaces surfaces;
-      AddSurfaces(inputVector[0], surfaces);
-      std::vector<std::size_t> used; // those that are not empty
-      std::vector<vtkPointSet*> sets;
-      for (std::size_t s = 0; s < surfaces.Held.size(); ++s)
+      const UsedSurfaces surfaces = UsedSurfacesOf(inputVector[0]);
+      if (surfaces.Numbers.empty())
       {
-        if (surfaces.Held[s]->GetNumberOfPoints() > 0)
-        {
-          used.push_back(s);
-          sets.push_back(surfaces.Held[s]);
-        }
-      }
-      if (used.empty())
-      {
-        WarnOfEmptyInput(this, "there is no surface that is not empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "there is no surface that is not empty; the output is empty");
         return;
       }
-      const std::vector<double> weights = WeightsOf(features);
-      const double size = surfaces.numberOfPoints();
-      const auto count = static_cast<double>(used.size());
-      std::vector<double> work;
-      work.reserve(used.size() + 1);
-      for (const std::size_t s : used)
-      {
-        work.push_back(800.0 * static_cast<double>(surfaces.Held[s]->GetNumberOfPoints()));
-      }
-      work.push_back(conformal::workOfSphericalTemplate(size, count, options));
-      conformal::Steps steps(RunOf(this), work);
-      const conformal::CoordinateFrame frame = FrameOf(sets);
-      std::vector<SurfaceToRegister> registered;
-      std::vector<conformal::TemplateInput> inputs;
-      std::map<double, int> ofFirst;
-      for (const std::size_t s : used)
-      {
-        conformal::TemplateInput input;
-        input.Name = "surface " + std::to_string(s);
-        if (!surfaces.Names[s].empty())
-        {
-          input.Name += " (\"" + surfaces.Names[s] + "\")";
-        }
-        try
-        {
-          registered.push_back(
-            ToSurfaceToRegister(this, surfaces.Held[s], features, frame, steps.next()));
-          if (!landmarkArrayName.empty())
-          {
-            const std::map<double, int> landmarks =
-              LandmarksOf(surfaces.Held[s], registered.back(), landmarkArrayName);
-            ofFirst = s == used.front() ? landmarks : ofFirst;
-            input.Landmarks = Ordered(landmarks, ofFirst);
-          }
-        }
-        catch (const std::invalid_argument& error)
-        {
-          throw std::invalid_argument(input.Name + ": " + error.what());
-        }
-        input.Surface = registered.back().Core;
-        inputs.push_back(std::move(input));
-      }
+      const std::vector<double> weights = glue::WeightsOf(features);
+      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, options));
+      const TemplateInputs inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
       const conformal::SphericalTemplateResult result =
-        conformal::findSphericalTemplate(inputs, weights, options, steps.next());
-
-      const vtkNew<vtkMultiBlockDataSet> blocks;
-      conformal::Index unmet = 0;
-      for (std::size_t s = 0, k = 0; s < surfaces.Held.size(); ++s)
-      {
-        const auto number = static_cast<unsigned int>(s);
-        const vtkNew<vtkPolyData> block;
-        block->ShallowCopy(surfaces.Held[s]);
-        if (k < used.size() && used[k] == s)
-        {
-          const conformal::SphericalRegistrationResult& registration = result.Registrations[k];
-          SetRegistration(
-            block, PlacesOfAll(registered[k], registration.SpherePositions), registration);
-          unmet += registration.NumberOfUnmetLandmarks;
-          ++k;
-        }
-        blocks->SetBlock(number, block);
-        if (!surfaces.Names[s].empty())
-        {
-          blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), surfaces.Names[s].c_str());
-        }
-      }
-      const vtkNew<vtkPolyData> mean;
-      SetSurface(mean, result.Mean.Positions, result.Mean.Triangles, frame);
-      AddVectors(mean->GetPointData(), SpherePositionName(), result.Mean.SpherePositions);
-      if (!result.Changes.empty())
-      {
-        AddNumbers(mean->GetFieldData(), "TemplateChange", result.Changes);
-      }
-      AddNumber(mean->GetFieldData(), "TemplateStart",
-        static_cast<long long>(used[static_cast<std::size_t>(result.Start)]));
-      if (used.size() < surfaces.Held.size())
-      {
-        vtkWarningMacro(<< surfaces.Held.size() - used.size() << " of " << surfaces.Held.size()
-                        << " surfaces are empty; they stay so");
-      }
-      if (unmet > 0)
-      {
-        vtkWarningMacro(<< unmet << " of "
-                        << result.Registrations.size() * inputs.front().Landmarks.size()
-                        << " landmarks cannot be met without folding a map");
-      }
+        conformal::findSphericalTemplate(inputs.Core, weights, options, steps.next());
+      const auto blocks = BlocksOf(surfaces, inputs, result);
+      const auto mean = MeanOf(surfaces, result);
+      Warn(this, surfaces, inputs, result);
       output->ShallowCopy(blocks);
       meanOutput->ShallowCopy(mean);
     });

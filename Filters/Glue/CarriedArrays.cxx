@@ -194,4 +194,13 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
                                        "to make them of");
   }
 }
+
+//------------------------------------------------------------------------------
+void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target)
+{
+  if (vtkDataArray* scalars = source->GetPointData()->GetScalars())
+  {
+    target->GetPointData()->SetActiveScalars(scalars->GetName());
+  }
+}
 }

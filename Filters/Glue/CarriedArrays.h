@@ -27,7 +27,11 @@ namespace glue
 void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
   const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run = {});
 
-/// How many numbers of a point that function would carry of a surface, for the work to expect.
+/// Make the array of the target's points active that has the name of the source's active scalars.
+void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target);
+
+/// Count the numbers of a point that CarryPointArrays() carries of a surface, for the cost to
+/// expect.
 int NumberOfCarriedComponents(vtkPolyData* surface);
 }
 

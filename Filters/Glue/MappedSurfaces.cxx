@@ -10,6 +10,7 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
@@ -116,5 +117,17 @@ std::vector<conformal::MappedMesh> ToMappedMeshes(
     run.report(static_cast<double>(meshes.size()) / static_cast<double>(sets.size()));
   }
   return meshes;
+}
+
+//------------------------------------------------------------------------------
+void SetNamedBlock(
+  vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block)
+{
+  const auto place = static_cast<unsigned int>(number);
+  blocks->SetBlock(place, block);
+  if (!surfaces.Names[number].empty())
+  {
+    blocks->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), surfaces.Names[number].c_str());
+  }
 }
 }

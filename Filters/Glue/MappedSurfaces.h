@@ -9,12 +9,14 @@
 #include "vtkSmartPointer.h" // for surfaces that are held
 #include "vtkType.h"         // for times
 
-#include <string> // for names
-#include <vector> // for surfaces
+#include <cstddef> // for std::size_t
+#include <string>  // for names
+#include <vector>  // for surfaces
 
 class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
+class vtkMultiBlockDataSet;
 class vtkPolyData;
 
 namespace glue
@@ -32,6 +34,10 @@ struct Surfaces
   std::vector<vtkPolyData*> pointers() const;
   double numberOfPoints() const; ///< of all of them
 };
+
+/// Set a block of the output and the name of the surface that it is made of.
+void SetNamedBlock(
+  vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
 /// All surfaces on all connections of a port, blocks one by one in their order; blocks that are not
 /// there are left out.

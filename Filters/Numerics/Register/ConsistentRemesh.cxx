@@ -159,6 +159,13 @@ ConsistentMeshes remeshConsistently(
 }
 
 //------------------------------------------------------------------------------
+double expectedRemeshPoints(const ConsistentRemeshOptions& options)
+{
+  return options.Lattice == RemeshLattice::Adaptive ? static_cast<double>(options.NumberOfPoints)
+                                                    : 10.0 * options.Frequency * options.Frequency;
+}
+
+//------------------------------------------------------------------------------
 double workOfConsistentRemesh(
   double size, double numberOfSurfaces, const ConsistentRemeshOptions& options)
 {
