@@ -193,9 +193,8 @@ int vtkAdaptiveSphere::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (input->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, input, "the surface is empty; the output is empty"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
       using namespace glue;

@@ -49,9 +49,8 @@ int vtkConformalDistortion::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (input->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, input, "the surface is empty; nothing was measured"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; nothing was measured");
         return;
       }
       // For each triangle.

@@ -6,8 +6,8 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
-#include "Repair/GenusZeroRepair.h"
 #include "Register/ResampleWeights.h"
+#include "Repair/GenusZeroRepair.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -271,9 +271,8 @@ int vtkGenusZeroRepair::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the output is empty"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
       conformal::Steps steps(glue::RunOf(this), { 40.0, 1000.0, 60.0 }); // for each triangle

@@ -70,9 +70,8 @@ int vtkGlobalConformalMap::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the output is empty"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });

@@ -140,9 +140,8 @@ int vtkSphericalTextureBlend::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the image is empty"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
       using namespace glue;

@@ -150,9 +150,8 @@ int vtkSphericalTextureMap::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (input->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, input, "the surface is empty; there are no texture coordinates"))
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; there are no texture coordinates");
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ input });

@@ -23,7 +23,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -191,10 +190,8 @@ int vtkConsistentRemesh::RequestData(
     {
       glue::Surfaces surfaces;
       glue::AddSurfaces(inputVector[0], surfaces);
-      const auto isEmpty = [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; };
-      if (surfaces.Held.empty() || std::any_of(surfaces.Held.begin(), surfaces.Held.end(), isEmpty))
+      if (glue::HasEmpty(this, surfaces))
       {
-        glue::WarnOfEmptyInput(this, "a surface is empty; the output is empty");
         return;
       }
       conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, remesh));

@@ -138,11 +138,9 @@ int vtkSphericalAlignment::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; nothing was aligned") ||
+        glue::IsEmptyInput(this, reference, "the reference is empty; nothing was aligned"))
       {
-        glue::WarnOfEmptyInput(this,
-          surface->GetNumberOfPoints() == 0 ? "the surface is empty; nothing was aligned"
-                                            : "the reference is empty; nothing was aligned");
         return;
       }
       glue::RequireCellIds(surface); // which landmarks need not, but the output has

@@ -89,12 +89,6 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
   return weights;
 }
 
-bool HasEmpty(const std::vector<vtkPolyData*>& surfaces)
-{
-  return std::any_of(surfaces.begin(), surfaces.end(),
-    [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; });
-}
-
 void RequireTwo(const std::vector<vtkPolyData*>& surfaces)
 {
   if (surfaces.size() < 2)
@@ -239,9 +233,8 @@ int vtkSphericalMorph::RequestData(
       glue::AddSurfaces(inputVector[0], surfaces);
       glue::AddSurfaces(inputVector[1], surfaces);
       const std::vector<vtkPolyData*> held = surfaces.pointers();
-      if (held.empty() || HasEmpty(held))
+      if (glue::HasEmpty(this, surfaces))
       {
-        glue::WarnOfEmptyInput(this, "a surface is empty; the output is empty");
         return;
       }
       RequireTwo(held);

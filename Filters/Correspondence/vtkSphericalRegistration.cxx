@@ -240,11 +240,9 @@ int vtkSphericalRegistration::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (moving->GetNumberOfPoints() == 0 || fixed->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, moving, "the moving surface is empty; nothing was registered") ||
+        glue::IsEmptyInput(this, fixed, "the fixed surface is empty; nothing was registered"))
       {
-        glue::WarnOfEmptyInput(this,
-          moving->GetNumberOfPoints() == 0 ? "the moving surface is empty; nothing was registered"
-                                           : "the fixed surface is empty; nothing was registered");
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);

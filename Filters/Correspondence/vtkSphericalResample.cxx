@@ -147,11 +147,9 @@ int vtkSphericalResample::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (target->GetNumberOfPoints() == 0 || source->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, target, "the target is empty; the output is empty") ||
+        glue::IsEmptyInput(this, source, "the source is empty; the output is empty"))
       {
-        glue::WarnOfEmptyInput(this,
-          target->GetNumberOfPoints() == 0 ? "the target is empty; the output is empty"
-                                           : "the source is empty; the output is empty");
         return;
       }
       const bool isAdaptive = options.Method == conformal::ResampleMethod::AreaAdaptive;

@@ -14,6 +14,7 @@
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -129,5 +130,18 @@ void SetNamedBlock(
   {
     blocks->GetMetaData(place)->Set(vtkCompositeDataSet::NAME(), surfaces.Names[number].c_str());
   }
+}
+
+//------------------------------------------------------------------------------
+bool HasEmpty(vtkObject* self, const Surfaces& surfaces)
+{
+  const bool hasEmpty = surfaces.Held.empty() ||
+    std::any_of(surfaces.Held.begin(), surfaces.Held.end(),
+      [](vtkPolyData* surface) { return surface->GetNumberOfPoints() == 0; });
+  if (hasEmpty)
+  {
+    WarnOfEmptyInput(self, "a surface is empty; the output is empty");
+  }
+  return hasEmpty;
 }
 }

@@ -17,6 +17,7 @@ class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 class vtkMultiBlockDataSet;
+class vtkObject;
 class vtkPolyData;
 
 namespace glue
@@ -43,6 +44,9 @@ void SetNamedBlock(
 /// there are left out.
 /// @throws std::invalid_argument if a block is no vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
+
+/// Return whether there is no surface, or one without points, and warn of it.
+bool HasEmpty(vtkObject* self, const Surfaces& surfaces);
 
 /// The surfaces in a frame of all of them, with their maps.
 /// @throws std::invalid_argument that names the surface by its number if it has no triangles, no

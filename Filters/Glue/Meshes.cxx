@@ -371,4 +371,14 @@ conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
   }
   return mesh;
 }
+
+//------------------------------------------------------------------------------
+conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  conformal::MappedMesh mesh;
+  mesh.Triangles = ToTriangles(surface);
+  mesh.Positions = ToPoints(surface->GetPoints(), frame);
+  mesh.SpherePositions = ToSpherePositions(surface);
+  return mesh;
+}
 }

@@ -61,6 +61,10 @@ void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
 conformal::Mesh ToMeshIfClosed(
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
+/// Copy the triangles, the points in a frame and the map to the sphere of a surface, unchecked.
+/// @throws std::invalid_argument as ToTriangles() and ToSpherePositions() do
+conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
+
 /// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
 /// array "SpherePosition".
 /// @param[in] frame  in which its points are wanted; it need not be the surface's

@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObject.h"
+#include "vtkPointSet.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -148,5 +149,16 @@ void WarnOfEmptyInput(vtkObject* self, const char* message)
   {
     vtkWarningWithObjectMacro(self, << message);
   }
+}
+
+//------------------------------------------------------------------------------
+bool IsEmptyInput(vtkObject* self, vtkPointSet* input, const char* message)
+{
+  const bool isEmpty = input->GetNumberOfPoints() == 0;
+  if (isEmpty)
+  {
+    WarnOfEmptyInput(self, message);
+  }
+  return isEmpty;
 }
 }

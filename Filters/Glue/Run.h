@@ -12,6 +12,7 @@
 
 class vtkAlgorithm;
 class vtkObject;
+class vtkPointSet;
 
 namespace glue
 {
@@ -60,6 +61,9 @@ int RunRequest(vtkAlgorithm* self, const std::function<void()>& request);
 /// Warn of an empty input, on the first of several processes. An empty input is normal on the other
 /// processes, since the first process gets the complete surface.
 void WarnOfEmptyInput(vtkObject* self, const char* message);
+
+/// Return whether an input has no points, and warn of it as WarnOfEmptyInput() does.
+bool IsEmptyInput(vtkObject* self, vtkPointSet* input, const char* message);
 }
 
 #endif

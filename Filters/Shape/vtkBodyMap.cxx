@@ -135,6 +135,41 @@ conformal::Points DirectionsOf(vtkPolyData* places)
   }
   return directions;
 }
+
+void WarnOfFolds(vtkObject* self, const conformal::MappedMesh& body)
+{
+  const conformal::SphereCoverage coverage = CoverageOf(body);
+  if (coverage.NumberOfFolds > 0 || coverage.Degree > 1)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the map to the sphere covers it " << coverage.Degree << " times with "
+            << coverage.NumberOfFolds
+            << " folded triangles: some longitudes and latitudes belong to several points");
+  }
+}
+
+void AddCoordinates(vtkPolyData* output, const conformal::BodyCoordinates& coordinates,
+  const conformal::CoordinateFrame& frame)
+{
+  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), coordinates.SpherePositions);
+  AddAngles(output->GetPointData(), coordinates.SpherePositions);
+  AddPoint(output->GetFieldData(), "BodyNorthPole", coordinates.NorthPole, frame);
+  AddPoint(output->GetFieldData(), "BodySouthPole", coordinates.SouthPole, frame);
+  AddPoint(output->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
+}
+
+void SetPlaces(vtkPolyData* output, vtkPolyData* places, const conformal::MappedMesh& body,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  glue::RequireCellIds(places);
+  const conformal::Points points = conformal::placeOnBody(body, DirectionsOf(places), run);
+  if (!points.allFinite())
+  {
+    throw std::invalid_argument("some places lie where the map of the surface has a hole");
+  }
+  output->ShallowCopy(places);
+  glue::SetPoints(output, points, frame);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -185,24 +220,19 @@ int vtkBodyMap::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the output is empty"))
       {
-        WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto numberOfPlaces = places ? static_cast<double>(places->GetNumberOfPoints()) : 0.0;
       // Reading, coordinates, relief, graticule, places.
-      conformal::Steps steps(RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 110.0 * size, 800.0 * size, 330.0 * size, 450.0 * size + 1.5e8 / spacing,
           places ? 600.0 * size + 500.0 * numberOfPlaces : 0.0 });
       steps.next();
-      const conformal::CoordinateFrame frame = FrameOf({ surface });
-      conformal::MappedMesh body;
-      body.Triangles = ToTriangles(surface);
-      body.Positions = ToPoints(surface->GetPoints(), frame);
-      body.SpherePositions = ToSpherePositions(surface);
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
+      conformal::MappedMesh body = glue::CopyMapped(surface, frame);
       if (!center.allFinite() || !marker.allFinite())
       {
         throw std::invalid_argument("Center and MarkerPoint must be finite");
@@ -212,41 +242,19 @@ int vtkBodyMap::RequestData(
       const conformal::BodyCoordinates coordinates =
         conformal::findBodyCoordinates(body, options, steps.next());
       body.SpherePositions = coordinates.SpherePositions;
-      const conformal::SphereCoverage coverage = CoverageOf(body);
-      if (coverage.NumberOfFolds > 0 || coverage.Degree > 1)
-      {
-        vtkWarningMacro(
-          << "the map to the sphere covers it " << coverage.Degree << " times with "
-          << coverage.NumberOfFolds
-          << " folded triangles: some longitudes and latitudes belong to several points");
-      }
-
+      WarnOfFolds(this, body);
       steps.next();
-      vtkNew<vtkPolyData> result;
+      const vtkNew<vtkPolyData> result;
       result->ShallowCopy(surface);
-      AddVectors(result->GetPointData(), SpherePositionName(), coordinates.SpherePositions);
-      AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
-      AddPoint(result->GetFieldData(), "BodyNorthPole", coordinates.NorthPole, frame);
-      AddPoint(result->GetFieldData(), "BodySouthPole", coordinates.SouthPole, frame);
-      AddPoint(result->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
-      const std::vector<conformal::GraticuleLine> lines =
-        conformal::makeGraticule(body, spacing, steps.next());
+      AddCoordinates(result, coordinates, frame);
+      SetGraticule(graticule, conformal::makeGraticule(body, spacing, steps.next()), frame);
+      graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
       const conformal::Run placing = steps.next();
       if (places)
       {
-        glue::RequireCellIds(places);
-        const conformal::Points points =
-          conformal::placeOnBody(body, DirectionsOf(places), placing);
-        if (!points.allFinite())
-        {
-          throw std::invalid_argument("some places lie where the map of the surface has a hole");
-        }
-        placed->ShallowCopy(places);
-        SetPoints(placed, points, frame);
+        SetPlaces(placed, places, body, frame, placing);
       }
-      SetGraticule(graticule, lines, frame);
-      graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
       output->ShallowCopy(result);
     });
 }

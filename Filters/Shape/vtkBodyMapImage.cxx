@@ -36,6 +36,49 @@ void AddMarks(vtkImageData* image, const char* name, const std::vector<unsigned 
   std::copy(marks.begin(), marks.end(), array->GetPointer(0));
   image->GetPointData()->AddArray(array);
 }
+
+void RequireFreeName(vtkDataArray* values)
+{
+  for (const char* ours : { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition" })
+  {
+    if (values->GetName() && std::string(values->GetName()) == ours)
+    {
+      throw std::invalid_argument("the point array " + std::string(ours) +
+        " has the name of an array that the image gets; rename it");
+    }
+  }
+}
+
+// A sink that passes places on to the painter and stores their positions, unless there is no room.
+conformal::PixelSink PositionPainter(
+  conformal::PixelSink painter, const conformal::Points& body, conformal::Points& positions)
+{
+  return [painter = std::move(painter), &body, &positions](
+           conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
+  {
+    painter(first, places);
+    for (std::size_t i = 0; positions.rows() > 0 && i < places.size(); ++i)
+    {
+      conformal::Vector3 position = conformal::Vector3::Zero();
+      for (int k = 0; k < 3 && places[i].Ids[0] >= 0; ++k)
+      {
+        position += places[i].Weights[k] * body.row(places[i].Ids[k]).transpose();
+      }
+      positions.row(first + static_cast<conformal::Index>(i)) = position;
+    }
+  };
+}
+
+void AddMapMarks(
+  vtkImageData* image, const conformal::MapImage& map, double spacing, const conformal::Run& run)
+{
+  const conformal::MapMarks marks = conformal::markMap(map, spacing, run);
+  AddMarks(image, "OutsideMap", marks.OutsideMap);
+  if (spacing > 0.0)
+  {
+    AddMarks(image, "Graticule", marks.Graticule);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -81,72 +124,40 @@ int vtkBodyMapImage::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the image is empty"))
       {
-        WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
       if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
       {
         throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
       }
-      vtkDataArray* values = ArrayToBake(surface, arrayName);
-      for (const char* ours : { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition" })
-      {
-        if (values->GetName() && std::string(values->GetName()) == ours)
-        {
-          throw std::invalid_argument("the point array " + std::string(ours) +
-            " has the name of an array that the image gets; rename it");
-        }
-      }
-      vtkNew<vtkImageData> result;
-      vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
+      vtkDataArray* values = glue::ArrayToBake(surface, arrayName);
+      RequireFreeName(values);
+      const vtkNew<vtkImageData> result;
+      vtkDataArray* pixels =
+        glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      vtkNew<vtkUnsignedCharArray> holes;
+      const vtkNew<vtkUnsignedCharArray> holes;
       holes->SetName("OutsideSurface");
       holes->SetNumberOfValues(result->GetNumberOfPoints());
-
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
-      conformal::Steps steps(RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 100.0 * size, 900.0 * size + 600.0 * numberOfPixels, 300.0 * numberOfPixels });
       steps.next();
-      const conformal::CoordinateFrame frame = FrameOf({ surface });
-      conformal::MappedMesh body;
-      body.Triangles = ToTriangles(surface);
-      body.Positions = ToPoints(surface->GetPoints(), frame);
-      body.SpherePositions = ToSpherePositions(surface);
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
+      const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
       conformal::Points positions(withPositions ? map.Grid.size() : 0, 3);
-      const conformal::PixelSink painter = PixelPainter(values, pixels, holes);
-      conformal::paintMap(
-        body, map,
-        [&](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
-        {
-          painter(first, places);
-          for (std::size_t i = 0; withPositions && i < places.size(); ++i)
-          {
-            conformal::Vector3 position = conformal::Vector3::Zero();
-            for (int k = 0; k < 3 && places[i].Ids[0] >= 0; ++k)
-            {
-              position += places[i].Weights[k] * body.Positions.row(places[i].Ids[k]).transpose();
-            }
-            positions.row(first + static_cast<conformal::Index>(i)) = position;
-          }
-        },
+      conformal::paintMap(body, map,
+        PositionPainter(glue::PixelPainter(values, pixels, holes), body.Positions, positions),
         steps.next());
-      const conformal::Run marking = steps.next();
       result->GetPointData()->AddArray(holes);
-      const conformal::MapMarks marks = conformal::markMap(map, spacing, marking);
-      AddMarks(result, "OutsideMap", marks.OutsideMap);
-      if (spacing > 0.0)
-      {
-        AddMarks(result, "Graticule", marks.Graticule);
-      }
+      AddMapMarks(result, map, spacing, steps.next());
       if (withPositions)
       {
-        LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
-        AddVectors(result->GetPointData(), "BodyPosition", positions);
+        glue::LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
+        glue::AddVectors(result->GetPointData(), "BodyPosition", positions);
       }
       output->ShallowCopy(result);
     });

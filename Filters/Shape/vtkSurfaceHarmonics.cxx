@@ -67,13 +67,16 @@ std::vector<ChosenArray> ArraysOf(vtkPolyData* surface, const std::vector<std::s
   return arrays;
 }
 
+conformal::Index NumberOfColumns(const std::vector<ChosenArray>& arrays)
+{
+  return arrays.empty() ? 3 : arrays.back().First + arrays.back().Components;
+}
+
 // The coordinates in the frame, then the arrays.
 conformal::Columns ValuesOf(
   vtkPolyData* surface, const conformal::Points& positions, const std::vector<ChosenArray>& arrays)
 {
-  const conformal::Index columns =
-    arrays.empty() ? 3 : arrays.back().First + arrays.back().Components;
-  conformal::Columns values(positions.rows(), columns);
+  conformal::Columns values(positions.rows(), NumberOfColumns(arrays));
   values.leftCols(3) = positions;
   for (const ChosenArray& chosen : arrays)
   {
@@ -246,6 +249,64 @@ double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal
   const Eigen::VectorXd squares = (rebuilt - mesh.Positions).rowwise().squaredNorm();
   return std::sqrt(squares.dot(areas) / areas.sum());
 }
+
+// What is made of a surface.
+struct HarmonicsJob
+{
+  int Degree, Kept; // of the fit, and of the surface that is rebuilt
+  int Alignment;    // as vtkSurfaceHarmonics::GetAlignment()
+  int Frequency;    // of the geodesic sphere; 0 for the mesh of the input
+  std::vector<ChosenArray> Arrays;
+
+  // Estimated cost of reading, fit, alignment, rotation, the surface, the geodesic one, and the
+  // output.
+  std::vector<double> cost(double size, bool hasReference) const
+  {
+    const auto columns = static_cast<double>(NumberOfColumns(this->Arrays));
+    const bool isAligned = this->Alignment != vtkSurfaceHarmonics::NONE;
+    const double sphere = 10.0 * this->Frequency * this->Frequency;
+    return { (200.0 + 10.0 * columns) * size,
+      conformal::workOfHarmonicFit(size, columns, this->Degree),
+      isAligned && hasReference ? 2e8 : 0.0,
+      isAligned ? conformal::workOfHarmonicRotation(columns, this->Degree) : 0.0,
+      conformal::workOfEvaluation(size, columns, this->Kept),
+      this->Frequency > 0 ? 31.0 * sphere + conformal::workOfEvaluation(sphere, columns, this->Kept)
+                          : 0.0,
+      30.0 * columns * (size + sphere) };
+  }
+};
+
+// The surface rebuilt on a geodesic sphere.
+void SetGeodesicSurface(vtkPolyData* output, const HarmonicsJob& job,
+  const conformal::Columns& aligned, const conformal::CoordinateFrame& frame,
+  const conformal::Run& run)
+{
+  const conformal::HarmonicSurface made =
+    conformal::makeHarmonicSurface(conformal::upToDegree(aligned, job.Kept), job.Frequency, run);
+  glue::SetSurface(output, made.Positions, made.Triangles, frame);
+  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), made.SpherePositions);
+  for (const ChosenArray& chosen : job.Arrays)
+  {
+    AddRebuilt(
+      output->GetPointData(), chosen, made.Values.middleCols(chosen.First - 3, chosen.Components));
+  }
+}
+
+// The surface rebuilt on the mesh of the input.
+void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob& job,
+  const conformal::Columns& rebuilt, const conformal::Points& map,
+  const conformal::HarmonicAlignment& alignment, const conformal::CoordinateFrame& frame)
+{
+  output->ShallowCopy(input);
+  output->GetPointData()->SetNormals(nullptr);
+  glue::SetPoints(output, Moved(rebuilt.leftCols(3), alignment), frame);
+  glue::AddVectors(
+    output->GetPointData(), glue::SpherePositionName(), map * alignment.MapRotation.transpose());
+  for (const ChosenArray& chosen : job.Arrays)
+  {
+    AddRebuilt(output->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -319,87 +380,54 @@ int vtkSurfaceHarmonics::RequestData(
   const auto reference = glue::Held(vtkTable::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* tableOutput = vtkTable::GetData(outputVector, 1);
-  const int degree = this->Degree, kept = std::min(this->ReconstructionDegree, degree);
-  const int kind = this->Alignment, frequency = this->Frequency;
-  const bool isGeodesic = this->Lattice == GEODESIC;
+  HarmonicsJob job{ this->Degree, std::min(this->ReconstructionDegree, this->Degree),
+    this->Alignment, this->Lattice == GEODESIC ? this->Frequency : 0, {} };
   const std::vector<std::string> names = this->PointArrays;
   return glue::RunCore(this,
     [&]()
     {
-      using namespace glue;
-      if (surface->GetNumberOfPoints() == 0)
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; it has no harmonics"))
       {
-        WarnOfEmptyInput(this, "the surface is empty; it has no harmonics");
         return;
       }
       glue::RequireCellIds(surface);
-      const std::vector<ChosenArray> arrays = ArraysOf(surface, names);
-      const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const double columns =
-        arrays.empty() ? 3.0 : static_cast<double>(arrays.back().First + arrays.back().Components);
-      const bool isAligned = kind != NONE;
-      const double sphere = isGeodesic ? 10.0 * frequency * frequency : 0.0;
-      conformal::Steps steps(RunOf(this),
-        { (200.0 + 10.0 * columns) * size, conformal::workOfHarmonicFit(size, columns, degree),
-          isAligned && reference ? 2e8 : 0.0,
-          isAligned ? conformal::workOfHarmonicRotation(columns, degree) : 0.0,
-          conformal::workOfEvaluation(size, columns, kept),
-          isGeodesic ? 31.0 * sphere + conformal::workOfEvaluation(sphere, columns, kept) : 0.0,
-          30.0 * columns * (size + sphere) });
+      job.Arrays = ArraysOf(surface, names);
+      conformal::Steps steps(glue::RunOf(this),
+        job.cost(static_cast<double>(surface->GetNumberOfPoints()), reference != nullptr));
       steps.next();
-      const conformal::CoordinateFrame frame = FrameOf({ surface });
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh mesh = MeshOf(surface, frame);
-      const conformal::Columns values = ValuesOf(surface, mesh.Positions, arrays);
+      const conformal::Columns values = ValuesOf(surface, mesh.Positions, job.Arrays);
       const conformal::Columns coefficients =
-        conformal::fitHarmonics(mesh, values, degree, steps.next());
-
+        conformal::fitHarmonics(mesh, values, job.Degree, steps.next());
       const conformal::Run aligning = steps.next(), rotating = steps.next();
       conformal::HarmonicAlignment alignment;
       conformal::Columns aligned = coefficients;
-      if (isAligned)
+      if (job.Alignment != NONE)
       {
-        alignment = AlignmentOf(coefficients, reference, kind, frame, aligning);
+        alignment = AlignmentOf(coefficients, reference, job.Alignment, frame, aligning);
         aligned = AlignedCoefficients(coefficients, alignment, rotating);
       }
       const conformal::Columns rebuilt = conformal::evaluateHarmonics(
-        conformal::upToDegree(coefficients, kept), mesh.SpherePositions, steps.next());
-      const conformal::Points places = rebuilt.leftCols(3);
-
+        conformal::upToDegree(coefficients, job.Kept), mesh.SpherePositions, steps.next());
       const vtkNew<vtkPolyData> result;
       const conformal::Run sampling = steps.next();
-      if (isGeodesic)
+      if (job.Frequency > 0)
       {
-        const conformal::HarmonicSurface made =
-          conformal::makeHarmonicSurface(conformal::upToDegree(aligned, kept), frequency, sampling);
-        steps.next();
-        SetSurface(result, made.Positions, made.Triangles, frame);
-        AddVectors(result->GetPointData(), SpherePositionName(), made.SpherePositions);
-        for (const ChosenArray& chosen : arrays)
-        {
-          AddRebuilt(result->GetPointData(), chosen,
-            made.Values.middleCols(chosen.First - 3, chosen.Components));
-        }
+        SetGeodesicSurface(result, job, aligned, frame, sampling);
       }
       else
       {
-        steps.next();
-        result->ShallowCopy(surface);
-        result->GetPointData()->SetNormals(nullptr);
-        SetPoints(result, Moved(places, alignment), frame);
-        AddVectors(result->GetPointData(), SpherePositionName(),
-          mesh.SpherePositions * alignment.MapRotation.transpose());
-        for (const ChosenArray& chosen : arrays)
-        {
-          AddRebuilt(
-            result->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
-        }
+        SetInputSurface(result, surface, job, rebuilt, mesh.SpherePositions, alignment, frame);
       }
+      steps.next();
       vtkFieldData* data = result->GetFieldData();
-      AddLengths(data, "RootMeanSquareDistance", { RootMeanSquareDistance(mesh, places) }, frame);
-      AddSummary(data, coefficients, arrays, frame);
+      glue::AddLengths(data, "RootMeanSquareDistance",
+        { RootMeanSquareDistance(mesh, rebuilt.leftCols(3)) }, frame);
+      AddSummary(data, coefficients, job.Arrays, frame);
       AddAlignment(data, alignment, frame);
       const vtkNew<vtkTable> table;
-      AddTable(table, aligned, arrays, frame);
+      AddTable(table, aligned, job.Arrays, frame);
       output->ShallowCopy(result);
       tableOutput->ShallowCopy(table);
     });
