@@ -137,6 +137,31 @@ conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* imag
   }
   return conformal::pictureDensity(std::move(picture), layout);
 }
+
+// Weights of the surface's points: 1, or by an array or the curvature.
+std::vector<double> WeightsOf(
+  vtkPolyData* input, const Surface& surface, int density, const std::string& arrayName)
+{
+  switch (density)
+  {
+    case vtkAdaptiveSphere::ARRAY:
+      return WeightsOfArray(input, surface, arrayName);
+    case vtkAdaptiveSphere::CURVATURE:
+      return conformal::weightsByBending(surface);
+    default:
+      return std::vector<double>(surface.Positions.rows(), 1.0);
+  }
+}
+
+// Give half of the points to the details of an image; an image of one color has none.
+conformal::SphereDensity WithDetails(
+  conformal::SphereDensity density, vtkPolyData* input, vtkImageData* image)
+{
+  conformal::SphereDensity details = DensityOfImage(input, image);
+  return conformal::isAnywhere(details, glue::SMPRun())
+    ? conformal::equalShares({ std::move(density), std::move(details) }, glue::SMPRun())
+    : density;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -197,43 +222,28 @@ int vtkAdaptiveSphere::RequestData(
       {
         return;
       }
-      using namespace glue;
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto wanted = static_cast<double>(options.NumberOfPoints);
-      const double pixels =
-        image && density == IMAGE ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
+      const bool hasImage = image && density == IMAGE;
+      const double pixels = hasImage ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
       // Reading the surface, its density, what is added to that, the mesh, and the output.
-      conformal::Steps steps(RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 150.0 * size, 1200.0 * size, 600.0 * (size + pixels),
           1000.0 * (size + pixels) + conformal::workOfAdaptiveSphere(options), 100.0 * wanted });
       steps.next();
       const Surface surface = ToSurface(input);
-      std::vector<double> weights(surface.Positions.rows(), 1.0);
-      if (density == ARRAY)
-      {
-        weights = WeightsOfArray(input, surface, arrayName);
-      }
-      else if (density == CURVATURE)
-      {
-        weights = conformal::weightsByBending(surface);
-      }
-      conformal::SphereDensity wantedDensity =
-        conformal::densityOnSurface(surface, weights, steps.next());
+      conformal::SphereDensity share = conformal::densityOnSurface(
+        surface, WeightsOf(input, surface, density, arrayName), steps.next());
       steps.next();
       if (density == IMAGE)
       {
-        const conformal::SphereDensity details = DensityOfImage(input, image);
-        if (conformal::isAnywhere(details, SMPRun())) // of one color there are none
-        {
-          wantedDensity = conformal::equalShares({ wantedDensity, details }, SMPRun());
-        }
+        share = WithDetails(std::move(share), input, image);
       }
-      const conformal::Mesh sphere =
-        conformal::makeAdaptiveSphere(wantedDensity, options, steps.next());
+      const conformal::Mesh sphere = conformal::makeAdaptiveSphere(share, options, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;
-      SetSurface(result, sphere.Positions, sphere.Triangles, {});
-      AddVectors(result->GetPointData(), SpherePositionName(), sphere.Positions);
+      glue::SetSurface(result, sphere.Positions, sphere.Triangles, {});
+      glue::AddVectors(result->GetPointData(), glue::SpherePositionName(), sphere.Positions);
       output->ShallowCopy(result);
     });
 }

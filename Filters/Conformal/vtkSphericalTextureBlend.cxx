@@ -67,6 +67,15 @@ conformal::BlendSink Painter(vtkDataArray* front, vtkDataArray* back, vtkDataArr
     }
   };
 }
+
+conformal::SphereViewOptions BackViewOf(vtkSphericalTextureBlend* self)
+{
+  conformal::SphereViewOptions view;
+  view.ViewDirection = conformal::Vector3(self->GetBackViewDirection());
+  view.ViewUp = conformal::Vector3(self->GetBackViewUp());
+  view.FieldOfView = self->GetFieldOfView();
+  return view;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -137,6 +146,7 @@ int vtkSphericalTextureBlend::RequestData(
   const auto front = glue::Held(vtkImageData::GetData(inputVector[1]));
   const auto back = glue::Held(vtkImageData::GetData(inputVector[2]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
+  const conformal::SphereViewOptions backView = BackViewOf(this);
   return glue::RunCore(this,
     [&]()
     {
@@ -150,10 +160,6 @@ int vtkSphericalTextureBlend::RequestData(
         throw std::invalid_argument("the pictures must have the same number of components");
       }
       const conformal::SphereImage image = ToSphereImage(surface->GetFieldData());
-      conformal::SphereViewOptions backView;
-      backView.ViewDirection = conformal::Vector3(this->BackViewDirection);
-      backView.ViewUp = conformal::Vector3(this->BackViewUp);
-      backView.FieldOfView = this->FieldOfView;
       conformal::TwoPictures pictures;
       pictures.Front.View = image.View;
       pictures.Front.FieldOfView = pictures.Back.FieldOfView = this->FieldOfView;

@@ -110,6 +110,50 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
     }
   }
 }
+
+// Estimated cost of reading and of painting.
+std::vector<double> CostOf(vtkPolyData* surface, vtkPointSet* source, vtkImageData* image)
+{
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
+  const bool hasTriangles = vtkPolyData::SafeDownCast(source) != nullptr;
+  return { 100.0 * size + (hasTriangles ? 100.0 : 10.0) * sourceSize,
+    900.0 * size + (hasTriangles ? 600.0 : 250.0) * sourceSize +
+      (source ? 1000.0 : 350.0) * static_cast<double>(image->GetNumberOfPoints()) };
+}
+
+// A surface, and how the image lies on its sphere; both empty on processes without the surface.
+struct ImageOfSurface
+{
+  conformal::MappedMesh Mesh;
+  conformal::SphereImage Image;
+};
+
+ImageOfSurface ReadImage(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  ImageOfSurface read;
+  read.Mesh = { { glue::ToPoints(surface->GetPoints(), frame), glue::ToTriangles(surface) },
+    glue::ToSpherePositions(surface) };
+  read.Image = glue::ToSphereImage(surface->GetFieldData());
+  return read;
+}
+
+// Paint the values of the source, or of the surface itself if there is none.
+void Paint(const ImageOfSurface& read, vtkPointSet* source, const conformal::CoordinateFrame& frame,
+  const conformal::PixelGrid& grid, const conformal::PixelSink& sink,
+  const conformal::Reduce& reduce, const conformal::Run& run)
+{
+  if (!source)
+  {
+    conformal::paintSphericalTexture(read.Mesh, read.Image, grid, sink, run);
+    return;
+  }
+  conformal::Points copy;
+  auto* surface = vtkPolyData::SafeDownCast(source);
+  conformal::paintSphericalTexture(read.Mesh, glue::ViewPoints(source->GetPoints(), frame, copy),
+    surface ? glue::ToTriangles(surface) : conformal::Triangles(0, 3), read.Image, grid, sink,
+    reduce, run);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -178,57 +222,32 @@ int vtkSphericalTextureImage::RequestData(
   return glue::RunCore(this, source ? this->Controller : nullptr,
     [&](glue::Processes& processes)
     {
-      using namespace glue;
       const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0);
       if (owner < 0)
       {
-        WarnOfEmptyInput(this, "the surface is empty; the image is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
       const bool isShared = processes.size() > 1;
+      vtkPointSet* valued = source ? source.Get() : surface.Get();
       const vtkSmartPointer<vtkDataArray> values = isShared
         ? OwnPart(source, arrayName, processes)
-        : vtkSmartPointer<vtkDataArray>(
-            source ? ArrayToBake(source, arrayName) : ArrayToBake(surface, arrayName));
+        : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(valued, arrayName));
       const vtkNew<vtkImageData> result;
-      vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
-      vtkNew<vtkUnsignedCharArray> holes;
+      vtkDataArray* pixels =
+        glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
+      const vtkNew<vtkUnsignedCharArray> holes;
       holes->SetName("OutsideSurface");
       holes->SetNumberOfValues(result->GetNumberOfPoints());
-
-      const conformal::CoordinateFrame frame = FrameOf({ surface, source }, processes.reduce());
-      conformal::Points copy, sourceCopy;
-      auto* sourceSurface = vtkPolyData::SafeDownCast(source.Get());
-      const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
-      conformal::Steps steps(processes.run(),
-        { 100.0 * static_cast<double>(surface->GetNumberOfPoints()) +
-            (sourceSurface ? 100.0 : 10.0) * sourceSize,
-          900.0 * static_cast<double>(surface->GetNumberOfPoints()) +
-            (sourceSurface ? 600.0 : 250.0) * sourceSize +
-            (source ? 1000.0 : 350.0) * static_cast<double>(result->GetNumberOfPoints()) });
+      const conformal::CoordinateFrame frame =
+        glue::FrameOf({ surface, source }, processes.reduce());
+      conformal::Steps steps(processes.run(), CostOf(surface, source, result));
       steps.next();
-      conformal::MappedMesh mapped;
-      conformal::SphereImage image;
-      if (processes.rank() == owner)
-      {
-        mapped = { { ToPoints(surface->GetPoints(), frame), ToTriangles(surface) },
-          ToSpherePositions(surface) };
-        image = ToSphereImage(surface->GetFieldData());
-      }
+      const ImageOfSurface read =
+        processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();
       const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      const conformal::PixelSink sink = PixelPainter(values, pixels, holes);
-      if (source)
-      {
-        const conformal::PointView points = ViewPoints(source->GetPoints(), frame, sourceCopy);
-        const conformal::Triangles triangles =
-          sourceSurface ? ToTriangles(sourceSurface) : conformal::Triangles(0, 3);
-        conformal::paintSphericalTexture(
-          mapped, points, triangles, image, grid, sink, processes.reduce(), steps.next());
-      }
-      else
-      {
-        conformal::paintSphericalTexture(mapped, image, grid, sink, steps.next());
-      }
+      Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
+        processes.reduce(), steps.next());
       if (isShared)
       {
         SumPixels(pixels, holes, processes.reduce());

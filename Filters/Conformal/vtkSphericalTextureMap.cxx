@@ -127,6 +127,22 @@ void AddSplitTriangles(vtkPolyData* output, vtkPolyData* input,
   }
   output->GetCellData()->AddArray(originalIds);
 }
+
+conformal::SphericalTextureOptions OptionsOf(vtkSphericalTextureMap* self)
+{
+  conformal::SphericalTextureOptions options;
+  options.ViewDirection = conformal::Vector3(self->GetViewDirection());
+  options.ViewUp = conformal::Vector3(self->GetViewUp());
+  options.UseViewPoint = self->GetUseViewPoint();
+  options.Projection = static_cast<conformal::SphereProjection>(self->GetProjection());
+  options.FieldOfView = self->GetFieldOfView();
+  options.Rotation = self->GetRotation();
+  options.Scale = conformal::Vector2(self->GetScale());
+  options.Wrap = static_cast<conformal::TextureWrap>(self->GetWrap());
+  options.SplitSeam = self->GetSplitSeam();
+  options.Margin = self->GetMargin();
+  return options;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -135,18 +151,8 @@ int vtkSphericalTextureMap::RequestData(
 {
   const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  conformal::SphericalTextureOptions options;
-  options.ViewDirection = conformal::Vector3(this->ViewDirection);
-  options.ViewUp = conformal::Vector3(this->ViewUp);
-  options.UseViewPoint = this->UseViewPoint;
+  conformal::SphericalTextureOptions options = OptionsOf(this);
   const conformal::Vector3 viewPoint(this->ViewPoint);
-  options.Projection = static_cast<conformal::SphereProjection>(this->Projection);
-  options.FieldOfView = this->FieldOfView;
-  options.Rotation = this->Rotation;
-  options.Scale = conformal::Vector2(this->Scale);
-  options.Wrap = static_cast<conformal::TextureWrap>(this->Wrap);
-  options.SplitSeam = this->SplitSeam;
-  options.Margin = this->Margin;
   return glue::RunCore(this,
     [&]()
     {

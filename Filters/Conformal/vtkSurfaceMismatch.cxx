@@ -66,6 +66,39 @@ int vtkSurfaceMismatch::RequestUpdateExtent(
 {
   glue::RequestOwnPieces(this, this->Controller, inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+
+  // The model on all processes, and which of its points are this process's own.
+  struct SharedModel
+  {
+    conformal::PointView Points;
+    conformal::Triangles Triangles;
+    vtkIdType FirstOwn = 0;
+    conformal::Points Copy; // of the points, if they are not viewed where they lie
+  };
+
+  void Share(vtkPolyData * model, const conformal::CoordinateFrame& frame,
+    const glue::Processes& processes, const conformal::Reduce& reduce, SharedModel& shared)
+  {
+    shared.Points = glue::ViewPoints(model->GetPoints(), frame, shared.Copy);
+    shared.Triangles = glue::ToTriangles(model);
+    if (processes.size() > 1)
+    {
+      shared.FirstOwn = conformal::shareOf(reduce, shared.Points.size()).Before;
+      shared.Triangles = conformal::gatherTriangles(reduce, shared.Triangles, shared.Points.size());
+      shared.Copy = conformal::gatherRows(reduce, glue::ToPoints(model->GetPoints(), frame));
+      shared.Points = shared.Copy;
+    }
+  }
+
+  void AddFigures(vtkFieldData * data, const conformal::SurfaceMismatch& mismatch)
+  {
+    glue::AddNumber(data, "MeanSquarePointToSurface", mismatch.MeanSquarePointToSurface);
+    glue::AddNumber(data, "MeanSquarePointToVertex", mismatch.MeanSquarePointToVertex);
+    glue::AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);
+    glue::AddNumber(data, "HausdorffDistance", mismatch.HausdorffDistance);
+    glue::AddNumber(data, "WebFraction", mismatch.WebFraction);
+    glue::AddNumber(data, "LengthUnit", mismatch.LengthUnit);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,35 +135,17 @@ int vtkSurfaceMismatch::RequestData(
       conformal::Steps steps(processes.run(),
         { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
       steps.next();
-      conformal::Points modelCopy, referenceCopy;
-      conformal::PointView modelPoints = glue::ViewPoints(model->GetPoints(), frame, modelCopy);
-      conformal::Triangles modelTriangles = glue::ToTriangles(model);
-      vtkIdType firstOwn = 0;
-      if (processes.size() > 1)
-      {
-        firstOwn = conformal::shareOf(reduce, modelPoints.size()).Before;
-        modelTriangles = conformal::gatherTriangles(reduce, modelTriangles, modelPoints.size());
-        modelCopy = conformal::gatherRows(reduce, glue::ToPoints(model->GetPoints(), frame));
-        modelPoints = modelCopy;
-      }
-      const conformal::PointView referencePoints =
-        glue::ViewPoints(reference->GetPoints(), frame, referenceCopy);
-      const conformal::Triangles referenceTriangles = glue::ToTriangles(reference);
-      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(modelPoints,
-        modelTriangles, referencePoints, referenceTriangles, options, reduce, steps.next());
-
+      SharedModel shared;
+      Share(model, frame, processes, reduce, shared);
+      conformal::Points copy;
+      const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(shared.Points,
+        shared.Triangles, glue::ViewPoints(reference->GetPoints(), frame, copy),
+        glue::ToTriangles(reference), options, reduce, steps.next());
       steps.next();
-      const auto own = mismatch.ModelDistances.begin() + firstOwn;
+      const auto own = mismatch.ModelDistances.begin() + shared.FirstOwn;
       PassWithDistances(model, output, { own, own + model->GetNumberOfPoints() });
       PassWithDistances(reference, referenceOutput, mismatch.ReferenceDistances);
-      vtkFieldData* data = output->GetFieldData();
-      using glue::AddNumber;
-      AddNumber(data, "MeanSquarePointToSurface", mismatch.MeanSquarePointToSurface);
-      AddNumber(data, "MeanSquarePointToVertex", mismatch.MeanSquarePointToVertex);
-      AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);
-      AddNumber(data, "HausdorffDistance", mismatch.HausdorffDistance);
-      AddNumber(data, "WebFraction", mismatch.WebFraction);
-      AddNumber(data, "LengthUnit", mismatch.LengthUnit);
+      AddFigures(output->GetFieldData(), mismatch);
     });
 }
 
