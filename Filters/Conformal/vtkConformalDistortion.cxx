@@ -38,6 +38,19 @@ std::vector<double> OfCells(vtkIdType numberOfCells, const std::vector<vtkIdType
   }
   return sums;
 }
+
+void AddFigures(vtkFieldData* data, const conformal::Distortion& distortion)
+{
+  using glue::AddNumber;
+  AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
+  AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
+  AddNumber(data, "AreaDistortionDeviation", distortion.AreaDistortionDeviation);
+  AddNumber(data, "SphereDegree", distortion.SphereDegree);
+  AddNumber(
+    data, "NumberOfFlippedTriangles", static_cast<long long>(distortion.NumberOfFlippedTriangles));
+  AddNumber(data, "NumberOfZeroAreaTriangles",
+    static_cast<long long>(distortion.NumberOfZeroAreaTriangles));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -78,16 +91,7 @@ int vtkConformalDistortion::RequestData(
       addCellArray("AreaDistortion", distortion.AreaDistortion, 0.0);
       addCellArray("QuasiConformalError", distortion.QuasiConformalError, 1.0);
 
-      vtkFieldData* data = result->GetFieldData();
-      using glue::AddNumber;
-      AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
-      AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
-      AddNumber(data, "AreaDistortionDeviation", distortion.AreaDistortionDeviation);
-      AddNumber(data, "SphereDegree", distortion.SphereDegree);
-      AddNumber(data, "NumberOfFlippedTriangles",
-        static_cast<long long>(distortion.NumberOfFlippedTriangles));
-      AddNumber(data, "NumberOfZeroAreaTriangles",
-        static_cast<long long>(distortion.NumberOfZeroAreaTriangles));
+      AddFigures(result->GetFieldData(), distortion);
       output->ShallowCopy(result);
     });
 }

@@ -76,6 +76,14 @@ conformal::SphereViewOptions BackViewOf(vtkSphericalTextureBlend* self)
   view.FieldOfView = self->GetFieldOfView();
   return view;
 }
+
+void RequireSameComponents(vtkImageData* front, vtkImageData* back)
+{
+  if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
+  {
+    throw std::invalid_argument("the pictures must have the same number of components");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -155,10 +163,7 @@ int vtkSphericalTextureBlend::RequestData(
         return;
       }
       using namespace glue;
-      if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
-      {
-        throw std::invalid_argument("the pictures must have the same number of components");
-      }
+      RequireSameComponents(front, back);
       const conformal::SphereImage image = ToSphereImage(surface->GetFieldData());
       conformal::TwoPictures pictures;
       pictures.Front.View = image.View;

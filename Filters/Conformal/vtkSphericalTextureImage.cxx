@@ -236,9 +236,7 @@ int vtkSphericalTextureImage::RequestData(
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
-      const vtkNew<vtkUnsignedCharArray> holes;
-      holes->SetName("OutsideSurface");
-      holes->SetNumberOfValues(result->GetNumberOfPoints());
+      const auto holes = glue::MakeHoles(result);
       const conformal::CoordinateFrame frame =
         glue::FrameOf({ surface, source }, processes.reduce());
       conformal::Steps steps(processes.run(), CostOf(surface, source, result));

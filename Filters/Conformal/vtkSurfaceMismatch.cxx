@@ -129,9 +129,8 @@ int vtkSurfaceMismatch::RequestData(
       const conformal::Reduce reduce = processes.reduce();
       const conformal::CoordinateFrame frame = glue::FrameOf({ model, reference }, reduce);
       options.CoordinateUnit = frame.Unit;
-      const auto modelSize = static_cast<double>(model->GetNumberOfPoints());
-      const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
-      const double sizes = modelSize + referenceSize;
+      const auto sizes =
+        static_cast<double>(model->GetNumberOfPoints() + reference->GetNumberOfPoints());
       conformal::Steps steps(processes.run(),
         { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
       steps.next();

@@ -61,8 +61,14 @@ struct vtkSphericalMorph::Common
 
 namespace
 {
+// Weights of the surfaces, of sum 1: those given, or those of a morph factor.
 std::vector<double> SharesOf(std::vector<double> weights, double factor, std::size_t size)
 {
+  if (size < 2)
+  {
+    throw std::invalid_argument("two surfaces or more are needed: set the target of the morph, "
+                                "or give composite data of several surfaces");
+  }
   if (weights.empty())
   {
     return conformal::morphWeights(factor, size);
@@ -87,15 +93,6 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
     weight /= sum;
   }
   return weights;
-}
-
-void RequireTwo(const std::vector<vtkPolyData*>& surfaces)
-{
-  if (surfaces.size() < 2)
-  {
-    throw std::invalid_argument("two surfaces or more are needed: set the target of the morph, "
-                                "or give composite data of several surfaces");
-  }
 }
 
 // Estimated cost of the surfaces and the mesh that they have in common, unless it is kept, and of
@@ -237,7 +234,6 @@ int vtkSphericalMorph::RequestData(
       {
         return;
       }
-      RequireTwo(held);
       const std::vector<double> shares = SharesOf(weights, factor, held.size());
       const bool isKept = this->Kept && this->Kept->isOf(surfaces.Times, remesh);
       conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, isKept, remesh, options));

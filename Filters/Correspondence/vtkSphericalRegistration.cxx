@@ -150,6 +150,16 @@ void WarnOfUnmetLandmarks(vtkObject* self, const conformal::SphericalRegistratio
                                     << result.LandmarkError << " on the unit sphere");
   }
 }
+
+// Estimated cost of reading both surfaces, of their registration, and of locating the places.
+std::vector<double> CostOf(vtkPolyData* moving, vtkPolyData* fixed, int frequency)
+{
+  const auto size = static_cast<double>(moving->GetNumberOfPoints());
+  const auto fixedSize = static_cast<double>(fixed->GetNumberOfPoints());
+  const double fine = frequency * frequency;
+  return { 800.0 * size, 800.0 * fixedSize, 1.6e9 + 2e6 * fine + 4e3 * (size + fixedSize),
+    1000.0 * size + 1000.0 * fixedSize };
+}
 }
 
 //------------------------------------------------------------------------------
@@ -246,12 +256,7 @@ int vtkSphericalRegistration::RequestData(
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);
-      const auto size = static_cast<double>(moving->GetNumberOfPoints());
-      const auto fixedSize = static_cast<double>(fixed->GetNumberOfPoints());
-      const double fine = options.Frequency * options.Frequency;
-      conformal::Steps steps(glue::RunOf(this),
-        { 800.0 * size, 800.0 * fixedSize, 1.6e9 + 2e6 * fine + 4e3 * (size + fixedSize),
-          1000.0 * size + 1000.0 * fixedSize });
+      conformal::Steps steps(glue::RunOf(this), CostOf(moving, fixed, options.Frequency));
       RegisteredPair pair{ moving, fixed, {}, {} };
       pair.From =
         glue::ToSurfaceToRegister(this, moving, features, glue::FrameOf({ moving }), steps.next());

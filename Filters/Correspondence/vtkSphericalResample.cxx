@@ -114,6 +114,21 @@ void WarnOfFolds(vtkObject* self, conformal::Index numberOfFolds)
                                        "values jump there");
   }
 }
+
+// The target with the arrays of the source.
+vtkNew<vtkPolyData> Resampled(vtkObject* self, vtkPolyData* target, vtkPolyData* source,
+  const conformal::ResampleWeights& weights, bool isMasked, const conformal::Run& run)
+{
+  vtkNew<vtkPolyData> result;
+  result->ShallowCopy(target);
+  glue::CarryPointArrays(self, { source }, weights, result->GetPointData(), run);
+  glue::ActivateScalarsOf(source, result);
+  if (isMasked)
+  {
+    AddMask(result->GetPointData(), weights);
+  }
+  return result;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -167,19 +182,12 @@ int vtkSphericalResample::RequestData(
       conformal::SphericalResampling resampling =
         conformal::resampleSurface(from, to, options, steps.next());
       steps.next();
-      const vtkNew<vtkPolyData> result;
-      result->ShallowCopy(target);
       if (isMasked)
       {
         resampling.Weights = conformal::restrictedTo(resampling.Weights, MaskOf(source, maskName));
       }
-      glue::CarryPointArrays(
-        this, { source }, resampling.Weights, result->GetPointData(), steps.next());
-      glue::ActivateScalarsOf(source, result);
-      if (isMasked)
-      {
-        AddMask(result->GetPointData(), resampling.Weights);
-      }
+      const auto result =
+        Resampled(this, target, source, resampling.Weights, isMasked, steps.next());
       WarnOfFolds(this, resampling.NumberOfFolds);
       output->ShallowCopy(result);
     });

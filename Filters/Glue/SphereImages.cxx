@@ -195,4 +195,13 @@ conformal::PixelSink PixelPainter(
     }
   };
 }
+
+//------------------------------------------------------------------------------
+vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image)
+{
+  vtkNew<vtkUnsignedCharArray> holes;
+  holes->SetName("OutsideSurface");
+  holes->SetNumberOfValues(image->GetNumberOfPoints());
+  return holes;
+}
 }

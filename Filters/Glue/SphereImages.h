@@ -5,6 +5,8 @@
 #include "Texture/SphereProjection.h"      // for SphereImage
 #include "Texture/SphericalTextureImage.h" // for PixelSink
 
+#include "vtkNew.h" // for marks
+
 #include <string> // for the name of an array
 
 class vtkDataArray;
@@ -34,6 +36,9 @@ void SetImageInformation(
 
 /// Give the image as announced pixels of the name, type and components of an array.
 vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like);
+
+/// Make the array "OutsideSurface" of an image, a mark for each pixel that shows no surface.
+vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 
 /// Whether values have to be rounded.
 bool HoldsWholeNumbers(vtkDataArray* array);

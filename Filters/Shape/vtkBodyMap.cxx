@@ -170,6 +170,35 @@ void SetPlaces(vtkPolyData* output, vtkPolyData* places, const conformal::Mapped
   output->ShallowCopy(places);
   glue::SetPoints(output, points, frame);
 }
+
+conformal::BodyCoordinatesOptions OptionsOf(vtkBodyMap* self)
+{
+  conformal::BodyCoordinatesOptions options;
+  options.RotationAxis = conformal::Vector3(self->GetRotationAxis());
+  options.UseMarkerPoint = self->GetUseMarkerPoint();
+  options.Center = conformal::Vector3(self->GetCenter());
+  options.MarkerPoint = conformal::Vector3(self->GetMarkerPoint());
+  return options;
+}
+
+// Estimated cost of reading, coordinates, relief, graticule, and places.
+std::vector<double> CostOf(vtkPolyData* surface, vtkPolyData* places, double spacing)
+{
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  return { 110.0 * size, 800.0 * size, 330.0 * size, 450.0 * size + 1.5e8 / spacing,
+    places ? 600.0 * size + 500.0 * static_cast<double>(places->GetNumberOfPoints()) : 0.0 };
+}
+
+// Move the points of the options into a frame.
+void ToFrame(conformal::BodyCoordinatesOptions& options, const conformal::CoordinateFrame& frame)
+{
+  if (!options.Center.allFinite() || !options.MarkerPoint.allFinite())
+  {
+    throw std::invalid_argument("Center and MarkerPoint must be finite");
+  }
+  options.Center = frame.toFrameFromAfar(options.Center);
+  options.MarkerPoint = frame.toFrameFromAfar(options.MarkerPoint);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -211,10 +240,7 @@ int vtkBodyMap::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* graticule = vtkPolyData::GetData(outputVector, 1);
   vtkPolyData* placed = vtkPolyData::GetData(outputVector, 2);
-  const conformal::Vector3 center(this->Center), marker(this->MarkerPoint);
-  conformal::BodyCoordinatesOptions options;
-  options.RotationAxis = conformal::Vector3(this->RotationAxis);
-  options.UseMarkerPoint = this->UseMarkerPoint;
+  conformal::BodyCoordinatesOptions options = OptionsOf(this);
   const bool isEllipsoid = this->Reference == ELLIPSOID;
   const double spacing = this->GraticuleSpacing;
   return glue::RunCore(this,
@@ -224,21 +250,11 @@ int vtkBodyMap::RequestData(
       {
         return;
       }
-      const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const auto numberOfPlaces = places ? static_cast<double>(places->GetNumberOfPoints()) : 0.0;
-      // Reading, coordinates, relief, graticule, places.
-      conformal::Steps steps(glue::RunOf(this),
-        { 110.0 * size, 800.0 * size, 330.0 * size, 450.0 * size + 1.5e8 / spacing,
-          places ? 600.0 * size + 500.0 * numberOfPlaces : 0.0 });
+      conformal::Steps steps(glue::RunOf(this), CostOf(surface, places, spacing));
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       conformal::MappedMesh body = glue::CopyMapped(surface, frame);
-      if (!center.allFinite() || !marker.allFinite())
-      {
-        throw std::invalid_argument("Center and MarkerPoint must be finite");
-      }
-      options.Center = frame.toFrameFromAfar(center);
-      options.MarkerPoint = frame.toFrameFromAfar(marker);
+      ToFrame(options, frame);
       const conformal::BodyCoordinates coordinates =
         conformal::findBodyCoordinates(body, options, steps.next());
       body.SpherePositions = coordinates.SpherePositions;

@@ -79,6 +79,24 @@ void AddMapMarks(
     AddMarks(image, "Graticule", marks.Graticule);
   }
 }
+
+void RequireFinite(const conformal::MapImage& map, double spacing)
+{
+  if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
+  {
+    throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
+  }
+}
+
+void AddPositions(
+  vtkImageData* image, conformal::Points& positions, const conformal::CoordinateFrame& frame)
+{
+  if (positions.rows() > 0)
+  {
+    glue::LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
+    glue::AddVectors(image->GetPointData(), "BodyPosition", positions);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -128,19 +146,14 @@ int vtkBodyMapImage::RequestData(
       {
         return;
       }
-      if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
-      {
-        throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
-      }
+      RequireFinite(map, spacing);
       vtkDataArray* values = glue::ArrayToBake(surface, arrayName);
       RequireFreeName(values);
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      const vtkNew<vtkUnsignedCharArray> holes;
-      holes->SetName("OutsideSurface");
-      holes->SetNumberOfValues(result->GetNumberOfPoints());
+      const auto holes = glue::MakeHoles(result);
       const auto size = static_cast<double>(surface->GetNumberOfPoints());
       const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
       conformal::Steps steps(glue::RunOf(this),
@@ -154,11 +167,7 @@ int vtkBodyMapImage::RequestData(
         steps.next());
       result->GetPointData()->AddArray(holes);
       AddMapMarks(result, map, spacing, steps.next());
-      if (withPositions)
-      {
-        glue::LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
-        glue::AddVectors(result->GetPointData(), "BodyPosition", positions);
-      }
+      AddPositions(result, positions, frame);
       output->ShallowCopy(result);
     });
 }

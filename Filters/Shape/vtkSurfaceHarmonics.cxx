@@ -292,16 +292,44 @@ void SetGeodesicSurface(vtkPolyData* output, const HarmonicsJob& job,
   }
 }
 
+// The coefficients of a surface, aligned as asked for.
+struct FittedHarmonics
+{
+  conformal::CoordinateFrame Frame;
+  conformal::MappedMesh Mesh;
+  conformal::Columns Coefficients; // before the alignment
+  conformal::HarmonicAlignment Alignment;
+  conformal::Columns Aligned;
+};
+
+FittedHarmonics Fit(
+  vtkPolyData* surface, vtkTable* reference, const HarmonicsJob& job, conformal::Steps& steps)
+{
+  steps.next();
+  FittedHarmonics fit;
+  fit.Frame = glue::FrameOf({ surface });
+  fit.Mesh = MeshOf(surface, fit.Frame);
+  const conformal::Columns values = ValuesOf(surface, fit.Mesh.Positions, job.Arrays);
+  fit.Coefficients = conformal::fitHarmonics(fit.Mesh, values, job.Degree, steps.next());
+  fit.Aligned = fit.Coefficients;
+  const conformal::Run aligning = steps.next(), rotating = steps.next();
+  if (job.Alignment != vtkSurfaceHarmonics::NONE)
+  {
+    fit.Alignment = AlignmentOf(fit.Coefficients, reference, job.Alignment, fit.Frame, aligning);
+    fit.Aligned = AlignedCoefficients(fit.Coefficients, fit.Alignment, rotating);
+  }
+  return fit;
+}
+
 // The surface rebuilt on the mesh of the input.
 void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob& job,
-  const conformal::Columns& rebuilt, const conformal::Points& map,
-  const conformal::HarmonicAlignment& alignment, const conformal::CoordinateFrame& frame)
+  const conformal::Columns& rebuilt, const FittedHarmonics& fit)
 {
   output->ShallowCopy(input);
   output->GetPointData()->SetNormals(nullptr);
-  glue::SetPoints(output, Moved(rebuilt.leftCols(3), alignment), frame);
-  glue::AddVectors(
-    output->GetPointData(), glue::SpherePositionName(), map * alignment.MapRotation.transpose());
+  glue::SetPoints(output, Moved(rebuilt.leftCols(3), fit.Alignment), fit.Frame);
+  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(),
+    fit.Mesh.SpherePositions * fit.Alignment.MapRotation.transpose());
   for (const ChosenArray& chosen : job.Arrays)
   {
     AddRebuilt(output->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
@@ -394,40 +422,27 @@ int vtkSurfaceHarmonics::RequestData(
       job.Arrays = ArraysOf(surface, names);
       conformal::Steps steps(glue::RunOf(this),
         job.cost(static_cast<double>(surface->GetNumberOfPoints()), reference != nullptr));
-      steps.next();
-      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      const conformal::MappedMesh mesh = MeshOf(surface, frame);
-      const conformal::Columns values = ValuesOf(surface, mesh.Positions, job.Arrays);
-      const conformal::Columns coefficients =
-        conformal::fitHarmonics(mesh, values, job.Degree, steps.next());
-      const conformal::Run aligning = steps.next(), rotating = steps.next();
-      conformal::HarmonicAlignment alignment;
-      conformal::Columns aligned = coefficients;
-      if (job.Alignment != NONE)
-      {
-        alignment = AlignmentOf(coefficients, reference, job.Alignment, frame, aligning);
-        aligned = AlignedCoefficients(coefficients, alignment, rotating);
-      }
+      const FittedHarmonics fit = Fit(surface, reference, job, steps);
       const conformal::Columns rebuilt = conformal::evaluateHarmonics(
-        conformal::upToDegree(coefficients, job.Kept), mesh.SpherePositions, steps.next());
+        conformal::upToDegree(fit.Coefficients, job.Kept), fit.Mesh.SpherePositions, steps.next());
       const vtkNew<vtkPolyData> result;
       const conformal::Run sampling = steps.next();
       if (job.Frequency > 0)
       {
-        SetGeodesicSurface(result, job, aligned, frame, sampling);
+        SetGeodesicSurface(result, job, fit.Aligned, fit.Frame, sampling);
       }
       else
       {
-        SetInputSurface(result, surface, job, rebuilt, mesh.SpherePositions, alignment, frame);
+        SetInputSurface(result, surface, job, rebuilt, fit);
       }
       steps.next();
       vtkFieldData* data = result->GetFieldData();
       glue::AddLengths(data, "RootMeanSquareDistance",
-        { RootMeanSquareDistance(mesh, rebuilt.leftCols(3)) }, frame);
-      AddSummary(data, coefficients, job.Arrays, frame);
-      AddAlignment(data, alignment, frame);
+        { RootMeanSquareDistance(fit.Mesh, rebuilt.leftCols(3)) }, fit.Frame);
+      AddSummary(data, fit.Coefficients, job.Arrays, fit.Frame);
+      AddAlignment(data, fit.Alignment, fit.Frame);
       const vtkNew<vtkTable> table;
-      AddTable(table, aligned, job.Arrays, frame);
+      AddTable(table, fit.Aligned, job.Arrays, fit.Frame);
       output->ShallowCopy(result);
       tableOutput->ShallowCopy(table);
     });
