@@ -102,6 +102,11 @@ std::vector<double> CostOf(
 // The surfaces on their common mesh, and their mean.
 struct Remeshed
 {
+  explicit Remeshed(const glue::Surfaces& surfaces)
+    : Surfaces(surfaces)
+  {
+  }
+
   const glue::Surfaces& Surfaces;
   conformal::CoordinateFrame Frame;
   std::vector<conformal::MappedMesh> Meshes;
@@ -195,7 +200,7 @@ int vtkConsistentRemesh::RequestData(
         return;
       }
       conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, remesh));
-      Remeshed remeshed{ surfaces };
+      Remeshed remeshed(surfaces);
       remeshed.Meshes = glue::ToMappedMeshes(surfaces, remeshed.Frame, steps.next());
       remeshed.Common = conformal::remeshConsistently(remeshed.Meshes, remesh, steps.next());
       remeshed.Modes = conformal::findShapeModes(
