@@ -32,6 +32,39 @@ void PassWithDistances(
   glue::AddNumbers(output->GetPointData(), "Distance", distances);
   output->GetPointData()->SetActiveScalars("Distance");
 }
+
+// The model on all processes, and which of its points are this process's own.
+struct SharedModel
+{
+  conformal::PointView Points;
+  conformal::Triangles Triangles;
+  vtkIdType FirstOwn = 0;
+  conformal::Points Copy; // of the points, if they are not viewed where they lie
+};
+
+void Share(vtkPolyData* model, const conformal::CoordinateFrame& frame,
+  const glue::Processes& processes, const conformal::Reduce& reduce, SharedModel& shared)
+{
+  shared.Points = glue::ViewPoints(model->GetPoints(), frame, shared.Copy);
+  shared.Triangles = glue::ToTriangles(model);
+  if (processes.size() > 1)
+  {
+    shared.FirstOwn = conformal::shareOf(reduce, shared.Points.size()).Before;
+    shared.Triangles = conformal::gatherTriangles(reduce, shared.Triangles, shared.Points.size());
+    shared.Copy = conformal::gatherRows(reduce, glue::ToPoints(model->GetPoints(), frame));
+    shared.Points = shared.Copy;
+  }
+}
+
+void AddFigures(vtkFieldData* data, const conformal::SurfaceMismatch& mismatch)
+{
+  glue::AddNumber(data, "MeanSquarePointToSurface", mismatch.MeanSquarePointToSurface);
+  glue::AddNumber(data, "MeanSquarePointToVertex", mismatch.MeanSquarePointToVertex);
+  glue::AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);
+  glue::AddNumber(data, "HausdorffDistance", mismatch.HausdorffDistance);
+  glue::AddNumber(data, "WebFraction", mismatch.WebFraction);
+  glue::AddNumber(data, "LengthUnit", mismatch.LengthUnit);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -66,39 +99,6 @@ int vtkSurfaceMismatch::RequestUpdateExtent(
 {
   glue::RequestOwnPieces(this, this->Controller, inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-
-  // The model on all processes, and which of its points are this process's own.
-  struct SharedModel
-  {
-    conformal::PointView Points;
-    conformal::Triangles Triangles;
-    vtkIdType FirstOwn = 0;
-    conformal::Points Copy; // of the points, if they are not viewed where they lie
-  };
-
-  void Share(vtkPolyData * model, const conformal::CoordinateFrame& frame,
-    const glue::Processes& processes, const conformal::Reduce& reduce, SharedModel& shared)
-  {
-    shared.Points = glue::ViewPoints(model->GetPoints(), frame, shared.Copy);
-    shared.Triangles = glue::ToTriangles(model);
-    if (processes.size() > 1)
-    {
-      shared.FirstOwn = conformal::shareOf(reduce, shared.Points.size()).Before;
-      shared.Triangles = conformal::gatherTriangles(reduce, shared.Triangles, shared.Points.size());
-      shared.Copy = conformal::gatherRows(reduce, glue::ToPoints(model->GetPoints(), frame));
-      shared.Points = shared.Copy;
-    }
-  }
-
-  void AddFigures(vtkFieldData * data, const conformal::SurfaceMismatch& mismatch)
-  {
-    glue::AddNumber(data, "MeanSquarePointToSurface", mismatch.MeanSquarePointToSurface);
-    glue::AddNumber(data, "MeanSquarePointToVertex", mismatch.MeanSquarePointToVertex);
-    glue::AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);
-    glue::AddNumber(data, "HausdorffDistance", mismatch.HausdorffDistance);
-    glue::AddNumber(data, "WebFraction", mismatch.WebFraction);
-    glue::AddNumber(data, "LengthUnit", mismatch.LengthUnit);
-  }
 }
 
 //------------------------------------------------------------------------------
