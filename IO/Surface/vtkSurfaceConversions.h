@@ -1,4 +1,4 @@
-// From vtkPolyData to what the makers of bytes take, and from bytes to files. Private.
+// From vtkPolyData to what the makers of bytes take. Private.
 #ifndef vtkSurfaceConversions_h
 #define vtkSurfaceConversions_h
 
@@ -10,9 +10,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 class vtkImageData;
 class vtkUnsignedCharArray;
@@ -49,10 +46,6 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 /// The pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
 /// @throws WriteError for another one, and for null
 vtkUnsignedCharArray* PixelsOf(vtkImageData* picture);
-
-/// Write files all and whole, or none.
-/// @throws WriteError
-void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 }
 
 #endif
