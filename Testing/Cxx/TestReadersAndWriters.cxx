@@ -1,6 +1,7 @@
 // What readers and writers owe each other and their observers, tried with every one of them: names
 // that change while they run, a file that is read and replaced by one pipeline, and points that no
 // format may merge.
+#include "../Formats/SPHARM/SPHARMSamples.h"
 #include "../TemporaryFolder.h"
 #include "MeshFixtures.h"
 #include "ReaderCases.h"
