@@ -67,6 +67,12 @@ def picture():
     return made
 
 
+def textured():
+    texture = with_inputs(vtkSphericalTextureMap, surface(6), SplitSeam=True)
+    texture.Update()
+    return texture.GetOutput()
+
+
 def with_inputs(cls, *inputs, **properties):
     algorithm = cls()
     for port, data in enumerate(inputs):
@@ -395,7 +401,7 @@ class TestObservers(unittest.TestCase):
                 expect_writer_kept(name, "written." + ending, mapped)
             for ending, name in WRITERS.items():
                 three = {"ThreeJSFileName": THREE} if ending == "html" else {}
-                expect_writer_kept(name, "written." + ending, mapped, picture(), **three)
+                expect_writer_kept(name, "written." + ending, textured(), picture(), **three)
             for content in (1, 2):
                 write("FreeSurfer", "read.%d" % content, mapped, Content=content, ArrayName="Weights")
             expect_reader_kept("FreeSurfer", "read.white", SphereFileName=path("read.1"),
