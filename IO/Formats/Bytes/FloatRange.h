@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace conformal
 {
@@ -87,7 +89,24 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
 
 /// Refuse points that floats would shift too far for their shape to be kept.
 /// @throws std::invalid_argument with the shift, the size, and what to do
-void requireFinePositions(const FloatRounding& rounding);
+inline void requireFinePositions(const FloatRounding& rounding)
+{
+  if (!rounding.isTooCoarse())
+  {
+    return;
+  }
+  const auto shortText = [](double value) // three digits, in every locale
+  {
+    char buffer[40];
+    const auto result =
+      std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, 3);
+    return std::string(buffer, result.ptr);
+  };
+  throw std::invalid_argument("the surface is too far from the origin for 32-bit floats, which "
+                              "is all that the format has: they shift coordinates by up to " +
+    shortText(rounding.LargestShift) + " on a surface of size " + shortText(rounding.size()) +
+    "; subtract its center from the points, or write a format of doubles, such as PLY");
+}
 }
 
 #endif
