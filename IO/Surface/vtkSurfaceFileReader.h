@@ -17,6 +17,9 @@
  * vtkErrorCode. Numbers are read the same in every locale. A reader that is asked to abort gives an
  * empty output without an error.
  *
+ * Properties are those at the beginning of the run: observers of the progress may change them, also
+ * names of files, for the next one.
+ *
  * This class is abstract, and only readers of this module derive from it: what they implement is
  * not installed. Use one of them.
  *

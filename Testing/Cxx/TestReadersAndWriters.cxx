@@ -30,7 +30,7 @@ namespace
 namespace fs = std::filesystem;
 
 //------------------------------------------------------------------------------
-// Observers that change names.
+// Observers that change names, or let go of inputs.
 
 using Change = std::function<void(vtkObject*)>;
 
@@ -85,6 +85,15 @@ void SetNames(vtkObject* object, const char* name)
 const std::pair<const char*, Change> Changes[] = {
   { "cleared", [](vtkObject* object) { SetNames(object, nullptr); } },
   { "changed", [](vtkObject* object) { SetNames(object, Elsewhere.c_str()); } },
+  { "without inputs",
+    [](vtkObject* object)
+    {
+      auto* algorithm = vtkAlgorithm::SafeDownCast(object);
+      for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+      {
+        algorithm->SetInputConnection(port, nullptr);
+      }
+    } },
 };
 
 // Counts reports of progress, and does something at one of them.

@@ -16,6 +16,7 @@
 
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <functional>
@@ -192,16 +193,20 @@ TEST(SurfaceFileWriter, EveryWriterFollowsLinks)
   }
 }
 
-TEST(SurfaceFileWriter, EveryWriterKeepsModesAndTheFilesOfOthers)
+TEST(SurfaceFileWriter, EveryWriterKeepsOwnersModesAndTheFilesOfOthers)
 {
   const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  constexpr unsigned int another = 12345; // of no user, very likely
+  bool isAnother = false;
   for (WriterSetUp& setUp : WriterSetUps())
   {
     SCOPED_TRACE(setUp.label());
     const TemporaryFolder folder;
     for (const std::string& ending : setUp.Endings)
     {
-      chmod(folder.write("a" + ending, "before").c_str(), 0600);
+      const std::string path = folder.write("a" + ending, "before");
+      isAnother = chown(path.c_str(), another, another + 1) == 0; // only root may
+      chmod(path.c_str(), 0600);
       folder.write("a" + ending + ".part", "mine");
     }
     EXPECT_EQ(setUp.write(sphere, folder.file("a" + setUp.Endings.back())), 1) << setUp.Message;
@@ -212,6 +217,10 @@ TEST(SurfaceFileWriter, EveryWriterKeepsModesAndTheFilesOfOthers)
         fs::perms::owner_read | fs::perms::owner_write)
         << ending;
       EXPECT_EQ(folder.read("a" + ending + ".part"), "mine") << ending;
+      struct stat now = {};
+      ASSERT_EQ(stat(folder.file("a" + ending).c_str(), &now), 0);
+      EXPECT_EQ(now.st_uid, isAnother ? another : geteuid()) << ending;
+      EXPECT_EQ(now.st_gid == another + 1, isAnother) << ending;
     }
     EXPECT_EQ(folder.numberOfFiles(), 2 * setUp.Endings.size());
   }

@@ -73,7 +73,7 @@ TEST(PlateModelParser, ReadsAllGoodAndRefusesAllBadFiles)
   }
 }
 
-TEST(PlateModelParser, TellsRowsOfAWrongLength)
+TEST(PlateModelParser, NamesRowsOfAWrongLength)
 {
   const auto expectMessage =
     [](const std::string& text, std::uint64_t line, const std::string& message)

@@ -183,7 +183,7 @@ TEST(TextCloudParser, RefusesWhatIsNoPointWithItsLine)
   ExpectRefused(colors + "0 0 0 1 2 256\n", ParseCode::Malformed, 129, "colors");
 }
 
-TEST(TextCloudParser, TellsWhatIsWrongWithALine)
+TEST(TextCloudParser, NamesWhatIsWrongWithALine)
 {
   const auto expectMessage = [](const std::string& line, const std::string& message)
   { ExpectRefused("1 2 3 0.5 7 8\n" + line + "\n", ParseCode::Malformed, 2, message); };
