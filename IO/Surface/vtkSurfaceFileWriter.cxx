@@ -84,7 +84,12 @@ int vtkSurfaceFileWriter::Write()
     }
   }
   this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
+  const vtkMTimeType before = this->WriteTime;
   const int isWritten = this->Superclass::Write();
+  if (this->WriteTime == before && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the superclass had no input to write
+  }
   return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
 }
 
