@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 
 namespace
@@ -45,6 +46,19 @@ std::vector<vtkDataArray*> OtherColumns(vtkTable* table)
     }
   }
   return others;
+}
+
+// The length of most columns, of equally many the smallest: a column of another length is wrong.
+vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
+{
+  std::map<vtkIdType, int> counts;
+  for (vtkDataArray* column : columns)
+  {
+    ++counts[column->GetNumberOfTuples()];
+  }
+  return std::max_element(
+    counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; })
+    ->first;
 }
 
 // Where a row belongs.
@@ -109,9 +123,10 @@ Harmonics FromTable(vtkTable* table)
     columns.push_back(other);
     harmonics.Names.emplace_back(other->GetName());
   }
-  const vtkIdType rows = degrees->GetNumberOfTuples();
-  columns.push_back(orders);
-  for (vtkDataArray* column : columns)
+  std::vector<vtkDataArray*> all = columns;
+  all.insert(all.end(), { degrees, orders });
+  const vtkIdType rows = NumberOfRows(all);
+  for (vtkDataArray* column : all)
   {
     if (column->GetNumberOfTuples() != rows)
     {
@@ -120,7 +135,6 @@ Harmonics FromTable(vtkTable* table)
         " rows");
     }
   }
-  columns.pop_back();
 
   const int highest = conformal::degreeOfHarmonics(rows);
   harmonics.Coefficients.resize(rows, static_cast<conformal::Index>(columns.size()));

@@ -5,6 +5,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkFreeSurferReader);
 
 //------------------------------------------------------------------------------
@@ -24,10 +26,13 @@ int vtkFreeSurferReader::CanReadFile(const char* name)
 conformal::SurfaceResult vtkFreeSurferReader::Parse(conformal::ByteReader& input,
   const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
+  // Observers of the progress may set others.
+  const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
+  const std::string curvatureName = this->CurvatureFileName ? this->CurvatureFileName : "";
   conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, progress);
-  conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",
+  conformal::addSphere(result, sphereName,
     [](conformal::ByteReader& sphere) { return conformal::parseFreeSurferSurface(sphere); });
-  conformal::addPointArrays(result, this->CurvatureFileName ? this->CurvatureFileName : "",
+  conformal::addPointArrays(result, curvatureName,
     [](conformal::ByteReader& curvature) { return conformal::parseFreeSurferCurv(curvature); });
   return result;
 }

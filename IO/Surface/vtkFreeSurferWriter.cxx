@@ -26,15 +26,17 @@ const conformal::NamedArray& Find(const conformal::SurfaceData& surface, const s
 //------------------------------------------------------------------------------
 void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
+  const int content = this->Content; // observers of the progress may set others
+  const std::string name = this->ArrayName;
   this->WriteSurface(
     [&](const conformal::SurfaceData& surface)
     {
-      if (this->Content == CURVATURE)
+      if (content == CURVATURE)
       {
         return conformal::makeFreeSurferCurv(
-          Find(surface, this->ArrayName), conformal::numberOfPolygons(surface), progress);
+          Find(surface, name), conformal::numberOfPolygons(surface), progress);
       }
-      if (this->Content == SPHERE)
+      if (content == SPHERE)
       {
         return conformal::makeFreeSurferSphere(surface, progress);
       }

@@ -6,6 +6,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkGIFTIReader);
 
 //------------------------------------------------------------------------------
@@ -25,10 +27,13 @@ int vtkGIFTIReader::CanReadFile(const char* name)
 conformal::SurfaceResult vtkGIFTIReader::Parse(conformal::ByteReader& input,
   const conformal::FilePiece&, const std::function<bool(double)>& progress)
 {
+  // Observers of the progress may set others.
+  const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
+  const std::string shapeName = this->ShapeFileName ? this->ShapeFileName : "";
   conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, progress);
-  conformal::addSphere(result, this->SphereFileName ? this->SphereFileName : "",
+  conformal::addSphere(result, sphereName,
     [](conformal::ByteReader& sphere) { return conformal::parseGIFTISurface(sphere); });
-  conformal::addPointArrays(result, this->ShapeFileName ? this->ShapeFileName : "",
+  conformal::addPointArrays(result, shapeName,
     [](conformal::ByteReader& shape) { return conformal::parseGIFTIArrays(shape); });
   return result;
 }

@@ -9,19 +9,21 @@ vtkStandardNewMacro(vtkGIFTIWriter);
 //------------------------------------------------------------------------------
 void vtkGIFTIWriter::WriteFiles(const std::function<bool(double)>& progress)
 {
+  const int content = this->Content; // observers of the progress may set others
+  const std::string structure = this->AnatomicalStructure;
   this->WriteSurface(
     [&](const conformal::SurfaceData& surface)
     {
-      switch (this->Content)
+      switch (content)
       {
         case GEOMETRY:
-          return conformal::makeGIFTIGeometry(surface, this->AnatomicalStructure, progress);
+          return conformal::makeGIFTIGeometry(surface, structure, progress);
         case SPHERE:
-          return conformal::makeGIFTISphere(surface, this->AnatomicalStructure, progress);
+          return conformal::makeGIFTISphere(surface, structure, progress);
         case SHAPE:
-          return conformal::makeGIFTIShape(surface, this->AnatomicalStructure, progress);
+          return conformal::makeGIFTIShape(surface, structure, progress);
         default:
-          return conformal::makeGIFTISurface(surface, this->AnatomicalStructure, progress);
+          return conformal::makeGIFTISurface(surface, structure, progress);
       }
     });
 }

@@ -2,7 +2,6 @@
 
 #include "Glue/HarmonicTables.h"
 #include "SPHARM/SPHARMCoefficients.h"
-#include "vtkSurfaceConversions.h"
 
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -32,7 +31,7 @@ void vtkSPHARMCoefficientWriter::WriteFiles(const std::function<bool(double)>& p
     conformal::append(array, coordinates.row(i).data());
   }
   const std::string text = conformal::makeSPHARMCoefficients(array, progress);
-  vtkSurfaceConversions::WriteTogether({ { path, text } });
+  this->WriteTogether({ { path, text } });
 }
 
 //------------------------------------------------------------------------------

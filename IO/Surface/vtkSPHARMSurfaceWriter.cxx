@@ -20,8 +20,7 @@ void vtkSPHARMSurfaceWriter::WriteFiles(const std::function<bool(double)>& progr
   { return [=](double done) { return progress(begin + 0.5 * done); }; };
   const std::string sphere = conformal::makeSPHARMSphere(surface, half(0.0));
   const std::string own = conformal::makeSPHARMSurface(surface, half(0.5));
-  vtkSurfaceConversions::WriteTogether(
-    { { conformal::sphereNameOf(path), sphere }, { path, own } });
+  this->WriteTogether({ { conformal::sphereNameOf(path), sphere }, { path, own } });
 }
 
 //------------------------------------------------------------------------------

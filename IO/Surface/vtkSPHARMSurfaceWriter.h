@@ -10,6 +10,9 @@
  * no _surf before the extension, _para is added to it.) Numbers are written so that they are read
  * back the same; other arrays are left out.
  *
+ * The sphere is replaced as the surface is, whoever made it. A warning says so if it was there and
+ * the surface was not.
+ *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
  * @sa

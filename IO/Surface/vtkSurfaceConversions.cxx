@@ -1,6 +1,5 @@
 #include "vtkSurfaceConversions.h"
 
-#include "Files/FileOutput.h"
 #include "Mesh/PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
@@ -15,6 +14,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <vector>
 
 namespace vtkSurfaceConversions
 {
@@ -100,22 +100,6 @@ std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data)
                                       : name));
   }
   return arrays;
-}
-
-unsigned long ErrorCodeOf(conformal::WriteCode code)
-{
-  switch (code)
-  {
-    case conformal::WriteCode::Ok:
-      return vtkErrorCode::NoError;
-    case conformal::WriteCode::InvalidName:
-      return vtkErrorCode::UserError;
-    case conformal::WriteCode::OutOfDiskSpace:
-      return vtkErrorCode::OutOfDiskSpaceError;
-    case conformal::WriteCode::CannotOpen:
-      break;
-  }
-  return vtkErrorCode::CannotOpenFileError;
 }
 
 void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
@@ -295,15 +279,5 @@ vtkUnsignedCharArray* PixelsOf(vtkImageData* picture)
     throw WriteError(vtkErrorCode::UserError, "the texture's pixels are not 3 or 4 unsigned chars");
   }
   return pixels;
-}
-
-//------------------------------------------------------------------------------
-void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files)
-{
-  const conformal::WriteStatus status = conformal::writeFiles(files);
-  if (!status.ok())
-  {
-    throw WriteError(ErrorCodeOf(status.Code), status.Message);
-  }
 }
 }

@@ -1,4 +1,4 @@
-// From vtkPolyData to what the makers of bytes take, and from bytes to files. Private.
+// From vtkPolyData to what the makers of bytes take. Private.
 #ifndef vtkSurfaceConversions_h
 #define vtkSurfaceConversions_h
 
@@ -10,9 +10,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 class vtkImageData;
 class vtkUnsignedCharArray;
@@ -35,24 +32,20 @@ public:
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 
 /// The surface itself if all its cells are triangles, else a triangulated copy without others.
-/// @pre the surface passed vtkInputChecks.h
+/// @pre the surface passed Glue/Checks.h
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
 /// Points, polygons and named arrays of numbers. The active normals, texture coordinates and
 /// colors (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
 /// become triangles; vertices and lines are left out, and so are cell arrays unless all cells are
 /// polygons.
-/// @pre the surface passed vtkInputChecks.h
+/// @pre the surface passed Glue/Checks.h
 /// @throws WriteError for a surface without points, or a coordinate that is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
 /// The pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
 /// @throws WriteError for another one, and for null
 vtkUnsignedCharArray* PixelsOf(vtkImageData* picture);
-
-/// Write files all and whole, or none.
-/// @throws WriteError
-void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 }
 
 #endif

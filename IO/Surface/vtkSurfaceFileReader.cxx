@@ -224,8 +224,12 @@ int vtkSurfaceFileReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const conformal::FilePiece piece = PieceOf(outputVector->GetInformationObject(0));
+  // Observers of the progress may set others for the next run.
+  const std::string fileName = this->FileName ? this->FileName : "";
+  const vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
   conformal::SurfaceResult result;
-  const Outcome outcome = this->Share(this->Read(piece, output, result), piece);
+  const Outcome outcome =
+    vtkSurfaceFileReader::Share(this->Read(fileName, piece, output, result), piece, controller);
   this->SetErrorCode(outcome.ErrorCode);
   if (outcome.Aborted || outcome.ErrorCode != vtkErrorCode::NoError)
   {
@@ -236,26 +240,15 @@ int vtkSurfaceFileReader::RequestData(
     vtkErrorMacro(<< outcome.Message);
     return 0;
   }
-  this->Warn(output, "NumberOfDroppedPoints", result.Data.DroppedPoints,
-    "points dropped whose coordinates are not finite");
-  this->Warn(output, "NumberOfDroppedPolygons", result.Data.DroppedPolygons,
-    "polygons dropped that have fewer than 3 ids or one of them twice");
-  this->Warn(output, "NumberOfReplacedValues", result.Data.ReplacedValues,
-    "values replaced by 0 that are not finite");
-  this->Warn(
-    output, "NumberOfSkippedLines", result.Data.SkippedLines, "lines skipped that are not points");
-  this->Warn(output, "NumberOfUnreadBytes", result.Data.UnreadBytes,
-    "bytes not read behind all that the header promises; the header or the file is wrong");
-  this->Warn(output, "NumberOfMissingScans", result.Data.MissingScans,
-    "scans that the file names are not there and are left out");
+  this->WarnOfAll(fileName, result.Data, output);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
+vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(const std::string& fileName,
   const conformal::FilePiece& piece, vtkPolyData* output, conformal::SurfaceResult& result)
 {
-  if (!this->FileName || !this->FileName[0])
+  if (fileName.empty())
   {
     return { vtkErrorCode::NoFileNameError, false, "FileName is not set" };
   }
@@ -264,7 +257,7 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
     return {};
   }
   conformal::ByteReader input;
-  result.Status = conformal::openFile(this->FileName, input);
+  result.Status = conformal::openFile(fileName, input);
   if (result.Status.ok())
   {
     try
@@ -286,16 +279,15 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
     result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
   }
   return { vtkSurfaceConversions::ErrorCodeOf(result.Status.Code),
-    result.Status.Code == conformal::ParseCode::Aborted,
-    this->FileName + (": " + result.Status.text()) };
+    result.Status.Code == conformal::ParseCode::Aborted, fileName + ": " + result.Status.text() };
 }
 
 //------------------------------------------------------------------------------
 vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Share(
-  const Outcome& own, const conformal::FilePiece& piece)
+  const Outcome& own, const conformal::FilePiece& piece, vtkMultiProcessController* controller)
 {
-  const int rank = this->Controller ? this->Controller->GetLocalProcessId() : 0;
-  const int size = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+  const int rank = controller ? controller->GetLocalProcessId() : 0;
+  const int size = controller ? controller->GetNumberOfProcesses() : 1;
   const bool together = size > 1 && piece.Count == static_cast<std::uint64_t>(size) &&
     piece.Number == static_cast<std::uint64_t>(rank);
   if (!together)
@@ -305,14 +297,14 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Share(
   const bool isGood = own.ErrorCode == vtkErrorCode::NoError && !own.Aborted;
   const int ownVote = isGood ? size : rank;
   int first = size;
-  this->Controller->AllReduce(&ownVote, &first, 1, vtkCommunicator::MIN_OP);
+  controller->AllReduce(&ownVote, &first, 1, vtkCommunicator::MIN_OP);
   if (first == size)
   {
     return own;
   }
   vtkMultiProcessStream stream;
   stream << static_cast<int>(own.ErrorCode) << static_cast<int>(own.Aborted) << own.Message;
-  this->Controller->Broadcast(stream, first);
+  controller->Broadcast(stream, first);
   int code = 0, aborted = 0;
   std::string message;
   stream >> code >> aborted >> message;
@@ -321,18 +313,31 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Share(
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceFileReader::Warn(
-  vtkPolyData* output, const char* name, vtkTypeUInt64 count, const char* message)
+void vtkSurfaceFileReader::WarnOfAll(
+  const std::string& fileName, const conformal::SurfaceData& data, vtkPolyData* output)
 {
-  if (count == 0)
+  const auto warn = [&](const char* name, vtkTypeUInt64 count, const char* message)
   {
-    return;
-  }
-  vtkNew<vtkIdTypeArray> number;
-  number->SetName(name);
-  number->InsertNextValue(static_cast<vtkIdType>(count));
-  output->GetFieldData()->AddArray(number);
-  vtkWarningMacro(<< this->FileName << ": " << count << " " << message);
+    if (count == 0)
+    {
+      return;
+    }
+    vtkNew<vtkIdTypeArray> number;
+    number->SetName(name);
+    number->InsertNextValue(static_cast<vtkIdType>(count));
+    output->GetFieldData()->AddArray(number);
+    vtkWarningMacro(<< fileName << ": " << count << " " << message);
+  };
+  warn(
+    "NumberOfDroppedPoints", data.DroppedPoints, "points dropped whose coordinates are not finite");
+  warn("NumberOfDroppedPolygons", data.DroppedPolygons,
+    "polygons dropped that have fewer than 3 ids or one of them twice");
+  warn("NumberOfReplacedValues", data.ReplacedValues, "values replaced by 0 that are not finite");
+  warn("NumberOfSkippedLines", data.SkippedLines, "lines skipped that are not points");
+  warn("NumberOfUnreadBytes", data.UnreadBytes,
+    "bytes not read behind all that the header promises; the header or the file is wrong");
+  warn("NumberOfMissingScans", data.MissingScans,
+    "scans that the file names are not there and are left out");
 }
 
 //------------------------------------------------------------------------------

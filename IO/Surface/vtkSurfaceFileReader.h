@@ -17,6 +17,9 @@
  * vtkErrorCode. Numbers are read the same in every locale. A reader that is asked to abort gives an
  * empty output without an error.
  *
+ * Properties are those at the beginning of the run: observers of the progress may change them, also
+ * names of files, for the next one.
+ *
  * This class is abstract, and only readers of this module derive from it: what they implement is
  * not installed. Use one of them.
  *
@@ -40,6 +43,7 @@ namespace conformal
 {
 class ByteReader;
 struct FilePiece;
+struct SurfaceData;
 struct SurfaceResult;
 }
 
@@ -82,6 +86,8 @@ protected:
   virtual bool CutsFiles() const { return false; }
 
   // Read the opened file. Throws std::invalid_argument for a property that makes no sense.
+  // Observers of the progress may set properties, also names: what is read after a report is a
+  // copy.
   virtual conformal::SurfaceResult Parse(conformal::ByteReader& input,
     const conformal::FilePiece& piece, const std::function<bool(double)>& progress) = 0;
 
@@ -96,14 +102,16 @@ private:
     bool Aborted = false;
     std::string Message;
   };
-  Outcome Read(
-    const conformal::FilePiece& piece, vtkPolyData* output, conformal::SurfaceResult& result);
+  Outcome Read(const std::string& fileName, const conformal::FilePiece& piece, vtkPolyData* output,
+    conformal::SurfaceResult& result);
 
   // That of the first process that did not end well, if there is one.
-  Outcome Share(const Outcome& own, const conformal::FilePiece& piece);
+  static Outcome Share(
+    const Outcome& own, const conformal::FilePiece& piece, vtkMultiProcessController* controller);
 
-  // Says how many things were amiss, in a warning and in the output's field data.
-  void Warn(vtkPolyData* output, const char* name, vtkTypeUInt64 count, const char* message);
+  // Report all that was left out of a file, in warnings and in the output's field data.
+  void WarnOfAll(
+    const std::string& fileName, const conformal::SurfaceData& data, vtkPolyData* output);
 
   vtkSurfaceFileReader(const vtkSurfaceFileReader&) = delete;
   void operator=(const vtkSurfaceFileReader&) = delete;

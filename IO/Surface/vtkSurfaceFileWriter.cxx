@@ -2,6 +2,7 @@
 
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
+#include "Files/FileOutput.h"
 #include "Glue/Checks.h"
 #include "Glue/Compatibility.h"
 #include "vtkSurfaceConversions.h"
@@ -11,6 +12,49 @@
 #include "vtkPolyData.h"
 
 #include <exception>
+#include <filesystem>
+#include <system_error>
+
+namespace
+{
+using NamedBytes = std::vector<std::pair<std::string, std::string_view>>;
+
+unsigned long ErrorCodeOf(conformal::WriteCode code)
+{
+  switch (code)
+  {
+    case conformal::WriteCode::Ok:
+      return vtkErrorCode::NoError;
+    case conformal::WriteCode::InvalidName:
+      return vtkErrorCode::UserError;
+    case conformal::WriteCode::OutOfDiskSpace:
+      return vtkErrorCode::OutOfDiskSpaceError;
+    case conformal::WriteCode::CannotOpen:
+      break;
+  }
+  return vtkErrorCode::CannotOpenFileError;
+}
+
+// The files beside a surface that is new which are there, and so perhaps not this writer's.
+std::string ForeignFiles(const NamedBytes& files)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored; // writing reports what is wrong
+  std::string names;
+  if (fs::exists(fs::u8path(files.back().first), ignored))
+  {
+    return names;
+  }
+  for (std::size_t i = 0; i + 1 < files.size(); ++i)
+  {
+    if (fs::exists(fs::u8path(files[i].first), ignored))
+    {
+      names += (names.empty() ? "" : " and ") + files[i].first;
+    }
+  }
+  return names;
+}
+}
 
 //------------------------------------------------------------------------------
 vtkSurfaceFileWriter::~vtkSurfaceFileWriter()
@@ -40,7 +84,12 @@ int vtkSurfaceFileWriter::Write()
     }
   }
   this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
+  const vtkMTimeType before = this->WriteTime;
   const int isWritten = this->Superclass::Write();
+  if (this->WriteTime == before && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError); // the superclass had no input to write
+  }
   return isWritten && this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
 }
 
@@ -88,13 +137,29 @@ void vtkSurfaceFileWriter::WriteData()
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceFileWriter::WriteTogether(const NamedBytes& files)
+{
+  const std::string foreign = ForeignFiles(files);
+  const conformal::WriteStatus status = conformal::writeFiles(files);
+  if (!status.ok())
+  {
+    throw vtkSurfaceConversions::WriteError(ErrorCodeOf(status.Code), status.Message);
+  }
+  if (!foreign.empty())
+  {
+    vtkWarningMacro(<< "replaced " << foreign << ", though " << files.back().first
+                    << " was not there before: files beside a surface have its name");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceFileWriter::WriteSurface(
   const std::function<std::string(const conformal::SurfaceData&)>& make)
 {
   const std::string path = this->FileName; // observers of the progress may set another
   const std::string bytes =
     make(vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
-  vtkSurfaceConversions::WriteTogether({ { path, bytes } });
+  this->WriteTogether({ { path, bytes } });
 }
 
 //------------------------------------------------------------------------------

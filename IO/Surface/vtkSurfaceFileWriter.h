@@ -16,6 +16,13 @@
  * as they were. A writer that is asked to abort writes nothing and reports no error; Write()
  * returns 0 then too, and the error code is AbortedError. Text is the same in every locale.
  *
+ * Files beside the one of FileName have its name with another ending; the writers list them. They
+ * are replaced as the named one is, whoever made them. A warning names those that were there while
+ * the named one was not.
+ *
+ * Properties and inputs are those at the beginning of Write(): observers of the progress may change
+ * them for the next one.
+ *
  * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
  * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or
  * another control character (UserError). A port without input is a UserError, too, unless it is
@@ -33,8 +40,11 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkWriter.h"
 
-#include <functional> // for progress
-#include <string>     // for the bytes of a file
+#include <functional>  // for progress
+#include <string>      // for the bytes of a file
+#include <string_view> // for the bytes of several files
+#include <utility>     // for their names
+#include <vector>      // for their list
 
 namespace conformal
 {
@@ -77,6 +87,11 @@ protected:
 
   // Write everything; the file's name is set. Exceptions become errors.
   virtual void WriteFiles(const std::function<bool(double)>& progress) = 0;
+
+  // Write files all and whole, or none. The last is that of FileName, those before it are named
+  // after it: a warning names those that were there, and are replaced, though the last was not.
+  // All writers write their files by this, and none in another way.
+  void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 
   // Write what is made of the input to the one file. A std::invalid_argument says that the format
   // cannot hold the surface.

@@ -148,7 +148,7 @@ void vtkSurfacePageWriter::WriteFiles(const std::function<bool(double)>& progres
   const std::string jpeg = ToJPEG(picture, this->MaximumTextureSize, this->TextureQuality);
   const std::string page = conformal::makeSurfacePage(
     surface, jpeg, conformal::readThreeJS(this->ThreeJSFileName), options, progress);
-  vtkSurfaceConversions::WriteTogether({ { name, page } });
+  this->WriteTogether({ { name, page } });
 }
 
 //------------------------------------------------------------------------------

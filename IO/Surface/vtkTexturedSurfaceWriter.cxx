@@ -21,7 +21,6 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <system_error>
 #include <vector>
 
 vtkStandardNewMacro(vtkTexturedSurfaceWriter);
@@ -31,7 +30,6 @@ namespace
 using vtkSurfaceConversions::OnlyTriangles;
 using vtkSurfaceConversions::PixelsOf;
 using vtkSurfaceConversions::WriteError;
-using vtkSurfaceConversions::WriteTogether;
 
 void Require(bool condition, const char* message)
 {
@@ -135,23 +133,6 @@ std::string LowerCaseExtension(const std::filesystem::path& path)
   }
   return extension;
 }
-
-using Paths = std::vector<std::filesystem::path>;
-
-// Which of the files beside a surface that is new are there, and so perhaps somebody else's.
-std::string ForeignFiles(const std::filesystem::path& surface, const Paths& besides)
-{
-  std::string names;
-  std::error_code ignored; // writing says what is wrong
-  for (const std::filesystem::path& path : besides)
-  {
-    if (!std::filesystem::exists(surface, ignored) && std::filesystem::exists(path, ignored))
-    {
-      names += (names.empty() ? "" : " and ") + path.u8string();
-    }
-  }
-  return names;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -201,34 +182,20 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
     Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
       "MetersPerUnit is not a finite number above 0");
     const std::string glb = conformal::makeGLB(surface, png, progress);
-    WriteTogether({ { name, glb } });
+    this->WriteTogether({ { name, glb } });
     return;
   }
   const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
   const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
-  const std::string foreign =
-    ForeignFiles(path, extension == ".obj" ? Paths{ texture, material } : Paths{ texture });
   if (extension == ".ply")
   {
     const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), progress);
-    WriteTogether({ { texture.u8string(), png }, { name, ply } });
-    this->WarnOfReplaced(foreign, name);
+    this->WriteTogether({ { texture.u8string(), png }, { name, ply } });
     return;
   }
   const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
-  WriteTogether({ { texture.u8string(), png }, { material.u8string(), mtl }, { name, obj } });
-  this->WarnOfReplaced(foreign, name);
-}
-
-//------------------------------------------------------------------------------
-void vtkTexturedSurfaceWriter::WarnOfReplaced(const std::string& files, const std::string& surface)
-{
-  if (!files.empty())
-  {
-    vtkWarningMacro(<< "replaced " << files << ", though " << surface
-                    << " was not there before: files beside a surface have its name");
-  }
+  this->WriteTogether({ { texture.u8string(), png }, { material.u8string(), mtl }, { name, obj } });
 }
 
 //------------------------------------------------------------------------------

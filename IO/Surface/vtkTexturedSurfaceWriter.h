@@ -12,8 +12,10 @@
  * components.
  *
  * The extension of FileName, in lower or upper case, chooses the format:
- * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats. The
- *   surface is named as the file.
+ * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats. Where
+ *   these would shift a point by more than 1e-5 of the surface's size, as of a surface far from the
+ *   origin, they count from its middle, and its node is translated there. The surface is named as
+ *   the file.
  * - ".obj": Wavefront OBJ with doubles, and beside it a material (".mtl") and the texture (".png")
  *   of the same name.
  * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
@@ -83,8 +85,6 @@ protected:
 private:
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
-
-  void WarnOfReplaced(const std::string& files, const std::string& surface);
 
   bool RepeatTexture = false;
   double MetersPerUnit = 1.0;

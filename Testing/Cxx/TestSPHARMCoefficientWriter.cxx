@@ -74,6 +74,13 @@ TEST(SPHARMCoefficientWriter, BadTablesAreRefusedAndOldFilesKept)
   vtkDoubleArray::SafeDownCast(table->GetColumnByName("X"))->SetValue(2, 1.0);
   vtkDoubleArray::SafeDownCast(table->GetColumnByName("X"))->SetValue(1, 1.7e308);
   expectRefused("a coefficient is too large");
+  for (const char* name : { "Degree", "Y" })
+  {
+    vtkAbstractArray* column = table->GetColumnByName(name);
+    column->SetNumberOfTuples(3);
+    expectRefused("the column \"" + std::string(name) + "\" has 3 values for 4 rows");
+    column->SetNumberOfTuples(4);
+  }
   table->RemoveColumnByName("X");
   expectRefused("the table of coefficients has no column \"X\"");
 }

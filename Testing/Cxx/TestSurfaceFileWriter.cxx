@@ -3,97 +3,31 @@
 
 #include "../FullDisk.h"
 #include "../OtherUser.h"
+#include "WriterCases.h"
 #include "WriterContract.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalPLYWriter.h"
-#include "vtkFreeSurferWriter.h"
-#include "vtkGIFTIWriter.h"
-#include "vtkGuMeshWriter.h"
-#include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkStripper.h"
-#include "vtkSurfacePageWriter.h"
-#include "vtkTextCloudWriter.h"
-#include "vtkTexturedSurfaceWriter.h"
 
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <functional>
 #include <limits>
-#include <random>
 
 namespace
 {
 namespace fs = std::filesystem;
 
-// A writer, and what the names of its files end in; that of FileName is the last.
-struct WriterSetUp
-{
-  vtkSmartPointer<vtkSurfaceFileWriter> Writer;
-  std::vector<std::string> Endings = { "" };
-
-  std::string label() const { return this->Writer->GetClassName() + this->Endings.back(); }
-
-  // Write a surface to a file; an error is kept in Message.
-  int write(vtkPolyData* surface, const std::string& path)
-  {
-    contract::Observed observed(this->Writer);
-    this->Writer->SetInputData(surface);
-    this->Writer->SetFileName(path.c_str());
-    const int result = this->Writer->Write();
-    this->Message = observed.ErrorMessage();
-    EXPECT_EQ(observed.Error(), result == 0);
-    return result;
-  }
-
-  void expectRefused(
-    vtkPolyData* surface, const std::string& path, unsigned long code, const std::string& part = "")
-  {
-    EXPECT_EQ(this->write(surface, path), 0);
-    EXPECT_EQ(this->Writer->GetErrorCode(), code);
-    EXPECT_NE(this->Message.find(part), std::string::npos) << this->Message;
-  }
-
-  std::string Message = {};
-};
-
-std::vector<WriterSetUp> WriterSetUps()
-{
-  std::vector<WriterSetUp> setUps = { { vtkSmartPointer<vtkConformalOFFWriter>::New() },
-    { vtkSmartPointer<vtkConformalPLYWriter>::New() },
-    { vtkSmartPointer<vtkFreeSurferWriter>::New() }, { vtkSmartPointer<vtkGIFTIWriter>::New() },
-    { vtkSmartPointer<vtkGuMeshWriter>::New() }, { vtkSmartPointer<vtkTextCloudWriter>::New() } };
-  vtkNew<vtkImageData> picture;
-  picture->SetDimensions(20, 20, 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::mt19937 random; // noise, so that the file is not small
-  for (vtkIdType i = 0; i < picture->GetPointData()->GetScalars()->GetNumberOfValues(); ++i)
-  {
-    picture->GetPointData()->GetScalars()->SetVariantValue(i, static_cast<unsigned char>(random()));
-  }
-  for (const std::vector<std::string>& endings :
-    { std::vector<std::string>{ ".glb" }, { ".png", ".mtl", ".obj" }, { ".png", ".ply" } })
-  {
-    auto writer = vtkSmartPointer<vtkTexturedSurfaceWriter>::New();
-    writer->SetInputData(1, picture);
-    setUps.push_back({ writer, endings });
-  }
-  auto page = vtkSmartPointer<vtkSurfacePageWriter>::New();
-  page->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN);
-  page->SetInputData(1, picture);
-  setUps.push_back({ page, { ".html" } });
-  setUps.push_back(
-    { vtkSmartPointer<vtkSPHARMSurfaceWriter>::New(), { "_para.vtk", "_surf.vtk" } });
-  return setUps;
-}
+using contract::WriterSetUp;
+using contract::WriterSetUps;
 
 // A writer that is asked to stop at its first sign of life.
 void AbortAtOnce(vtkAlgorithm* writer)
@@ -161,14 +95,7 @@ TEST(SurfaceFileWriter, EveryWriterSaysWhichInputIsMissing)
 
 TEST(SurfaceFileWriter, EveryWriterStopsWhenAskedWithoutAWordAndLeavesTheInputAlone)
 {
-  std::vector<WriterSetUp> setUps = WriterSetUps();
-  for (const int content : { vtkFreeSurferWriter::SPHERE, vtkFreeSurferWriter::CURVATURE })
-  {
-    auto writer = vtkSmartPointer<vtkFreeSurferWriter>::New();
-    writer->SetContent(content);
-    setUps.push_back({ writer });
-  }
-  for (WriterSetUp& setUp : setUps)
+  for (WriterSetUp& setUp : contract::WriterSetUpsOfAllContents())
   {
     SCOPED_TRACE(setUp.label());
     const TemporaryFolder folder;
@@ -266,16 +193,20 @@ TEST(SurfaceFileWriter, EveryWriterFollowsLinks)
   }
 }
 
-TEST(SurfaceFileWriter, EveryWriterKeepsModesAndTheFilesOfOthers)
+TEST(SurfaceFileWriter, EveryWriterKeepsOwnersModesAndTheFilesOfOthers)
 {
   const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  constexpr unsigned int another = 12345; // of no user, very likely
+  bool isAnother = false;
   for (WriterSetUp& setUp : WriterSetUps())
   {
     SCOPED_TRACE(setUp.label());
     const TemporaryFolder folder;
     for (const std::string& ending : setUp.Endings)
     {
-      chmod(folder.write("a" + ending, "before").c_str(), 0600);
+      const std::string path = folder.write("a" + ending, "before");
+      isAnother = chown(path.c_str(), another, another + 1) == 0; // only root may
+      chmod(path.c_str(), 0600);
       folder.write("a" + ending + ".part", "mine");
     }
     EXPECT_EQ(setUp.write(sphere, folder.file("a" + setUp.Endings.back())), 1) << setUp.Message;
@@ -286,8 +217,48 @@ TEST(SurfaceFileWriter, EveryWriterKeepsModesAndTheFilesOfOthers)
         fs::perms::owner_read | fs::perms::owner_write)
         << ending;
       EXPECT_EQ(folder.read("a" + ending + ".part"), "mine") << ending;
+      struct stat now = {};
+      ASSERT_EQ(stat(folder.file("a" + ending).c_str(), &now), 0);
+      EXPECT_EQ(now.st_uid, isAnother ? another : geteuid()) << ending;
+      EXPECT_EQ(now.st_gid == another + 1, isAnother) << ending;
     }
     EXPECT_EQ(folder.numberOfFiles(), 2 * setUp.Endings.size());
+  }
+}
+
+// A file beside a new surface may be somebody's own.
+TEST(SurfaceFileWriter, EveryWriterWarnsOfFilesThatItReplacesBesideANewSurface)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = contract::RichSphere();
+  for (WriterSetUp& setUp : WriterSetUps())
+  {
+    SCOPED_TRACE(setUp.label());
+    const TemporaryFolder folder;
+    const std::string name = "a" + setUp.Endings.back();
+    const auto write = [&]()
+    {
+      contract::Observed observed(setUp.Writer);
+      EXPECT_EQ(setUp.write(sphere, folder.file(name)), 1) << setUp.Message;
+      return observed.Warning() ? observed.WarningMessage() : "";
+    };
+    EXPECT_EQ(write(), "");
+    EXPECT_EQ(write(), ""); // its own files
+    for (const std::string& ending : setUp.Endings)
+    {
+      const bool isBeside = ending != setUp.Endings.back();
+      for (const std::string& other : setUp.Endings)
+      {
+        fs::remove(folder.file("a" + other));
+      }
+      folder.write("a" + ending, "before");
+      const std::string warning = write();
+      EXPECT_EQ(warning.empty(), !isBeside) << ending << warning;
+      EXPECT_EQ(
+        warning.find("replaced " + folder.file("a" + ending)) != std::string::npos, isBeside)
+        << ending << warning;
+      EXPECT_NE(folder.read("a" + ending), "before") << ending;
+      EXPECT_EQ(folder.numberOfFiles(), setUp.Endings.size());
+    }
   }
 }
 

@@ -146,6 +146,13 @@ TEST_F(SurfaceHarmonicsSource, ColumnsOfOtherLengthsAreRefused)
 {
   this->Column("Height")->SetNumberOfTuples(3);
   this->ExpectRefused("the column \"Height\" has 3 values for 4 rows");
+  this->Column("Height")->SetNumberOfTuples(4);
+  for (const char* name : { "Degree", "Order", "X", "Z" })
+  {
+    this->Column(name)->SetNumberOfTuples(5);
+    this->ExpectRefused("the column \"" + std::string(name) + "\" has 5 values for 4 rows");
+    this->Column(name)->SetNumberOfTuples(4);
+  }
 }
 
 TEST_F(SurfaceHarmonicsSource, RowsThatAreNoHarmonicsAreRefused)

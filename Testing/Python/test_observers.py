@@ -20,7 +20,12 @@ from conformalsom import (
     vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceMismatch, vtkSurfaceShape)
 
 FORMATS = {"ply": "ConformalPLY", "off": "ConformalOFF", "m": "GuMesh", "xyz": "TextCloud",
-           "gii": "GIFTI", "white": "FreeSurfer"}
+           "gii": "GIFTI", "white": "FreeSurfer", "vtk": "SPHARMSurface"}
+WRITERS = {"glb": "TexturedSurface", "obj": "TexturedSurface", "html": "SurfacePage"}
+PCD = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 4\nDATA ascii\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+PLATES = "4 4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 3 2\n1 2 4\n2 3 4\n3 1 4\n"
+SCANS = "bmesh one.ply 0 0 0 0 0 0 1\nbmesh two.ply 1 0 0 0 0 0 1\n"
+THREE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Data", "ThreeStandIn.js")
 
 
 def surface(frequency=24, turn=0.0):
@@ -60,6 +65,12 @@ def picture():
     made.AllocateScalars(3, 3)  # unsigned char
     vtk_to_numpy(made.GetPointData().GetScalars())[:] = np.arange(1800).reshape(600, 3) % 251
     return made
+
+
+def textured():
+    texture = with_inputs(vtkSphericalTextureMap, surface(6), SplitSeam=True)
+    texture.Update()
+    return texture.GetOutput()
 
 
 def with_inputs(cls, *inputs, **properties):
@@ -195,6 +206,18 @@ def change_properties(algorithm):
     return changed
 
 
+def change_names(algorithm):
+    """Clear all that are set, and let go of the controller."""
+    for name in ("FileName", "SphereFileName", "CurvatureFileName", "ShapeFileName"):
+        if hasattr(algorithm, "Set" + name):
+            getattr(algorithm, "Set" + name)(None)
+    for name in ("ArrayName", "AnatomicalStructure", "ColorArrayName", "ThreeJSFileName"):
+        if hasattr(algorithm, "Set" + name):
+            getattr(algorithm, "Set" + name)("")
+    if hasattr(algorithm, "SetController"):
+        algorithm.SetController(None)
+
+
 def empty_inputs(algorithm):
     for port in range(algorithm.GetNumberOfInputPorts()):
         if algorithm.GetNumberOfInputConnections(port):
@@ -206,16 +229,18 @@ def empty_outputs(algorithm):
         algorithm.GetOutputDataObject(port).Initialize()
 
 
-def run(algorithm, disturb=None, at=0.0):
-    """Disturb it at its first report of such a progress. The first report of all and those of 1 may be
-    the executive's, before and after the run. Returns whether there was a report to disturb."""
+def run(algorithm, disturb=None, at=0.0, number=None):
+    """Disturb it at its first report of such a progress, or at the report of a number. The first report of
+    all and those of 1 may be the executive's, before and after the run. Returns whether there was a report
+    to disturb."""
     count = 0
     done = False
 
     def hear(caller, _):
         nonlocal count, done
         count += 1
-        if disturb and not done and count > 1 and at <= caller.GetProgress() < 1.0:
+        is_due = count == number if number else count > 1 and at <= caller.GetProgress() < 1.0
+        if disturb and not done and is_due:
             done = True
             disturb(algorithm)
 
@@ -242,6 +267,27 @@ class TestObservers(unittest.TestCase):
                     got = result(algorithm)
                     self.assertEqual({key for key in expected if got.get(key) != expected[key]}, set())
                     self.assertEqual(set(got), set(expected))
+
+    def expect_undisturbed_at_every_report(self, make, result, disturbances):
+        """From the second on: the first may be the executive's."""
+        reference = make()
+        count = 0
+
+        def hear(*_):
+            nonlocal count
+            count += 1
+
+        reference.AddObserver("ProgressEvent", hear)
+        run(reference)
+        self.assertGreater(count, 1)
+        expected = result(reference)
+        self.assertTrue(expected)
+        for disturb in disturbances:
+            for number in range(2, count + 1):
+                with self.subTest(disturb.__name__, number=number):
+                    algorithm = make()
+                    self.assertTrue(run(algorithm, disturb, number=number))
+                    self.assertEqual(result(algorithm), expected)
 
     def test_every_filter_is_tried(self):
         tried = {make().GetClassName() for make in FILTERS.values()}
@@ -314,6 +360,74 @@ class TestObservers(unittest.TestCase):
                     self.expect_undisturbed(writer, content, (change_properties, empty_inputs))
                     run(writer())
                     self.expect_undisturbed(reader, arrays_of, (change_properties, empty_outputs))
+
+    def test_every_reader_and_writer_keeps_its_names(self):
+        tried = set()
+        with tempfile.TemporaryDirectory() as folder:
+            def path(name):
+                return os.path.join(folder, name)
+
+            def expect_kept(make, result):
+                tried.add(make().GetClassName())
+                with self.subTest(make().GetClassName(), file=make().GetFileName()):
+                    self.expect_undisturbed_at_every_report(make, result, (change_names, change_properties))
+
+            def expect_reader_kept(name, file, **properties):
+                cls = getattr(conformalsom, "vtk%sReader" % name)
+                expect_kept(lambda: with_inputs(cls, FileName=path(file), **properties), arrays_of)
+
+            def expect_writer_kept(name, file, *inputs, **properties):
+                cls = getattr(conformalsom, "vtk%sWriter" % name)
+
+                def contents(_):
+                    found = {}
+                    for written in os.listdir(folder):
+                        if written.startswith(file.split(".")[0]):
+                            with open(path(written), "rb") as opened:
+                                found[written] = opened.read()
+                            os.remove(path(written))
+                    return found
+
+                expect_kept(lambda: with_inputs(cls, *inputs, FileName=path(file), **properties), contents)
+
+            def write(name, file, *inputs, **properties):
+                with_inputs(getattr(conformalsom, "vtk%sWriter" % name), *inputs,
+                            FileName=path(file), **properties).Write()
+
+            mapped = surface(6)
+            for ending, name in FORMATS.items():
+                write(name, "read." + ending, mapped)
+                expect_reader_kept(name, "read." + ending)
+                expect_writer_kept(name, "written." + ending, mapped)
+            for ending, name in WRITERS.items():
+                three = {"ThreeJSFileName": THREE} if ending == "html" else {}
+                expect_writer_kept(name, "written." + ending, textured(), picture(), **three)
+            for content in (1, 2):
+                write("FreeSurfer", "read.%d" % content, mapped, Content=content, ArrayName="Weights")
+            expect_reader_kept("FreeSurfer", "read.white", SphereFileName=path("read.1"),
+                               CurvatureFileName=path("read.2"))
+            for content in (1, 2, 3):
+                write("GIFTI", "read.%d.gii" % content, mapped, Content=content)
+            expect_reader_kept("GIFTI", "read.1.gii", SphereFileName=path("read.2.gii"),
+                               ShapeFileName=path("read.3.gii"))
+            for file, text in (("read.pcd", PCD), ("read.tab", PLATES), ("read.conf", SCANS)):
+                with open(path(file), "w") as opened:
+                    opened.write(text)
+            for scan in ("one.ply", "two.ply"):
+                write("ConformalPLY", scan, mapped)
+            expect_reader_kept("PCD", "read.pcd")
+            expect_reader_kept("PlateModel", "read.tab")
+            expect_reader_kept("StanfordScans", "read.conf")
+            table = coefficients()
+            write("SPHARMCoefficient", "read.coef", table)
+            expect_reader_kept("SPHARMCoefficient", "read.coef")
+            expect_writer_kept("SPHARMCoefficient", "written.coef", table)
+        for name in dir(conformalsom):
+            if name.startswith("vtk") and name.endswith(("Reader", "Writer")):
+                cls = getattr(conformalsom, name)
+                if not cls.__module__.startswith("conformalsom"):
+                    continue
+                self.assertTrue(name in tried or name.startswith("vtkSurfaceFile"), name)
 
 
 if __name__ == "__main__":

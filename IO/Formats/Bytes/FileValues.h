@@ -89,6 +89,7 @@ public:
         text, std::is_floating_point<T>::value ? "a number" : "an integer of the property's type");
     }
     this->Input.advance(length);
+    ++this->NumbersOfRecord;
     return value;
   }
 
@@ -108,8 +109,14 @@ public:
   {
     if (!this->isLineEnd())
     {
-      this->failAtWord(this->Input.peek(1), "the end of the line");
+      this->Input.fail(ParseCode::Malformed,
+        "found " + quoted(wordOf(this->Input.peek(1))) + " after the " +
+          std::to_string(this->NumbersOfRecord) +
+          (this->NumbersOfRecord == 1 ? " number" : " numbers") +
+          " of a record, expected the end of the line; this line or the one before has a wrong "
+          "number of columns");
     }
+    this->NumbersOfRecord = 0;
   }
 
   /// Whether nothing but blanks and a remark is left of a line.
@@ -166,19 +173,25 @@ private:
     }
   }
 
+  static std::string_view wordOf(std::string_view text)
+  {
+    return text.substr(
+      0, static_cast<std::size_t>(std::find_if(text.begin(), text.end(), isBlank) - text.begin()));
+  }
+
   [[noreturn]] void failAtWord(std::string_view text, const std::string& expected)
   {
     if (text.empty())
     {
       this->Input.fail(ParseCode::PrematureEnd, "the file ends, expected " + expected);
     }
-    const std::string_view word(
-      text.data(), std::find_if(text.begin(), text.end(), isBlank) - text.begin());
-    this->Input.fail(ParseCode::Malformed, "found " + quoted(word) + ", expected " + expected);
+    this->Input.fail(
+      ParseCode::Malformed, "found " + quoted(wordOf(text)) + ", expected " + expected);
   }
 
   ByteReader& Input;
   const bool HasRemarks;
+  std::size_t NumbersOfRecord = 0; ///< that were read since the last record
 };
 }
 

@@ -5,10 +5,13 @@
 #define ConformalFloatRange_h
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace conformal
 {
@@ -36,6 +39,73 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
       "the coordinates are too small for 32-bit floats, which is all that "
       "the format has; scale the surface");
   }
+}
+
+/// What rounding to floats does to points, in the unit of their coordinates.
+struct FloatRounding
+{
+  double LargestShift = 0.0; ///< of a coordinate
+  std::array<double, 3> Low = { 0.0, 0.0, 0.0 };
+  std::array<double, 3> High = { 0.0, 0.0, 0.0 };
+
+  /// Diagonal of the bounding box.
+  double size() const
+  {
+    return std::hypot(
+      this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
+  }
+
+  /// Whether a coordinate is shifted by more than MaximumShift of the size. Points farther apart
+  /// than twice that stay distinct otherwise. Points of one place have no shape to lose.
+  bool isTooCoarse() const
+  {
+    return this->size() > 0.0 && this->LargestShift > MaximumShift * this->size();
+  }
+
+  /// Own construction: floats shift points of a surface around the origin by 3e-8 of its size, and
+  /// reach this limit where it is about 200 times its size away from there.
+  static constexpr double MaximumShift = 1e-5;
+};
+
+/// Compare coordinates with their floats.
+/// @param[in] count       3 for each point
+/// @param[in] coordinate  called with each index below count; in the range of floats
+template <typename Coordinate>
+FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
+{
+  FloatRounding result;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double value = coordinate(i);
+    double& low = result.Low[i % 3];
+    double& high = result.High[i % 3];
+    low = i < 3 ? value : std::min(low, value);
+    high = i < 3 ? value : std::max(high, value);
+    const double shift = std::abs(value - static_cast<double>(static_cast<float>(value)));
+    result.LargestShift = std::max(result.LargestShift, shift);
+  }
+  return result;
+}
+
+/// Refuse points that floats would shift too far for their shape to be kept.
+/// @throws std::invalid_argument with the shift, the size, and what to do
+inline void requireFinePositions(const FloatRounding& rounding)
+{
+  if (!rounding.isTooCoarse())
+  {
+    return;
+  }
+  const auto shortText = [](double value) // three digits, in every locale
+  {
+    char buffer[40];
+    const auto result =
+      std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, 3);
+    return std::string(buffer, result.ptr);
+  };
+  throw std::invalid_argument("the surface is too far from the origin for 32-bit floats, which "
+                              "is all that the format has: they shift coordinates by up to " +
+    shortText(rounding.LargestShift) + " on a surface of size " + shortText(rounding.size()) +
+    "; subtract its center from the points, or write a format of doubles, such as PLY");
 }
 }
 

@@ -15,7 +15,9 @@ std::string makeFreeSurfer(
   const SurfaceData& surface, Coordinate coordinate, const ParseProgress& progress)
 {
   requireTriangles(surface);
-  requireFloatRange(3 * surface.Points.numberOfTuples(), coordinate);
+  const std::size_t size = 3 * surface.Points.numberOfTuples();
+  requireFloatRange(size, coordinate);
+  requireFinePositions(floatRoundingOf(size, coordinate));
   std::string bytes = "\xFF\xFF\xFE"
                       "created by ConformalSOM\n\n";
   appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);

@@ -11,7 +11,7 @@ namespace conformal
 {
 /// FreeSurfer's triangles. Points are written as floats.
 /// @throws std::invalid_argument if a polygon has more than 3 corners, or the points are too far
-/// apart or too close together for floats
+/// apart, too close together or too far from the origin for floats
 /// @throws ParseError if the caller says stop
 std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress = {});
 

@@ -199,6 +199,7 @@ std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, 
   const NamedArray triangles = trianglesOf(surface);
   const std::size_t size = 3 * surface.Points.numberOfTuples();
   requireFloatRange(size, coordinate);
+  requireFinePositions(floatRoundingOf(size, coordinate));
   NamedArray points = makeArray("Points", ScalarType::Float32, 3);
   points.Values.reserve(size * sizeof(float));
   for (std::size_t i = 0; i < size; i += 3)

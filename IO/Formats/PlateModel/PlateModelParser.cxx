@@ -97,6 +97,24 @@ private:
     this->Progress.tick();
   }
 
+  // Refuse a row, by its number of columns if it is not `columns`; pass 0 if that may be any.
+  [[noreturn]] void failAtRow(std::size_t columns, const std::string& expected)
+  {
+    std::size_t count = 0;
+    for (LineWords words(this->Lines.text()); !words.next().empty();)
+    {
+      ++count;
+    }
+    if (columns > 0 && count != columns)
+    {
+      this->Input.fail(ParseCode::Malformed,
+        "found " + quoted(this->Lines.text()) + " with " + std::to_string(count) +
+          (count == 1 ? " column" : " columns") + ", expected " + std::to_string(columns) +
+          " columns as in the first row");
+    }
+    this->Lines.failExpecting(expected);
+  }
+
   std::size_t checkedCount(const char* what, double count, std::size_t bytes)
   {
     constexpr std::size_t shortestRow = 5; // three digits and two blanks
@@ -127,8 +145,8 @@ private:
         std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); });
       if (!isRight)
       {
-        this->Lines.failExpecting(
-          "X Y Z, or I X Y Z with I counting from 0 or 1, of finite numbers");
+        this->failAtRow(
+          i == 0 ? 0 : width, "X Y Z, or I X Y Z with I counting from 0 or 1, of finite numbers");
       }
       append(this->Data.Points, row.data() + (hasIndex ? 1 : 0));
     }
@@ -166,7 +184,11 @@ private:
         std::all_of(row.begin(), row.end(), isCount);
       if (!isRight)
       {
-        this->Lines.failExpecting("A B C, I A B C with I counting from 0 or 1, or 3 A B C");
+        this->failAtRow(isNextLine ? 3
+            : i == 0               ? 0
+            : first >= 0.0         ? 4
+                                   : 3,
+          "A B C, I A B C with I counting from 0 or 1, or 3 A B C");
       }
       for (std::size_t k = row.size() - 3; k < row.size(); ++k)
       {

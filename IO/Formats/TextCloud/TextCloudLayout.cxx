@@ -24,25 +24,32 @@ std::string_view trimmed(std::string_view text, std::string_view ends)
   return text.substr(begin, text.find_last_not_of(ends) + 1 - begin);
 }
 
-Words split(std::string_view line, char delimiter)
+// Calls use(word) for each column.
+template <typename Use>
+void forEachWord(std::string_view line, char delimiter, Use use)
 {
-  Words words;
   if (delimiter == ' ')
   {
     LineWords rest(line);
     for (std::string_view word = rest.next(); !word.empty(); word = rest.next())
     {
-      words.push_back(word);
+      use(word);
     }
-    return words;
+    return;
   }
   line = trimmed(line, delimiter == '\t' ? " \v\f" : Blanks);
   while (!line.empty()) // a delimiter at the end ends the last word
   {
     const std::size_t end = std::min(line.find(delimiter), line.size());
-    words.push_back(trimmed(line.substr(0, end), Blanks));
+    use(trimmed(line.substr(0, end), Blanks));
     line.remove_prefix(std::min(end + 1, line.size()));
   }
+}
+
+Words split(std::string_view line, char delimiter)
+{
+  Words words;
+  forEachWord(line, delimiter, [&](std::string_view word) { words.push_back(word); });
   return words;
 }
 
@@ -336,6 +343,34 @@ bool startsWithNumber(std::string_view line, char delimiter)
   }
   const std::size_t sign = !line.empty() && (line[0] == '-' || line[0] == '+') ? 1 : 0;
   return line.size() > sign && ((line[sign] >= '0' && line[sign] <= '9') || line[sign] == '.');
+}
+
+//------------------------------------------------------------------------------
+std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout, bool decimalComma)
+{
+  std::size_t count = 0;
+  std::string wrongWord;
+  forEachWord(line, layout.Delimiter,
+    [&](std::string_view word)
+    {
+      ++count;
+      double value = 0.0;
+      if (wrongWord.empty() && !readWord(word, decimalComma, value))
+      {
+        wrongWord = quoted(word) + " in column " + std::to_string(count);
+      }
+    });
+  const std::size_t columns = layout.Columns.size();
+  if (count == columns)
+  {
+    return "found " + quoted(line) + " with " + (wrongWord.empty() ? "a wrong number" : wrongWord) +
+      ", expected " + std::to_string(columns) + " numbers";
+  }
+  const std::string delimiter =
+    layout.Delimiter == ' ' ? "" : " between \"" + std::string(1, layout.Delimiter) + "\"";
+  return "found " + quoted(line) + " with " + std::to_string(count) +
+    (count == 1 ? " column" : " columns") + ", expected " + std::to_string(columns) + " columns" +
+    delimiter + " as in the first line of numbers";
 }
 
 //------------------------------------------------------------------------------

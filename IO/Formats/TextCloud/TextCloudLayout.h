@@ -37,6 +37,11 @@ bool isIgnoredLine(std::string_view line);
 /// Whether a line begins with a number.
 bool startsWithNumber(std::string_view line, char delimiter);
 
+/// What is wrong with a line that is no point, for a message: its number of columns, or a word that
+/// is no number.
+std::string describeNoPoint(
+  std::string_view line, const TextCloudLayout& layout, bool decimalComma);
+
 /// Why the first lines of a text are no points; the line counts from 1.
 class NoTextCloud : public std::invalid_argument
 {

@@ -248,8 +248,9 @@ private:
     }
     const bool mayBeDecimal =
       !this->Options.DecimalComma && line.find(',') != std::string_view::npos;
-    this->Lines.failExpecting(std::to_string(this->Row.size()) + " numbers" +
-      (mayBeDecimal ? "; if the commas are decimal marks, set DecimalComma" : ""));
+    this->Input.fail(ParseCode::Malformed,
+      describeNoPoint(line, this->Layout, this->Options.DecimalComma) +
+        (mayBeDecimal ? "; if the commas are decimal marks, set DecimalComma" : ""));
   }
 
   ByteReader& Input;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -73,21 +74,19 @@ public:
     return this->NumberOfAccessors++;
   }
 
-  std::string file(
-    const std::string& attributes, int indices, int image, const TexturedSurface& surface) const
+  std::string file(const std::string& attributes, int indices, int image,
+    const TexturedSurface& surface, const std::string& placement) const
   {
     const std::string wrap = std::to_string(surface.RepeatsTexture ? Repeat : ClampToEdge);
     const std::string name = surface.Name.empty() ? "" : "\"name\":" + jsonText(surface.Name) + ",";
     std::string unit;
     appendNumber(unit, surface.MetersPerUnit);
-    const std::string scale =
-      surface.MetersPerUnit == 1.0 ? "" : ",\"scale\":[" + unit + "," + unit + "," + unit + "]";
     std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\","
                        "\"extras\":{\"metersPerUnit\":" +
       unit +
       "}},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
       "\"nodes\":[{" +
-      name + "\"mesh\":0" + scale + "}],\"meshes\":[{" + name +
+      name + "\"mesh\":0" + placement + "}],\"meshes\":[{" + name +
       "\"primitives\":[{\"attributes\":{" + attributes +
       "},\"indices\":" + std::to_string(indices) +
       ",\"material\":0}]}],"
@@ -129,18 +128,61 @@ private:
   int NumberOfAccessors = 0;
 };
 
+// The origin of the file's coordinates: that of the surface, unless it is so far from there that
+// floats are too coarse. Then it is the middle of the surface.
+std::array<double, 3> originOf(const std::vector<double>& positions)
+{
+  const FloatRounding rounding =
+    floatRoundingOf(positions.size(), [&](std::size_t i) { return positions[i]; });
+  std::array<double, 3> origin = { 0.0, 0.0, 0.0 };
+  for (std::size_t c = 0; c < 3 && rounding.isTooCoarse(); ++c)
+  {
+    origin[c] = 0.5 * rounding.Low[c] + 0.5 * rounding.High[c];
+  }
+  return origin;
+}
+
+// What a node has to put the file's coordinates in their place, in meters.
+std::string placementOf(const std::array<double, 3>& origin, double metersPerUnit)
+{
+  std::string text;
+  if (origin != std::array<double, 3>{ 0.0, 0.0, 0.0 })
+  {
+    std::string numbers;
+    for (const double coordinate : origin)
+    {
+      const double meters = coordinate * metersPerUnit;
+      if (!(std::abs(meters) <= std::numeric_limits<float>::max()))
+      {
+        throw std::invalid_argument("a coordinate in meters is not finite as a 32-bit float");
+      }
+      numbers += numbers.empty() ? "" : ",";
+      appendNumber(numbers, meters);
+    }
+    text += ",\"translation\":[" + numbers + "]";
+  }
+  if (metersPerUnit != 1.0)
+  {
+    std::string unit;
+    appendNumber(unit, metersPerUnit);
+    text += ",\"scale\":[" + unit + "," + unit + "," + unit + "]";
+  }
+  return text;
+}
+
 // Smallest and largest position, as the floats that the file holds.
-std::string boundsOf(const std::vector<double>& positions)
+template <typename Coordinate>
+std::string boundsOf(std::size_t count, Coordinate coordinate)
 {
   std::array<float, 3> low;
   std::array<float, 3> high;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    low[c] = high[c] = static_cast<float>(positions[c]);
+    low[c] = high[c] = static_cast<float>(coordinate(c));
   }
-  for (std::size_t i = 3; i < positions.size(); ++i)
+  for (std::size_t i = 3; i < count; ++i)
   {
-    const float value = static_cast<float>(positions[i]);
+    const float value = static_cast<float>(coordinate(i));
     low[i % 3] = std::min(low[i % 3], value);
     high[i % 3] = std::max(high[i % 3], value);
   }
@@ -178,6 +220,10 @@ std::string makeGLB(
   const TexturedSurface& surface, std::string_view png, const ParseProgress& progress)
 {
   requireFloatRange(surface.Positions.size(), [&](std::size_t i) { return surface.Positions[i]; });
+  const std::array<double, 3> origin = originOf(surface.Positions);
+  const std::string placement = placementOf(origin, surface.MetersPerUnit);
+  const auto coordinate = [&](std::size_t i) { return surface.Positions[i] - origin[i % 3]; };
+  requireFloatRange(surface.Positions.size(), coordinate);
   const std::size_t count = surface.Positions.size() / 3;
   const bool hasNormals = !surface.Normals.empty();
   GLBBuilder builder;
@@ -190,9 +236,9 @@ std::string makeGLB(
   };
 
   forEach(surface.Positions.size(), progress, 0.0, 0.3,
-    [&](std::size_t i) { appendBytes(bytes, static_cast<float>(surface.Positions[i]), false); });
-  const int positions = builder.addAccessor(
-    builder.addView(0, ArrayBuffer), Float, "VEC3", count, boundsOf(surface.Positions));
+    [&](std::size_t i) { appendBytes(bytes, static_cast<float>(coordinate(i)), false); });
+  const int positions = builder.addAccessor(builder.addView(0, ArrayBuffer), Float, "VEC3", count,
+    boundsOf(surface.Positions.size(), coordinate));
   std::string attributes = "\"POSITION\":" + std::to_string(positions);
   if (hasNormals)
   {
@@ -223,7 +269,7 @@ std::string makeGLB(
   bytes += png;
   const int image = builder.addView(imageBegin, 0);
   report(progress, 1.0);
-  return builder.file(attributes, corners, image, surface);
+  return builder.file(attributes, corners, image, surface, placement);
 }
 
 //------------------------------------------------------------------------------

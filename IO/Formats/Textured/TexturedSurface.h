@@ -27,6 +27,8 @@ struct TexturedSurface
 /// A binary glTF 2.0 file with the picture inside. Positions become floats, as glTF has no
 /// other, and v is counted from the top there. Lengths are meters in glTF: the node that shows the
 /// surface is scaled by MetersPerUnit, which is "metersPerUnit" in the extras of the asset, too.
+/// Where floats would shift a coordinate by more than FloatRounding::MaximumShift of the surface's
+/// size, positions count from the middle of its bounding box, and the node is translated there.
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would pass the 4 GiB of the format
 /// @throws ParseError with Aborted if the progress callback says stop

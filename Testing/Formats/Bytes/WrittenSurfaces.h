@@ -8,10 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace written
@@ -47,6 +50,59 @@ NamedArray randomArray(
                                                       : static_cast<double>(random() % 100)));
   }
   return arrayOf(name, type, components, values);
+}
+
+/// A tetrahedron of doubles, of a size and at a distance from the origin.
+inline SurfaceData distantTetrahedron(double size, double distance)
+{
+  SurfaceData data;
+  std::vector<double> points;
+  for (const double p : { 0.0, 0.0, 0.0, 0.9, 0.1, 0.0, 0.3, 0.7, 0.0, 0.2, 0.4, 0.8 })
+  {
+    points.push_back(distance + size * p);
+  }
+  data.Points = arrayOf("Points", ScalarType::Float64, 3, points);
+  data.PolygonOffsets.push(0);
+  for (const std::int64_t id : { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 })
+  {
+    data.PolygonIds.push(id);
+    if (data.PolygonIds.size() % 3 == 0)
+    {
+      data.PolygonOffsets.push(static_cast<std::int64_t>(data.PolygonIds.size()));
+    }
+  }
+  return data;
+}
+
+/// Writing a surface so far from the origin that floats would spoil it is refused, nearer ones are
+/// written, and so are far ones whose coordinates are floats.
+template <typename Make>
+void ExpectRefusesDistantSurfaces(Make make)
+{
+  EXPECT_NO_THROW(make(distantTetrahedron(1.0, 0.0)));
+  EXPECT_NO_THROW(make(distantTetrahedron(1.0, 100.0)));
+  EXPECT_NO_THROW(make(distantTetrahedron(1e-30, 1e-28)));
+  EXPECT_NO_THROW(make(distantTetrahedron(1e30, 1e32)));
+  EXPECT_NO_THROW(make(distantTetrahedron(0.0, 0.1))); // all of one place
+  SurfaceData floats = distantTetrahedron(1.0, 5e6);
+  double* numbers = reinterpret_cast<double*>(floats.Points.Values.data());
+  std::transform(numbers, numbers + 12, numbers,
+    [](double p) { return static_cast<double>(static_cast<float>(p)); });
+  EXPECT_NO_THROW(make(floats));
+  for (const auto& [size, distance] : { std::pair{ 1.0, 1e3 }, std::pair{ 1.0, 5e6 },
+         std::pair{ 1e-3, -1e8 }, std::pair{ 1e-30, 1.0 / 3.0 * 1e-26 } })
+  {
+    try
+    {
+      make(distantTetrahedron(size, distance));
+      ADD_FAILURE() << size << " at " << distance << " was written";
+    }
+    catch (const std::invalid_argument& e)
+    {
+      EXPECT_NE(std::string(e.what()).find("too far from the origin"), std::string::npos)
+        << e.what();
+    }
+  }
 }
 
 /// A tetrahedron of hard numbers, in floats or doubles.

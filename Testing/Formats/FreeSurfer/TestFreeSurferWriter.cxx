@@ -57,3 +57,25 @@ TEST(FreeSurferWriter, RefusesWhatFloatsCannotHold)
   EXPECT_THROW(conformal::makeFreeSurferSurface(made(1e-39, 0.0)), std::invalid_argument);
   EXPECT_THROW(conformal::makeFreeSurferSurface(made(1e-300, 0.0)), std::invalid_argument);
 }
+
+TEST(FreeSurferWriter, RefusesSurfacesTooFarForFloats)
+{
+  ExpectRefusesDistantSurfaces(
+    [](const SurfaceData& data) { return conformal::makeFreeSurferSurface(data); });
+  const auto message = []()
+  {
+    try
+    {
+      conformal::makeFreeSurferSurface(distantTetrahedron(2.0, 5e6));
+    }
+    catch (const std::invalid_argument& e)
+    {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message(),
+    "the surface is too far from the origin for 32-bit floats, which is all that the format has: "
+    "they shift coordinates by up to 0.2 on a surface of size 2.79; subtract its center from the "
+    "points, or write a format of doubles, such as PLY");
+}

@@ -190,3 +190,13 @@ TEST(GIFTIWriter, RefusesWhatCouldNotBeReadBack)
   cloud.PolygonOffsets = conformal::OwnedArray<std::int64_t>();
   EXPECT_THROW(conformal::makeGIFTISurface(cloud), std::invalid_argument);
 }
+
+TEST(GIFTIWriter, GeometryTooFarForFloatsIsRefusedAndTheSurfaceKept)
+{
+  ExpectRefusesDistantSurfaces(
+    [](const SurfaceData& data) { return conformal::makeGIFTIGeometry(data); });
+  const SurfaceData distant = distantTetrahedron(1e-3, 1e8);
+  ExpectSame(read(conformal::makeGIFTISurface(distant),
+               [](conformal::ByteReader& input) { return conformal::parseGIFTISurface(input); }),
+    distant, true);
+}

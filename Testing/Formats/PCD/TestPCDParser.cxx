@@ -210,7 +210,7 @@ TEST(PCDParser, RefusesBodiesThatAreWrong)
     refuse("1.5", word, 12, word);
   }
   refuse("7 8 9 16711680 32767", "7 8 9 16711680 32768", 14, "32768");
-  refuse("7 8 9 16711680 32767", "7 8 9 16711680 32767 1", 14, "end of the line");
+  refuse("7 8 9 16711680 32767", "7 8 9 16711680 32767 1", 14, "after the 5 numbers of a record");
   refuse("7 8 9 16711680 32767", "7 8 9 16711680 32767\n1", 15, "end of the file");
   refuse(
     "WIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3", "POINTS 4000000000", 9, "4000000000");

@@ -466,7 +466,10 @@ TEST(PLYParser, RefusesBadNumbersWithTheirLine)
   ExpectRefused(
     samples::replaced(samples::AsciiMesh(), "4 5 6", "4 256 6"), ParseCode::Malformed, 28, "256");
   ExpectRefused(samples::replaced(samples::AsciiCloud(), "7 8 9", "7 8 9 10"), ParseCode::Malformed,
-    10, "end of the line");
+    10, "found \"10\" after the 3 numbers of a record, expected the end of the line");
+  ExpectRefused(cloudOf(XYZ, 2, "1 2\n4 5 6\n"), ParseCode::Malformed, 9,
+    "found \"5\" after the 3 numbers of a record, expected the end of the line; this line or the "
+    "one before has a wrong number of columns");
   ExpectRefused(
     cloudOf(XYZ, 1, std::string(100000, '1') + " 0 0\n"), ParseCode::Malformed, 8, "111");
 }

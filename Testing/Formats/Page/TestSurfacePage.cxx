@@ -508,3 +508,37 @@ TEST(SurfacePage, IsSmall)
   data.PointArrays.push_back(randomArray<double>("Noise", ScalarType::Float64, 1, count, 1));
   EXPECT_LT(conformal::makeSurfacePage(data, "JPEG", Three).size(), 2300000u);
 }
+
+// Codes count from the bounds, which are doubles.
+TEST(SurfacePage, PointsFarFromTheOriginStayDistinct)
+{
+  for (const auto& [size, distance] : { std::pair{ 1.0, 5e6 }, std::pair{ 5e-4, 1e8 } })
+  {
+    SurfaceData data = ellipsoid(16, 40);
+    const std::size_t count = data.Points.numberOfTuples();
+    ASSERT_EQ(count, 642u);
+    std::vector<double> points;
+    for (std::size_t i = 0; i < 3 * count; ++i)
+    {
+      points.push_back(distance + size * (conformal::valueOf(data.Points, i) - 10.0));
+    }
+    data.Points = arrayOf("Points", ScalarType::Float64, 3, points);
+    const std::string page = conformal::makeSurfacePage(data, "", Three);
+    const std::vector<double> bounds = member(element(page, "description"), "bounds");
+    ASSERT_EQ(bounds.size(), 6u);
+    CodeReader reader(
+      decoded(element(page, "data"), count * (6 + 4) + 12 * (data.PolygonOffsets.size() - 1)));
+    std::vector<std::array<double, 3>> places(count);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const std::vector<std::uint64_t> codes = reader.read(count, 2);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        // As script/mesh.js places them, around the middle of the bounds.
+        places[i][c] = (2.0 * static_cast<double>(codes[i]) / 65535.0 - 1.0) *
+          (bounds[2 * c + 1] / 2.0 - bounds[2 * c] / 2.0);
+      }
+    }
+    EXPECT_EQ((std::set<std::array<double, 3>>(places.begin(), places.end()).size()), count);
+  }
+}

@@ -73,6 +73,29 @@ TEST(PlateModelParser, ReadsAllGoodAndRefusesAllBadFiles)
   }
 }
 
+TEST(PlateModelParser, NamesRowsOfAWrongLength)
+{
+  const auto expectMessage =
+    [](const std::string& text, std::uint64_t line, const std::string& message)
+  {
+    const SurfaceResult result = parse(text);
+    EXPECT_EQ(result.Status.Code, ParseCode::Malformed);
+    EXPECT_EQ(result.Status.Line, line);
+    EXPECT_NE(result.Status.Message.find(message), std::string::npos) << result.Status.Message;
+  };
+  const std::string columns = " columns, expected ";
+  expectMessage(samples::replaced(samples::NumberedPlates(), "1.50000", ""), 3,
+    "with 3" + columns + "4 columns as in the first row");
+  expectMessage(samples::replaced(samples::NumberedPlates(), "1.50000", "1.5 7"), 3,
+    "with 5" + columns + "4 columns");
+  expectMessage(samples::replaced(samples::NumberedPlates(), "1.50000", "x"), 3, "expected X Y Z");
+  expectMessage(
+    samples::replaced(samples::NumberedPlates(), "       2       1       2       4", "1 2 4"), 8,
+    "with 3" + columns + "4 columns");
+  expectMessage(samples::replaced(samples::VerPlates(), " 3\n 1 2 4", " 3\n 1 2"), 9,
+    "with 2" + columns + "3 columns");
+}
+
 TEST(PlateModelParser, DropsPlatesOfARepeatedVertex)
 {
   const SurfaceResult result = parse(samples::replaced(samples::VerPlates(), "1 2 4", "1 2 2"));

@@ -183,6 +183,23 @@ TEST(TextCloudParser, RefusesWhatIsNoPointWithItsLine)
   ExpectRefused(colors + "0 0 0 1 2 256\n", ParseCode::Malformed, 129, "colors");
 }
 
+TEST(TextCloudParser, NamesWhatIsWrongWithALine)
+{
+  const auto expectMessage = [](const std::string& line, const std::string& message)
+  { ExpectRefused("1 2 3 0.5 7 8\n" + line + "\n", ParseCode::Malformed, 2, message); };
+  expectMessage("1 2 3 4 5",
+    "found \"1 2 3 4 5\" with 5 columns, expected 6 columns as in the first line of numbers");
+  expectMessage("1 2 3 4 5 6 7", "with 7 columns, expected 6 columns");
+  expectMessage("1", "with 1 column, expected 6 columns");
+  expectMessage("1 2 3 x 5 6", "with \"x\" in column 4, expected 6 numbers");
+  expectMessage("1 2 3 0,5 5 6", "set DecimalComma");
+  ExpectRefused("1;2;3\n1;2\n", ParseCode::Malformed, 2,
+    "with 2 columns, expected 3 columns between \";\" as in the first line of numbers");
+  ExpectRefused(
+    "x,y,z\n1,2,3\n1,,3\n", ParseCode::Malformed, 3, "with \"\" in column 2, expected 3 numbers");
+  ExpectRefused("2\n1 2 3\n1 2 3 4\n", ParseCode::Malformed, 3, "with 4 columns, expected 3");
+}
+
 TEST(TextCloudParser, CountsWhatItLeavesOut)
 {
   conformal::TextCloudOptions options;

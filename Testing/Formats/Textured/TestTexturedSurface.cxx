@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace
 {
@@ -81,6 +86,66 @@ TEST(TexturedSurface, GLBRefusesWhatFloatsCannotHold)
     EXPECT_NO_THROW(conformal::makeOBJ(surface, "a.mtl"));
     EXPECT_NO_THROW(conformal::makePLY(surface, "a.png"));
   }
+}
+
+// Far from the origin positions count from the middle of the surface, and the node is put there.
+TEST(TexturedSurface, GLBKeepsSurfacesFarFromTheOrigin)
+{
+  const auto partOf = [](const std::string& json, const std::string& name)
+  {
+    const std::size_t begin = json.find("\"" + name + "\":[");
+    return begin == std::string::npos
+      ? std::string()
+      : json.substr(begin + name.size() + 4, json.find(']', begin) - begin - name.size() - 4);
+  };
+  for (const double unit : { 1.0, 0.001 })
+  {
+    for (const auto& [size, distance] :
+      { std::pair{ 1.0, 0.0 }, std::pair{ 1.0, 100.0 }, std::pair{ 2.0, 5e6 },
+        std::pair{ 1e-3, -1e8 }, std::pair{ 1e-30, 1e-20 }, std::pair{ 1e30, 1e36 } })
+    {
+      SCOPED_TRACE(std::to_string(size) + " at " + std::to_string(distance));
+      conformal::TexturedSurface surface = triangle();
+      surface.MetersPerUnit = unit;
+      for (double& p : surface.Positions)
+      {
+        p = distance + size * p;
+      }
+      const CommaLocale locale;
+      const std::string glb = conformal::makeGLB(surface, "png");
+      const std::string json = glb.substr(20, uint32At(glb, 12));
+      const bool isFar = distance != 0.0 && distance != 100.0 && size != 0.0;
+      const std::string translation = partOf(json, "translation");
+      EXPECT_EQ(translation.empty(), !isFar) << json;
+      EXPECT_EQ(partOf(json, "scale"), unit == 1.0 ? "" : "0.001,0.001,0.001");
+      std::array<double, 3> place = { 0.0, 0.0, 0.0 };
+      std::istringstream numbers(translation);
+      numbers.imbue(std::locale::classic());
+      char comma = 0;
+      for (double& number : place)
+      {
+        numbers >> number >> comma;
+      }
+      const std::size_t data = 28 + uint32At(glb, 12);
+      for (std::size_t i = 0; i < 9; ++i)
+      {
+        const auto local = static_cast<double>(floatAt(glb, data + 4 * i));
+        EXPECT_NEAR(unit * local + place[i % 3], unit * surface.Positions[i],
+          unit * (1e-7 * size + (isFar ? 2e-16 : 6e-8) * std::abs(distance)));
+        if (!isFar)
+        {
+          EXPECT_EQ(local, static_cast<double>(static_cast<float>(surface.Positions[i])));
+        }
+      }
+    }
+  }
+  conformal::TexturedSurface surface = triangle();
+  surface.MetersPerUnit = 1e35;
+  for (double& p : surface.Positions)
+  {
+    p += 1e6;
+  }
+  EXPECT_THROW(conformal::makeGLB(surface, "png"), std::invalid_argument);
 }
 
 TEST(TexturedSurface, OBJCountsFromOneAndRefersToItsMaterial)
