@@ -152,7 +152,7 @@ class TestPyVista(unittest.TestCase):
             write_png(np.zeros((40, 40, 3), np.uint8), path)
             with open(path, "r+b") as file:
                 file.truncate(60)
-            with self.assertRaisesRegex(ValueError, "the PNG file is broken"):
+            with self.assertRaisesRegex(ValueError, "the picture is broken"):
                 paint(smooth(learn(ellipsoid(), **SMALL)), path)
 
     def test_the_example_draws(self):
