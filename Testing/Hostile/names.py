@@ -1,6 +1,6 @@
 """Hostile names of files for the command conformalsom: inputs of every reader against every name of an output.
 
-    python3 names.py [--number N] [--seed S] [--whole-every K]
+    python3 names.py [--number N] [--seed S] [--whole-every K] [--check]
 
 Each case is a folder with a scan of one of the readers, with all files that this reads, and other files; and a call that
 writes surfaces, a picture or a report under a name made of one of these: another spelling, a symbolic link, a chain or a
@@ -8,7 +8,8 @@ hard link, a linked folder, another case, blanks, no-break spaces, letters with 
 beside an .obj file, {} and folders, dangling links, read-only files, directories, pipes, control characters. What the
 checks let through is written as the command writes it, by files of one line; each K-th case runs the whole command. Bad is
 an input that is changed, replaced or made, a file that is changed without --overwrite, a name that is refused as an input
-and is none, and any exception but wrong usage and errors of the system. The exit status is 1 then.
+and is none, and any exception but wrong usage and errors of the system. The exit status is 1 then. With --check inputs are looked for
+as if every scan were a single file, and the status is 0 only if that is found to be bad.
 """
 import argparse
 import os
@@ -27,7 +28,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import conformalsom
-from conformalsom.command import outputs, plan
+from conformalsom.command import outputs, plan, scan_files
 
 MOTION = " 0 0 0 0 0 0 1\n"
 ODD = ("a scan", "a\u00a0scan", "gr\u00fc\u00df", unicodedata.normalize("NFD", "gr\u00fc\u00df"), "-o", "{}", "a.b", "A", "'")
@@ -269,7 +270,10 @@ def main():
     parser.add_argument("--number", type=int, default=400)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--whole-every", type=int, default=200)
+    parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
+    if options.check:
+        scan_files.inputs_of = lambda path: [path]
     counts, bad = {}, 0
     with tempfile.TemporaryDirectory() as samples, tempfile.TemporaryDirectory(prefix="names ") as around:
         extensions = scans_of(samples)
@@ -291,7 +295,7 @@ def main():
     few = options.number >= 100 and min(counts.get(word, 0) for word in ("refused as an input", "refused", "written")) < 10
     if few:
         print("too few of one kind for a trial")
-    return 1 if bad or few else 0
+    return int(bad == 0) if options.check else int(bad > 0 or few)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import time
+import typing
 from multiprocessing import connection
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkSMPTools, vtkStringOutputWindow
@@ -16,7 +17,7 @@ from . import outputs, report, surfaces, textures
 from .steps import Interrupted, StepFailed, Steps
 
 # A forked process has loaded VTK and the picture already. Elsewhere the libraries of the system cannot be forked.
-CONTEXT = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
+CONTEXT: typing.Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
 SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 SECONDS_TO_STOP = 10  # before a process that was asked to stop is killed
 LONGEST_MESSAGE = 2**28
@@ -107,7 +108,8 @@ def made(task, options, pixels, steps):
     table = io.StringIO()
     if options.measure:
         with contextlib.redirect_stdout(table):
-            report.print_table(*stages, steps.seconds)
+            scan, mesh, surface = stages
+            report.print_table(scan, mesh, surface, steps.seconds)
     return entry, table.getvalue()
 
 

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import typing
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -59,15 +60,16 @@ def decoded(path):
     with tempfile.TemporaryFile() as log:
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=log,
                                    env=environment)
+        pixels_pipe = typing.cast(typing.BinaryIO, process.stdout)
         watch = threading.Timer(MAXIMUM_SECONDS, process.kill)
         watch.daemon = True
         watch.start()
         try:
-            told, pixels = received(process.stdout)
+            told, pixels = received(pixels_pipe)
             process.wait()
         finally:
             process.kill()
-            process.stdout.close()
+            pixels_pipe.close()
             process.wait()
             watch.cancel()
             watch.join()  # no thread is left
@@ -111,7 +113,7 @@ def received(stream):
     if "error" in told:
         return told, None
     pixels = np.empty((told["rows"], told["columns"], told["channels"]), np.uint8)
-    place, bytes_of = 0, memoryview(pixels).cast("B")
+    place, bytes_of = 0, pixels.data.cast("B")
     while place < len(bytes_of):
         count = stream.readinto(bytes_of[place:])
         if not count:
