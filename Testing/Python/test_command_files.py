@@ -12,7 +12,9 @@ from unittest import mock
 
 import conformalsom
 from conformalsom.command import main, outputs, plan, scan_files
+from conformalsom.messages import heard
 from test_command import COARSE, COMMAND, command, egg, files_in, textures, write
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
@@ -352,6 +354,19 @@ class TestWords(Folder):
                             (OSError(errno.ENOSPC, "No space left on device", "x"), "x: No space left on device"),
                             (ValueError("x: bad"), "x: bad")):
             self.assertEqual(main.jobs.message_of(error), text)
+
+    def test_filter_that_fails_without_a_reason(self):
+        class Fails(VTKPythonAlgorithmBase):
+            def __init__(self):
+                super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+            def RequestData(self, request, inputs, outputs):
+                return 0
+        algorithm = Fails()
+        with heard(algorithm) as messages:
+            algorithm.Update()
+        self.assertEqual(messages.errors, [algorithm.GetClassName() + " failed and gave no reason; what it was given "
+                                           "may be broken"])
 
     def test_silent_failure_of_a_filter(self):
         put('<?xml version="1.0"?>\n<VTKFile type="PolyData"><Poly', self.folder, "b.vtp")

@@ -193,7 +193,7 @@ def take_places(files, token):
 def keep(path, kept):
     """Give a file another name, from which it can be put back."""
     try:
-        os.link(path, kept, follow_symlinks=False)
+        os.link(path, kept)
     except OSError:  # no hard links here
         os.rename(path, kept)
 
