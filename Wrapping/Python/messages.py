@@ -42,5 +42,6 @@ def heard(algorithm) -> typing.Iterator[Messages]:
             source.RemoveObserver(tag)
         # The executive adds that the algorithm failed, which says nothing where that has said why.
         own = [text for text in messages.errors if EXECUTIVE not in text]
-        silent = [f"{algorithm.GetClassName()} failed and gave no reason; what it was given may be broken"] if messages.errors else []
-        messages.errors[:] = own or silent
+        if messages.errors:
+            silent = f"{algorithm.GetClassName()} failed and gave no reason; what it was given may be broken"
+            messages.errors[:] = own or [silent]

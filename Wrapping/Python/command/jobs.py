@@ -180,7 +180,9 @@ class Job:
     def end(self):
         """How the process ended."""
         code = self.process.exitcode
-        return f"the process crashed by {textures.name_of(-code)}" if code < 0 else f"the process ended with status {code}"
+        if code < 0:
+            return f"the process crashed by {textures.name_of(-code)}"
+        return f"the process ended with status {code}"
 
     def last_words(self):
         """The last line that the process printed, which may say why."""
