@@ -38,6 +38,13 @@ conformal::SurfaceResult vtkFreeSurferReader::Parse(conformal::ByteReader& input
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkFreeSurferReader::FilesReadToo()
+{
+  return { this->SphereFileName ? this->SphereFileName : "",
+    this->CurvatureFileName ? this->CurvatureFileName : "" };
+}
+
+//------------------------------------------------------------------------------
 void vtkFreeSurferReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

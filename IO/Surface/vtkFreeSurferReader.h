@@ -63,6 +63,7 @@ protected:
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
     const std::function<bool(double)>& progress) override;
+  std::vector<std::string> FilesReadToo() override;
 
 private:
   vtkFreeSurferReader(const vtkFreeSurferReader&) = delete;

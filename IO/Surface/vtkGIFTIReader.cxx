@@ -39,6 +39,13 @@ conformal::SurfaceResult vtkGIFTIReader::Parse(conformal::ByteReader& input,
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkGIFTIReader::FilesReadToo()
+{
+  return { this->SphereFileName ? this->SphereFileName : "",
+    this->ShapeFileName ? this->ShapeFileName : "" };
+}
+
+//------------------------------------------------------------------------------
 void vtkGIFTIReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

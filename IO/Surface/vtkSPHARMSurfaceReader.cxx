@@ -47,6 +47,12 @@ conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(conformal::ByteReader& in
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkSPHARMSurfaceReader::FilesReadToo()
+{
+  return { this->SphereFileName ? this->SphereFileName : conformal::sphereNameOf(this->FileName) };
+}
+
+//------------------------------------------------------------------------------
 void vtkSPHARMSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -50,6 +50,7 @@ protected:
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
     const std::function<bool(double)>& progress) override;
+  std::vector<std::string> FilesReadToo() override;
 
 private:
   vtkSPHARMSurfaceReader(const vtkSPHARMSurfaceReader&) = delete;

@@ -29,6 +29,23 @@ conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& in
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> vtkStanfordScansReader::FilesReadToo()
+{
+  conformal::ByteReader input;
+  if (!conformal::openFile(this->FileName, input).ok())
+  {
+    return {};
+  }
+  const auto folder = std::filesystem::u8path(this->FileName).parent_path();
+  std::vector<std::string> names = conformal::namesOfAlignedScans(input);
+  for (std::string& name : names)
+  {
+    name = (folder / std::filesystem::u8path(name)).u8string();
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 void vtkStanfordScansReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -25,6 +25,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
@@ -200,6 +201,24 @@ vtkSurfaceFileReader::vtkSurfaceFileReader()
 vtkSurfaceFileReader::~vtkSurfaceFileReader()
 {
   this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkSurfaceFileReader::GetReadFileNames()
+{
+  this->ReadFileNames->Reset();
+  if (this->FileName && this->FileName[0])
+  {
+    this->ReadFileNames->InsertNextValue(this->FileName);
+    for (const std::string& name : this->FilesReadToo())
+    {
+      if (!name.empty())
+      {
+        this->ReadFileNames->InsertNextValue(name);
+      }
+    }
+  }
+  return this->ReadFileNames;
 }
 
 //------------------------------------------------------------------------------

@@ -32,12 +32,15 @@
 
 #include "vtkAbstractPolyDataReader.h"
 #include "vtkIOSurfaceModule.h" // for export macro
+#include "vtkNew.h"             // for ReadFileNames
 
 #include <functional>  // for progress
 #include <string>      // for messages
 #include <string_view> // for the start of a file
+#include <vector>      // for names of files
 
 class vtkMultiProcessController;
+class vtkStringArray;
 
 namespace conformal
 {
@@ -61,6 +64,14 @@ public:
    * What a list of file types calls them.
    */
   virtual const char* GetDescriptiveName() = 0;
+
+  /**
+   * Get the names of all files that reading opens: FileName, then files that properties name, and
+   * files that FileName names or that belong to it by their names, whether they exist or not. A
+   * program that writes files compares them with these, lest it replace what it reads. No data are
+   * read. The array is filled anew by every call, and is empty if FileName is not set.
+   */
+  vtkStringArray* GetReadFileNames();
 
   ///@{
   /**
@@ -91,6 +102,9 @@ protected:
   virtual conformal::SurfaceResult Parse(conformal::ByteReader& input,
     const conformal::FilePiece& piece, const std::function<bool(double)>& progress) = 0;
 
+  // Names of files that are read with FileName, which is set; empty ones are left out.
+  virtual std::vector<std::string> FilesReadToo() { return {}; }
+
   // Whether a file can be opened and its first bytes look right.
   static bool StartsLike(VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view));
 
@@ -117,6 +131,7 @@ private:
   void operator=(const vtkSurfaceFileReader&) = delete;
 
   vtkMultiProcessController* Controller = nullptr;
+  vtkNew<vtkStringArray> ReadFileNames;
 };
 
 #endif

@@ -6,9 +6,11 @@
 
 #include "vtkErrorCode.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkSurfaceFileReader.h"
 
 #include <string>
+#include <vector>
 
 namespace contract
 {
@@ -31,6 +33,17 @@ template <typename Reader>
 Reading Read(const std::string& path)
 {
   return Reading(vtkSmartPointer<Reader>::New(), path);
+}
+
+inline std::vector<std::string> ReadFileNames(vtkSurfaceFileReader* reader)
+{
+  vtkStringArray* names = reader->GetReadFileNames();
+  std::vector<std::string> result;
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    result.push_back(names->GetValue(i));
+  }
+  return result;
 }
 
 inline void ExpectRead(const Reading& reading)

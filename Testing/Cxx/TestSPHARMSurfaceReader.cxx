@@ -41,6 +41,16 @@ TEST(SPHARMSurfaceReader, PairsASurfaceWithTheSphereOfItsName)
   contract::ExpectPrints(reading.Reader, "SphereFileName");
 }
 
+TEST(SPHARMSurfaceReader, NamesItsSphereAmongTheFilesItReads)
+{
+  const auto reader = vtkSmartPointer<vtkSPHARMSurfaceReader>::New();
+  reader->SetFileName("b/a_surf.vtk");
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(contract::ReadFileNames(reader), (Names{ "b/a_surf.vtk", "b/a_para.vtk" }));
+  reader->SetSphereFileName("other.vtk");
+  EXPECT_EQ(contract::ReadFileNames(reader), (Names{ "b/a_surf.vtk", "other.vtk" }));
+}
+
 TEST(SPHARMSurfaceReader, RefusesFilesThatDoNotBelongTogether)
 {
   const TemporaryFolder folder;

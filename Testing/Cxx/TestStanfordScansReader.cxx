@@ -117,6 +117,35 @@ TEST(StanfordScansReader, ReadsEachFileOnceWhateverItsNames)
   }
 }
 
+TEST(StanfordScansReader, NamesAllScansOfTheListAndOpensNone)
+{
+  const TemporaryFolder folder;
+  const auto reader = vtkSmartPointer<vtkStanfordScansReader>::New();
+  const auto namesOf = [&](const std::string& list)
+  {
+    const std::string path = folder.write("a.conf", list);
+    reader->SetFileName(path.c_str());
+    std::vector<std::string> names = contract::ReadFileNames(reader);
+    EXPECT_FALSE(names.empty());
+    EXPECT_EQ(names.front(), path);
+    names.erase(names.begin());
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(namesOf("\xEF\xBB\xBF# mesh no.ply\ncamera 0 0 0 0 0 0 1\r\nmesh a.ply 0 0 0 0 0 0 1\r"
+                    "\n\tbmesh\vsub/../b\xC2\xA0"
+                    "1.ply 0 0 0 0 0 0 1\nmesh /etc/c.ply\nmesh\nmesh d.ply"),
+    (Names{ folder.file("a.ply"),
+      folder.file("sub/../b\xC2\xA0"
+                  "1.ply"),
+      "/etc/c.ply", folder.file("d.ply") }));
+  EXPECT_EQ(
+    namesOf("mesh a.ply 0 0 0 0 0 0 1\nmash b.ply 0 0 0 0 0 0 1\nmesh c.ply 0 0 0 0 0 0 1\n"),
+    Names{ folder.file("a.ply") });
+  EXPECT_EQ(namesOf("ply\n"), Names());
+  EXPECT_EQ(namesOf("mesh " + std::string(std::size_t(17) << 20, 'a')), Names());
+}
+
 TEST(StanfordScansReader, SaysWhichScanIsBroken)
 {
   const TemporaryFolder folder;

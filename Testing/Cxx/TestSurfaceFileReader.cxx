@@ -83,6 +83,36 @@ TEST(SurfaceFileReader, EveryReaderRefusesAnEndlessFile)
 #endif
 }
 
+TEST(SurfaceFileReader, EveryReaderNamesTheFilesItReads)
+{
+  using Names = std::vector<std::string>;
+  for (const contract::ReaderCase& test : contract::ReaderCases())
+  {
+    SCOPED_TRACE(test.Name);
+    const vtkSmartPointer<vtkSurfaceFileReader> reader = test.Make();
+    EXPECT_EQ(contract::ReadFileNames(reader), Names());
+    reader->SetFileName("no such file");
+    const vtkMTimeType time = reader->GetMTime();
+    EXPECT_EQ(contract::ReadFileNames(reader).front(), "no such file");
+    EXPECT_EQ(contract::ReadFileNames(reader), contract::ReadFileNames(reader));
+    EXPECT_EQ(reader->GetMTime(), time);
+    reader->SetFileName(nullptr);
+    EXPECT_EQ(contract::ReadFileNames(reader), Names());
+  }
+  vtkNew<vtkFreeSurferReader> surfer;
+  surfer->SetFileName("lh.white");
+  EXPECT_EQ(contract::ReadFileNames(surfer), Names{ "lh.white" });
+  surfer->SetCurvatureFileName("lh.curv");
+  EXPECT_EQ(contract::ReadFileNames(surfer), (Names{ "lh.white", "lh.curv" }));
+  surfer->SetSphereFileName("lh.sphere");
+  EXPECT_EQ(contract::ReadFileNames(surfer), (Names{ "lh.white", "lh.sphere", "lh.curv" }));
+  vtkNew<vtkGIFTIReader> gifti;
+  gifti->SetFileName("a.surf.gii");
+  gifti->SetSphereFileName("b.surf.gii");
+  gifti->SetShapeFileName("c.shape.gii");
+  EXPECT_EQ(contract::ReadFileNames(gifti), (Names{ "a.surf.gii", "b.surf.gii", "c.shape.gii" }));
+}
+
 // 16 times as many arrays take 16 times as long, or 256 times where each is compared with all.
 TEST(SurfaceFileReader, ArraysCostInProportionToTheirNumber)
 {

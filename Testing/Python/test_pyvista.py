@@ -2,10 +2,12 @@
 wrong is an exception. Skipped where there is no PyVista."""
 import importlib.util
 import os
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -144,6 +146,11 @@ class TestPyVista(unittest.TestCase):
 
         with self.assertRaisesRegex(ValueError, "lattice is geodesic, but can be .*Geodesic"):
             learn(ellipsoid(), lattice="geodesic")
+        blocks = pyvista.MultiBlock([conformal_map(ellipsoid())])
+        for several in (blocks, None, "scan.ply"):
+            for function in (smooth, conformal_map, lambda mesh: paint(mesh, np.zeros((2, 2, 3), np.uint8))):
+                with self.assertRaisesRegex(TypeError, "expected a mesh of PyVista, not "):
+                    function(several)
         for nothing in (None, "scan.ply", pyvista.MultiBlock()):
             with self.assertRaisesRegex(TypeError, "expected a data set of PyVista or an array"):
                 learn(nothing)
@@ -152,8 +159,16 @@ class TestPyVista(unittest.TestCase):
             write_png(np.zeros((40, 40, 3), np.uint8), path)
             with open(path, "r+b") as file:
                 file.truncate(60)
-            with self.assertRaisesRegex(ValueError, "the PNG file is broken"):
+            with self.assertRaisesRegex(ValueError, "the picture is broken"):
                 paint(smooth(learn(ellipsoid(), **SMALL)), path)
+            rows = zlib.compress(b"\7" * 28)  # a filter that there is not, with right checksums
+            with open(path, "wb") as file:
+                file.write(b"\x89PNG\r\n\x1a\n" + b"".join(
+                    struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+                    for kind, data in ((b"IHDR", struct.pack(">IIBBBBB", 2, 4, 8, 2, 0, 0, 0)), (b"IDAT", rows),
+                                       (b"IEND", b""))))
+            with self.assertRaisesRegex(ValueError, "the picture is broken: bad adaptive filter value"):
+                paint(conformal_map(ellipsoid()), path)
 
     def test_the_example_draws(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,6 +6,9 @@ from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 
 
+EXECUTIVE = " returned failure for request: "
+
+
 class FilterFailed(RuntimeError):
     """A filter reported an error; the text is the filter's own."""
 
@@ -38,5 +41,7 @@ def heard(algorithm) -> typing.Iterator[Messages]:
         for source, tag in observed:
             source.RemoveObserver(tag)
         # The executive adds that the algorithm failed, which says nothing where that has said why.
-        own = [text for text in messages.errors if " returned failure for request: " not in text]
-        messages.errors[:] = own or messages.errors
+        own = [text for text in messages.errors if EXECUTIVE not in text]
+        if messages.errors:
+            silent = f"{algorithm.GetClassName()} failed and gave no reason; what it was given may be broken"
+            messages.errors[:] = own or [silent]

@@ -25,6 +25,9 @@ from conformalsom.command import textures
 from conformalsom.messages import FilterFailed, heard
 
 
+ADVICE = "pyvista.read() reads files, and the blocks of a MultiBlock are data sets"
+
+
 def learn(cloud, **properties) -> pyvista.PolyData:
     """Learn a closed mesh with a map to the sphere from points: vtkConformalSOM.
 
@@ -34,7 +37,7 @@ def learn(cloud, **properties) -> pyvista.PolyData:
     if not isinstance(cloud, pyvista.DataSet):
         if isinstance(cloud, (str, os.PathLike, type(None), pyvista.MultiBlock)):
             raise TypeError(f"expected a data set of PyVista or an array of n x 3, not {type(cloud).__name__}; "
-                            "pyvista.read() reads files")
+                            + ADVICE)
         points = np.asarray(cloud, dtype=float)
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"expected points as an array of n x 3, not of the shape {points.shape}")
@@ -44,26 +47,35 @@ def learn(cloud, **properties) -> pyvista.PolyData:
 
 def smooth(mesh, **properties) -> pyvista.PolyData:
     """Make a mapped mesh smooth and dense: vtkCurvedSeamlessSurface."""
-    return run(vtkCurvedSeamlessSurface(), mesh, **properties)
+    return run(vtkCurvedSeamlessSurface(), single(mesh), **properties)
 
 
 def conformal_map(mesh, **properties) -> pyvista.PolyData:
     """Map a closed triangle mesh of genus zero to the sphere: vtkGlobalConformalMap."""
-    return run(vtkGlobalConformalMap(), mesh, **properties)
+    return run(vtkGlobalConformalMap(), single(mesh), **properties)
 
 
 def paint(mesh, image, **properties) -> pyvista.PolyData:
     """Lay an image on a mapped mesh, its middle in view_direction (0, 0, 1), view_up (0, 1, 0) being up.
 
-    The image is a file, a pyvista.Texture, or an array of rows x columns x 3 or 4, first row on top. The result
+    The image is a PNG or JPEG file, which a process of its own decodes, a pyvista.Texture, or an array of
+    rows x columns x 3 or 4, first row on top. The result
     has texture coordinates (vtkSphericalTextureMap) and the point array "RGB" or "RGBA", the image at each point,
     as active scalars.
     """
-    painted = run(vtkSphericalTextureMap(), mesh, **properties)
-    colors = sampled(pixels_of(image), painted.active_texture_coordinates)
+    pixels = pixels_of(image)
+    painted = run(vtkSphericalTextureMap(), single(mesh), **properties)
+    colors = sampled(pixels, painted.active_texture_coordinates)
     painted.point_data["RGB" if colors.shape[1] == 3 else "RGBA"] = colors
     painted.set_active_scalars("RGB" if colors.shape[1] == 3 else "RGBA")
     return painted
+
+
+def single(mesh):
+    """The mesh, if it is one; raises TypeError for several, or for anything else."""
+    if not isinstance(mesh, pyvista.DataSet):
+        raise TypeError(f"expected a mesh of PyVista, not {type(mesh).__name__}; {ADVICE}")
+    return mesh
 
 
 def run(algorithm, *inputs, **properties):
@@ -101,9 +113,7 @@ def set_property(algorithm, name, value):
 def pixels_of(image):
     """An image as an array of rows x columns x 3 or 4 bytes, first row on top."""
     if isinstance(image, (str, os.PathLike)):
-        reader = textures.texture_reader(os.fspath(image))
-        reader.Update()
-        image = pyvista.Texture(textures.colors_of(reader.GetOutput()))
+        image = textures.read_picture(os.fspath(image))[::-1]
     pixels = image.to_array() if isinstance(image, pyvista.Texture) else np.asarray(image)
     if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8 or pixels.size == 0:
         raise ValueError("expected an image of rows x columns x 3 or 4 bytes, "

@@ -23,6 +23,12 @@ bool isMesh(std::string_view word)
   return word == "mesh" || word == "bmesh";
 }
 
+// Whether a line of this first word has nothing to read.
+bool isPassedOver(std::string_view word)
+{
+  return isIgnored(word) || word == "camera";
+}
+
 bool isInside(const std::string& name)
 {
   const std::filesystem::path path = std::filesystem::u8path(name);
@@ -104,7 +110,7 @@ public:
       {
         this->readMesh(words);
       }
-      else if (!isIgnored(keyword) && keyword != "camera")
+      else if (!isPassedOver(keyword))
       {
         this->Input.fail(this->Count == 0 ? ParseCode::UnrecognizedType : ParseCode::Malformed,
           "found " + quoted(this->Lines.text()) + ", expected camera, mesh or bmesh");
@@ -267,6 +273,31 @@ SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
 {
   return parseSurface([&](SurfaceData& data)
     { AlignedScansReader(input, open, options, limits, progress, data).read(); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> namesOfAlignedScans(ByteReader& input)
+{
+  std::vector<std::string> names;
+  try
+  {
+    LineReader lines(input);
+    while (names.size() < MaximumScans && lines.next())
+    {
+      LineWords words(lines.text());
+      const std::string_view keyword = words.next();
+      if (!isMesh(keyword) && !isPassedOver(keyword))
+      {
+        break;
+      }
+      const std::string_view name = isMesh(keyword) ? words.next() : std::string_view();
+      names.insert(names.end(), name.empty() ? 0 : 1, std::string(name));
+    }
+  }
+  catch (const ParseError&) // a line that is too long: the parser ends there, too
+  {
+  }
+  return names;
 }
 
 //------------------------------------------------------------------------------

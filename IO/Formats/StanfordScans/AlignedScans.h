@@ -10,6 +10,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace conformal
 {
@@ -40,6 +41,10 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
   const AlignedScansOptions& options = {}, const ParseLimits& limits = {},
   const ParseProgress& progress = {});
+
+/// Names of all scans in a list, as they stand there, up to the first line of another format. No
+/// scan is opened, and no motion is read.
+std::vector<std::string> namesOfAlignedScans(ByteReader& input);
 
 /// Whether bytes from the start of a file are those of such a list.
 bool looksLikeAlignedScans(std::string_view start);

@@ -4,17 +4,16 @@ import json
 import os
 import signal
 import sys
-import typing
 
 import numpy
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow, vtkVersion
-from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
 
-from . import outputs, pictures, scan_files, surfaces, textures
-from .progress import Bar
-from .steps import Interrupted, StepFailed
+from . import jobs, outputs, pictures, surfaces, textures
+from .plan import WrongUsage, paths_of
+from .progress import Bar, printable
+from .steps import Interrupted
 
 DESCRIPTION = """\
 Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may be in any format that
@@ -29,25 +28,11 @@ examples:
 
 exit status:
   0  everything was made
-  1  a file could not be read or written, or a filter failed; other scans were gone on with
-  2  wrong usage: nothing was done. Also if a file to write exists or is an input
+  1  a file could not be read or written, or a filter failed or crashed; other scans were gone on with
+  2  wrong usage: nothing was done. Also if a file to write exists, cannot be written, or is an input
   Ctrl-C stops early by the signal; files that were not whole are gone."""
 
 SIZES = range(12, 10000003)  # those of geodesic spheres
-
-
-class Paths(typing.NamedTuple):
-    """What to write for a scan; no picture is an empty name."""
-    surfaces: typing.List[str]
-    picture: str
-
-    def all(self):
-        """All of them."""
-        return [*self.surfaces, *filter(None, [self.picture])]
-
-
-class WrongUsage(Exception):
-    """The command makes no sense as given."""
 
 
 def size(text):
@@ -55,6 +40,14 @@ def size(text):
     number = int(text)
     if number not in SIZES:
         raise argparse.ArgumentTypeError(f"{number} is not in [{SIZES[0]}, {SIZES[-1]}]")
+    return number
+
+
+def positive(text):
+    """A number of jobs."""
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number} is less than 1")
     return number
 
 
@@ -68,7 +61,7 @@ def arguments(argv):
                         help="surface to write, may be given several times: " + " ".join(outputs.SURFACES)
                         + "; {} in it is the scan's name without extension, a folder is FOLDER/{}.glb")
     parser.add_argument("--texture", metavar="IMAGE",
-                        help="PNG or JPEG to paint with; default: the scan's own colors, if it has some")
+                        help="PNG or JPEG to paint with, of up to 2^28 pixels; default: the scan's own colors, if it has some")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
                         help="from the object to the viewer, where the texture's middle is; default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
@@ -87,19 +80,15 @@ def arguments(argv):
     parser.add_argument("--picture", metavar="FILE",
                         help="draw scan, mesh and surface side by side, .png or .jpg; wants a display")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist, but no inputs")
+    parser.add_argument("--jobs", type=positive, default=1, metavar="N",
+                        help="scans at a time, which share the processors; default 1")
     parser.add_argument("--version", action="version",
                         version=f"ConformalSOM {conformalsom.__version__}, VTK {vtkVersion.GetVTKVersion()}")
     options = parser.parse_args(argv)
     try:
-        return options, paths_of(options)
+        return options, plan_of(options)
     except WrongUsage as error:
-        parser.error(str(error))
-
-
-def expect_extension(path, extensions, more=""):
-    """Raise WrongUsage for a format that there is no writer for."""
-    if outputs.extension_of(path) not in extensions:
-        raise WrongUsage(f"{path}: expected a file of type {' '.join(extensions)}{more}")
+        parser.error(printable(str(error)))
 
 
 def expect_directions(view, up):
@@ -117,98 +106,48 @@ def expect_utf8(name):
         raise WrongUsage(f"{ascii(os.fsencode(name))[2:-1]}: names of files must be UTF-8") from None
 
 
-def paths_of(options):
-    """The files to write for each scan, after a look at whether they can be written without loss."""
+def plan_of(options):
+    """The files to write for each scan, after a look at whether the call makes sense."""
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("nothing to make: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
     for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
         expect_utf8(name or "")
-    inputs = [options.texture or "", *(file for scan in options.scans for file in scan_files.inputs_of(scan))]
-    all_paths, files = [], set()
-    for scan in options.scans:
-        paths = Paths([outputs.surface_named(pattern, scan) for pattern in options.output],
-                      outputs.named(options.picture or "", scan))
-        for path in paths.surfaces:
-            expect_extension(path, outputs.SURFACES, outputs.lacking("Writer"))
-        if paths.picture:
-            expect_extension(paths.picture, outputs.PICTURES)
-        for file in [file for path in paths.all() for file in outputs.files_of(path)]:
-            expect_free(file, inputs, options.overwrite, files)
-        all_paths.append(paths)
-    if options.report not in (None, "-"):
-        expect_free(options.report, inputs, options.overwrite, files)
+    all_paths = paths_of(options)
     if options.picture and not pictures.can_draw():
         raise WrongUsage("--picture wants a display: put xvfb-run before the command")
     return all_paths
 
 
-def expect_free(path, inputs, overwrite, files):
-    """Raise WrongUsage for a file that must not be written; the others are added to the files."""
-    if os.path.realpath(path) in files:
-        raise WrongUsage(f"{path} would be written twice; {{}} in a name stands for the scan's")
-    files.add(os.path.realpath(path))
-    if os.path.exists(path) and not os.path.isfile(path):
-        raise WrongUsage(f"{path} is not a regular file")
-    folder = os.path.dirname(os.path.abspath(path))
-    while not os.path.lexists(folder):
-        folder = os.path.dirname(folder)
-    if not (os.path.isdir(folder) and os.access(folder, os.W_OK)):
-        raise WrongUsage(f"{path}: {folder} cannot be written to")
-    for source in inputs:
-        if os.path.exists(source) and os.path.exists(path) and os.path.samefile(source, path):
-            raise WrongUsage(f"{path} is an input and would be replaced")
-    if os.path.lexists(path) and not overwrite:
-        raise WrongUsage(f"{path} already exists; use --overwrite or another name")
-
-
 def complain(text):
     """Say what went wrong."""
-    print(f"conformalsom: {text}", file=sys.stderr)
+    if sys.stderr is not None:
+        print(f"conformalsom: {printable(text)}", file=sys.stderr)
 
 
-def message_of(error):
-    """What an exception says, with the file it is about."""
-    if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {error.strerror}"
-    return str(error)
-
-
-def write_report(path, entries):
+def write_report(path, entries, overwrite):
     """Write the figures of all scans as JSON."""
     text = json.dumps({"Version": conformalsom.__version__, "Surfaces": entries}, indent=2) + "\n"
     if path == "-":
-        print(text, end="")
+        with outputs.named_errors("the standard output"):
+            print(text, end="", flush=True)
         return
-    with outputs.whole(path) as part, open(part, "w", encoding="utf-8") as file:
-        file.write(text)
+    with outputs.whole(path, files=[path], overwrite=overwrite) as part:
+        with outputs.named_errors(path), open(part, "w", encoding="utf-8") as file:
+            file.write(text)
 
 
-def run(options, all_paths, steps):
+def run(options, all_paths, bar):
     """Make all surfaces; returns the exit status."""
-    status, texture, entries = 0, None, []
+    pixels = None
     if options.texture:
-        steps.begin(options.texture)
-        reader = textures.texture_reader(options.texture)
-        steps.run("Read the texture", reader)
-        texture = vtkTrivialProducer()
-        texture.SetOutput(textures.colors_of(reader.GetOutput()))
-    for scan, paths in zip(options.scans, all_paths):
-        steps.begin(scan)
-        try:
-            entries.append(surfaces.make_surface(scan, texture, paths, options, steps))
-            steps.summarize(paths.all(), entries[-1]["Surface"]["NumberOfPoints"])
-        except (StepFailed, ValueError, OSError) as error:
-            text = f"{scan}: {error}" if isinstance(error, StepFailed) else message_of(error)
-            entries.append({"Scan": scan, "Error": text})
-            steps.clear()
-            complain(text)
-            status = 1
+        bar.show(options.texture, "Read the texture", 0)
+        pixels = textures.read_picture(options.texture)
+    tasks = [surfaces.Task(scan, paths, outputs.new_token()) for scan, paths in zip(options.scans, all_paths)]
+    entries = jobs.Jobs(tasks, options, pixels, bar).run()
     if options.report:
-        write_report(options.report, entries)
-    if sys.stdout:  # it may be closed
-        sys.stdout.flush()
-    return status
+        write_report(options.report, entries, options.overwrite)
+    return 1 if any("Error" in entry for entry in entries) else 0
 
 
 def drop_output():
@@ -217,19 +156,43 @@ def drop_output():
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def occupy_standard_streams():
+    """Open what is closed among the first three descriptors, lest a file or a pipe becomes one of them."""
+    while True:
+        descriptor = os.open(os.devnull, os.O_RDWR)
+        if descriptor > 2:
+            os.close(descriptor)
+            return
+
+
+class Interruption:
+    """A signal handler that stops the command once, however often it is called."""
+
+    def __init__(self):
+        self.number = None
+
+    def __call__(self, number, _):
+        if self.number is None:
+            self.number = number
+            raise Interrupted(number)
+
+
 def main(argv=None):
     """Run the command; returns the exit status."""
+    occupy_standard_streams()
     options, all_paths = arguments(argv)
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what matters is heard by steps
-    vtkOutputWindow.SetInstance(vtkStringOutputWindow())
-    steps = Bar()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    if sys.stdout is None and (options.measure or options.report == "-"):
+        complain("the standard output is closed, but the table or the report is to be printed there")
+        return 1
+    jobs.silence()
+    bar, interruption = Bar(), Interruption()
+    for number in jobs.SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, steps.interrupt)
+            signal.signal(number, interruption)
     try:
-        return run(options, all_paths, steps)
+        return run(options, all_paths, bar)
     except Interrupted as interrupted:
-        steps.clear()
+        bar.clear()
         number = interrupted.args[0]
         signal.signal(number, signal.SIG_DFL)
         os.kill(os.getpid(), number)  # so that whoever called knows
@@ -237,8 +200,8 @@ def main(argv=None):
     except BrokenPipeError:  # nobody reads on
         drop_output()
         return 1
-    except (StepFailed, ValueError, OSError) as error:
-        steps.clear()
-        complain(message_of(error))
+    except (ValueError, OSError) as error:
+        bar.clear()
+        complain(jobs.message_of(error))
         drop_output()
         return 1

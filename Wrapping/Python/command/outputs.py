@@ -2,15 +2,21 @@
 import contextlib
 import errno
 import os
+import secrets
+import shutil
 import stat
-import tempfile
 
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import conformalsom
-from conformalsom import vtkSurfaceFileWriter, vtkTexturedSurfaceWriter
+from conformalsom import vtkTexturedSurfaceWriter
+
+from .steps import StepFailed
+
+PREFIX = ".conformalsom-"  # of what is not finished
+ACCESS_LIST = "system.posix_acl_access"
 
 # What takes a picture too, and what then lies beside the file.
 PAINTED = {".glb": (), ".obj": (".mtl", ".png"), ".ply": (".png",)}
@@ -76,43 +82,179 @@ def writer_of(path, painted):
 
 
 @contextlib.contextmanager
-def whole(path):
-    """A path to write to instead; what is there takes its place at the end, and nothing after an error."""
-    path = os.path.realpath(path)
-    folder = os.path.dirname(path)
-    os.makedirs(folder, exist_ok=True)
-    mode = None
-    if os.path.lexists(path):
-        mode = os.stat(path).st_mode
-        if not stat.S_ISREG(mode):
-            raise OSError(errno.EINVAL, "not a regular file", path)
-        if not os.access(path, os.W_OK):
-            raise OSError(errno.EACCES, os.strerror(errno.EACCES), path)
+def whole(path, token=None, files=None, overwrite=True):
+    """A path to write to instead; what is there takes its place at the end, and nothing after an error.
+
+    So do the files that may come to lie beside it. All come into being in a folder beside their places that is named
+    after the token, and into which no other user can look; discard() removes what a process that crashed left there.
+    """
+    token, files = token or new_token(), files or files_of(path)
+    places = [Place(file, overwrite) for file in files]
+    with named_errors(path):
+        os.makedirs(places[0].folder, exist_ok=True)
     try:
-        made = tempfile.TemporaryDirectory(prefix=".conformalsom-", dir=folder)
+        folder = stage(places[0], token)
+        yield os.path.join(folder, os.path.basename(path))
+        made, known = set(os.listdir(folder)), {os.path.basename(file) for file in files}
+        if not made <= known:
+            raise RuntimeError(f"{path}: the writer made files that were not checked: {' '.join(sorted(made - known))}")
+        with named_errors(path):
+            take_places([(os.path.join(folder, os.path.basename(place.name)), place)
+                         for place in places if os.path.basename(place.name) in made], token)
+    finally:
+        discard(files, token)
+
+
+@contextlib.contextmanager
+def named_errors(name):
+    """Let errors of the system name what was to be written."""
+    try:
+        yield
     except OSError as error:
-        raise OSError(error.errno, error.strerror, path) from error
-    with made as temporary:
-        part = os.path.join(temporary, os.path.basename(path))
-        yield part
-        if mode is not None:
-            os.chmod(part, stat.S_IMODE(mode))
-        os.replace(part, path)
+        raise OSError(error.errno, error.strerror, name) from error
 
 
-def write(steps, writer, path):
+def new_token():
+    """What to name folders of unfinished files after."""
+    return secrets.token_hex(8)
+
+
+class Place:
+    """Where a file is to be: that behind all links, and what is there."""
+
+    def __init__(self, name, overwrite=True):
+        self.name = name
+        self.path = os.path.realpath(name)
+        self.folder = os.path.dirname(self.path)
+        self.old = None
+        if os.path.lexists(self.path):  # also a link that leads in a circle, which fails
+            self.old = os.stat(self.path)
+            if not overwrite:
+                raise OSError(errno.EEXIST, "it has come into being meanwhile; use --overwrite or another name", name)
+            self.expect_regular()
+            if not may(self.path, os.W_OK):
+                raise OSError(errno.EACCES, os.strerror(errno.EACCES), name)
+
+    def expect_regular(self):
+        """Raise OSError if what is there now is no regular file."""
+        if os.path.lexists(self.path) and not stat.S_ISREG(os.lstat(self.path).st_mode):
+            raise OSError(errno.EINVAL, "not a regular file", self.name)
+
+
+def may(path, mode):
+    """Whether this process may use a file as os.access has it."""
+    return os.access(path, mode, effective_ids=os.access in os.supports_effective_ids)
+
+
+def stage(place, token):
+    """The folder for unfinished files beside a place."""
+    folder = os.path.join(place.folder, PREFIX + token)
+    with named_errors(place.name):
+        if not os.path.isdir(folder):
+            os.mkdir(folder, 0o700)
+    return folder
+
+
+def discard(files, token):
+    """Remove what is left of unfinished files that were to be written."""
+    for folder in {os.path.dirname(os.path.realpath(file)) for file in files}:
+        shutil.rmtree(os.path.join(folder, PREFIX + token), ignore_errors=True)
+
+
+def take_places(files, token):
+    """Put all files into their places, or none: pairs of a path and a Place."""
+    ready = []
+    for number, (part, place) in enumerate(files):
+        folder = stage(place, token)
+        new = os.path.join(folder, f"{number}.new")
+        shutil.move(part, new)  # copies if a link leads to another file system
+        if place.old is not None:
+            copy_access(place, new)
+        flush(new)
+        ready.append((new, os.path.join(folder, f"{number}.old"), place))
+    begun, taken = [], set()
+    try:
+        for new, kept, place in ready:
+            begun.append((kept, place))
+            place.expect_regular()  # writing may have taken long
+            if place.old is not None:
+                keep(place.path, kept)
+            os.replace(new, place.path)
+            taken.add(place)
+    except BaseException:
+        for kept, place in reversed(begun):
+            if os.path.lexists(kept):
+                os.replace(kept, place.path)
+            elif place in taken:
+                os.unlink(place.path)
+        raise
+
+
+def keep(path, kept):
+    """Give a file another name, from which it can be put back."""
+    try:
+        os.link(path, kept)
+    except OSError:  # no hard links here
+        os.rename(path, kept)
+
+
+def flush(path):
+    """Wait until a file is on the disk: a full one may be noticed only here."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    except OSError as error:
+        if error.errno != errno.EINVAL:  # a file system that has nothing to flush
+            raise
+    finally:
+        os.close(descriptor)
+
+
+def copy_access(place, new):
+    """Give a new file owner, group and permissions of the old one, as OutputFile.cxx does for single files.
+
+    A group that cannot be kept gets no more than all other users had; setuid, setgid and sticky bits are dropped.
+    """
+    mode, keeps_group = place.old.st_mode & 0o777, True
+    if hasattr(os, "chown"):
+        keeps_group = succeeds(os.chown, new, -1, place.old.st_gid)
+        if not keeps_group:
+            mode &= 0o707 | (mode & 0o007) << 3
+        succeeds(os.chown, new, place.old.st_uid, -1)
+    if hasattr(os, "setxattr"):
+        try:
+            access = os.getxattr(place.path, ACCESS_LIST)
+        except OSError:  # it has none
+            access = None
+        if keeps_group and access:
+            os.setxattr(new, ACCESS_LIST, access)
+        else:
+            succeeds(os.removexattr, new, ACCESS_LIST)  # the folder may have given it one
+    os.chmod(new, mode)
+
+
+def succeeds(call, *arguments):
+    """Call a function of the system; whether it did not fail."""
+    try:
+        call(*arguments)
+    except OSError:
+        return False
+    return True
+
+
+def write(steps, writer, path, token=None, overwrite=True):
     """Write a file by a writer that has its inputs: whole, or not at all."""
     label = f"Write {os.path.basename(path)}"
-    if isinstance(writer, vtkSurfaceFileWriter):  # does so by itself
-        os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
-        writer.SetFileName(path)
-        steps.run(label, writer, writer.Write)
-        return
-    with whole(path) as part:
+    with whole(path, token, overwrite=overwrite) as part:
         writer.SetFileName(part)
-        steps.run(label, writer, writer.Write)
+        try:
+            steps.run(label, writer, writer.Write)
+        except StepFailed as error:  # which names what only writing needs
+            raise StepFailed(str(error).replace(part, path)) from None
         if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
             expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
+        if not os.path.exists(part):
+            raise OSError(errno.EIO, "it could not be written", path)
 
 
 def expect_polygons(part, number, path):

@@ -2,39 +2,34 @@
 import os
 import shutil
 import sys
-
-from .steps import Steps
+import unicodedata
 
 BAR = 24  # characters
+UNPRINTABLE = ("Cc", "Cf", "Cs", "Zl", "Zp")  # controls, directions of writing, parts of letters, line ends
 
 
-class Bar(Steps):
-    """Steps that show the one that runs in a single line of the terminal, if there is one."""
+def printable(text):
+    """A text in one line that does nothing to a terminal."""
+    return "".join(ascii(character)[1:-1] if unicodedata.category(character) in UNPRINTABLE else character
+                   for character in text)
+
+
+class Bar:
+    """A single line of the terminal, if there is one, that shows what is done."""
 
     def __init__(self):
-        super().__init__()
-        self.name = ""
         self.shown = None
-        self.terminal = sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+        self.terminal = sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
 
-    def begin(self, name):
-        """Start anew, with what is called name."""
-        self.name, self.seconds, self.warnings = name, {}, []
-
-    def advanced(self, label, fraction):
-        percent = int(100 * min(max(fraction, 0.0), 1.0))
-        if self.terminal and (label, percent) != self.shown:
+    def show(self, name, label, percent):
+        """Show how much is done of a step in what is called name."""
+        if self.terminal and (name, label, percent) != self.shown:
             bar = "#" * (BAR * percent // 100)
-            line = f"{percent:3} % [{bar:<{BAR}}] {self.name}: {label}"
+            line = f"{percent:3} % [{bar:<{BAR}}] {printable(name)}: {label}"
             self.clear()
             sys.stderr.write(line[:shutil.get_terminal_size().columns - 1])
             sys.stderr.flush()
-            self.shown = label, percent
-
-    def ended(self, label, warnings):
-        self.clear()
-        for text in warnings:
-            print(f"conformalsom: {self.name}: note: {label}: {text}", file=sys.stderr)
+            self.shown = name, label, percent
 
     def clear(self):
         """Wipe the line."""
@@ -43,8 +38,8 @@ class Bar(Steps):
             sys.stderr.flush()
             self.shown = None
 
-    def summarize(self, files, number_of_points):
-        """Say on the terminal what was made."""
-        if self.terminal:
-            print(f"{self.name}: {', '.join(files) or 'measured'} ({number_of_points:,} points, "
-                  f"{sum(self.seconds.values()):.1f} s)", file=sys.stderr)
+    def note(self, text):
+        """Print a line above the bar."""
+        self.clear()
+        if sys.stderr is not None:
+            print(printable(text), file=sys.stderr)

@@ -58,13 +58,14 @@ def check_stl(path):
 
 
 def inputs_of(path):
-    """The files that reading a scan reads: a list of scans names others."""
-    if os.path.splitext(path)[1].lower() != ".conf" or not os.path.isfile(path):
+    """The files that reading a scan reads, as its reader names them: a list of scans names others."""
+    reader_type = reader_class(path) if os.path.isfile(path) else None
+    if reader_type not in OUR_READERS:  # VTK's readers read no other file
         return [path]
-    with open(path, encoding="utf-8", errors="replace") as file:
-        words = [line.split() for line in file]
-    return [path, *(os.path.join(os.path.dirname(path), line[1])
-                    for line in words if len(line) > 1 and line[0] == "bmesh")]
+    reader = reader_type()
+    reader.SetFileName(path)
+    names = reader.GetReadFileNames()
+    return [os.fsdecode(names.GetValue(i)) for i in range(names.GetNumberOfValues())]
 
 
 def read_models(paths):

@@ -35,6 +35,7 @@ class Steps:
         # Python sees signals only while it runs, which it does here at least.
         tag = algorithm.AddObserver("ProgressEvent", advance)
         start = time.perf_counter()
+        self.began(label)
         self.running = algorithm
         try:
             with heard(algorithm) as messages:
@@ -65,6 +66,9 @@ class Steps:
         if self.running is None:
             raise Interrupted(number)
         self.running.AbortExecuteOn()
+
+    def began(self, label):
+        """Show that a step begins."""
 
     def advanced(self, label, fraction):
         """Show how much of the step is done."""

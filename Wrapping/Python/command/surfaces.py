@@ -1,7 +1,6 @@
 """From a scan to a painted surface: points -> learned mesh -> smooth surface -> picture on it."""
-import contextlib
 import math
-import sys
+import typing
 
 from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -12,8 +11,16 @@ from conformalsom import (
     vtkTexturedSurfaceWriter)
 
 from . import outputs, pictures, report, scan_colors, scan_files
+from .plan import Paths
 
 CLAY = (204, 158, 117)
+
+
+class Task(typing.NamedTuple):
+    """A scan, what to write for it, and what to name files after that are not finished."""
+    scan: str
+    paths: Paths
+    token: str
 
 
 def frequency_of(number):
@@ -59,11 +66,12 @@ def one_color():
     return source
 
 
-def make_surface(scan_path, texture, paths, options, steps):
-    """Learn a surface from a scan and write it to the paths; returns figures for a report.
+def make_surface(task, texture, options, steps):
+    """Learn a surface from a scan and write it; returns figures for a report, and the scan, mesh and surface.
 
     The texture is a source of an image, or None: then the scan's own colors are used if it has some.
     """
+    scan_path, paths = task.scan, task.paths
     scan = scan_files.scan_reader(scan_path)
     steps.take_outside_messages()
     steps.run("Read the scan", scan)
@@ -113,7 +121,7 @@ def make_surface(scan_path, texture, paths, options, steps):
             writer.SetViewUp(options.up)
         else:
             writer.SetInputConnection(result.GetOutputPort())
-        outputs.write(steps, writer, path)
+        outputs.write(steps, writer, path, task.token, options.overwrite)
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
@@ -121,12 +129,8 @@ def make_surface(scan_path, texture, paths, options, steps):
             points, learned, smoothed, laid, image, colors, options.view, options.up)
         writer = pictures.picture_writer(paths.picture)
         writer.SetInputConnection(drawn.GetOutputPort())
-        outputs.write(steps, writer, paths.picture)
-    if options.measure:
-        steps.clear()
-        with contextlib.redirect_stdout(sys.stderr if options.report == "-" else sys.stdout):
-            report.print_table(points, learned, smoothed, steps.seconds)
-    return {
+        outputs.write(steps, writer, paths.picture, task.token, options.overwrite)
+    entry = {
         "Scan": scan_path,
         "Files": paths.all(),
         "NumberOfScanPoints": points.GetNumberOfPoints(),
@@ -135,3 +139,4 @@ def make_surface(scan_path, texture, paths, options, steps):
         "Seconds": steps.seconds,
         "Warnings": steps.warnings,
     }
+    return entry, (points, learned, smoothed)

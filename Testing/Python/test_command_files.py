@@ -1,0 +1,380 @@
+"""Files of the command conformalsom: whatever an input is called, it is not replaced; what is replaced keeps its
+rights; what cannot be written is noticed before any work; and checks cost in proportion to the number of files."""
+import contextlib
+import errno
+import os
+import stat
+import subprocess
+import tempfile
+import unittest
+from unittest import mock
+
+
+import conformalsom
+from conformalsom.command import main, outputs, plan, scan_files
+from conformalsom.messages import heard
+from test_command import COARSE, COMMAND, command, egg, files_in, textures, write
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+LINE = "0 0 0 0 0 0 1\n"
+NO_BREAK = "\u00a0"
+
+
+def put(text, *path):
+    with open(os.path.join(*path), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+class Folder(unittest.TestCase):
+    """A folder for each test, with a scan in it."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="files of ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = os.path.realpath(temporary.name)
+        write(conformalsom.vtkConformalPLYWriter(), egg(), self.folder, "a.ply")
+
+    def file(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def refuses(self, message, *arguments):
+        """Nothing is done, with status 2."""
+        before = self.states()
+        run = command(self.folder, *arguments)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn(message, run.stderr)
+        self.assertNotIn("Traceback", run.stderr)
+        self.assertEqual(self.states(), before)
+
+    def states(self):
+        """Names, places on the disk and times of all files, pipes among them."""
+        found = {}
+        for path, _, names in os.walk(self.folder):
+            for name in names:
+                status = os.lstat(os.path.join(path, name))
+                found[os.path.join(path, name)] = status.st_ino, status.st_mtime_ns, status.st_size, status.st_mode
+        return found
+
+    def makes(self, *arguments):
+        run = command(self.folder, *arguments)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+
+class TestInputs(Folder):
+    """Every file that is read, by all of its names."""
+
+    def expect_kept(self, name, *scans):
+        """The file cannot be written, by its own name, other spellings of it, and links to it."""
+        folder, base = os.path.split(name)
+        os.makedirs(self.file("links"), exist_ok=True)
+        os.symlink(self.file(name), self.file("links", base))
+        os.link(self.file(name), self.file("links", "hard" + base))
+        os.symlink("links", self.file("linked folder"))
+        for other in (name, os.path.join(folder, ".", "links", "..", base) if not folder else name,
+                      os.path.join(".", folder, ".", base), self.file(name), os.path.join("links", base),
+                      os.path.join("links", "hard" + base), os.path.join("linked folder", base)):
+            with self.subTest(other):
+                self.refuses(f"{other} is an input and would be replaced", *scans, "-o", other, "--overwrite")
+        other = os.path.join(folder, base.upper())
+        if os.path.exists(self.file(other)):  # names do not differ by case here
+            self.refuses("is an input", *scans, "-o", other, "--overwrite")
+
+    def test_sphere_of_a_surface(self):
+        for name in "shape_surf.vtk", "shape_para.vtk":
+            write(vtkPolyDataWriter(), egg(), self.folder, name)
+        self.expect_kept("shape_para.vtk", "shape_surf.vtk")
+
+    def test_scans_of_a_list_whatever_its_name(self):
+        put("camera " + LINE + "mesh a.ply " + LINE + "\tbmesh \v b.ply " + LINE, self.folder, "list.conf")
+        write(conformalsom.vtkConformalPLYWriter(), egg(), self.folder, "b.ply")
+        os.rename(self.file("list.conf"), self.file("list.txt"))
+        self.expect_kept("a.ply", "list.txt")
+        self.refuses("b.ply is an input", "list.txt", "-o", "b.ply", "--overwrite")
+        os.rename(self.file("list.txt"), self.file("list.conf"))
+        self.refuses("b.ply is an input", "list.conf", "-o", "b.ply", "--overwrite")
+        self.refuses("b.ply is an input", "list.conf", "--report", "b.ply", "--overwrite")
+
+    def test_name_with_a_no_break_space(self):
+        name = f"a{NO_BREAK}scan.ply"
+        os.rename(self.file("a.ply"), self.file(name))
+        put(f"bmesh {name} " + LINE, self.folder, "list.conf")
+        self.expect_kept(name, "list.conf")
+
+    def test_scan_that_is_not_there_is_not_made(self):
+        put("mesh a.ply " + LINE + "mesh missing.ply " + LINE, self.folder, "list.conf")
+        self.refuses("missing.ply is an input", "list.conf", "-o", "missing.ply")
+
+    def test_texture_and_the_files_beside_a_surface(self):
+        write(vtkPNGWriter(), textures.checkerboard(8), self.folder, "t.png")
+        for output in "t.obj", "t.ply":
+            self.refuses("t.png is an input", "a.ply", "--texture", "t.png", "-o", output, "--overwrite")
+        self.refuses("t.png is an input", "a.ply", "--texture", "t.png", "--picture", "t.png", "--overwrite")
+
+    def test_readers_of_vtk_read_no_other_file(self):
+        """So an .mtl file that an .obj file names may be replaced."""
+        for name, writer in (("b.obj", vtkOBJWriter()), ("b.stl", vtkSTLWriter()), ("b.vtp", vtkXMLPolyDataWriter()),
+                             ("b.vtk", vtkPolyDataWriter())):
+            write(writer, egg(), self.folder, name)
+            self.assertEqual(scan_files.inputs_of(self.file(name)), [self.file(name)])
+        with open(self.file("b.obj"), encoding="ascii") as file:
+            text = file.read()
+        put("mtllib b.mtl\n" + text, self.folder, "b.obj")
+        os.mkfifo(self.file("b.mtl"))  # at which a reader would hang
+        reader = scan_files.scan_reader(self.file("b.obj"))
+        reader.Update()
+        self.assertGreater(reader.GetOutput().GetNumberOfPoints(), 0)
+
+    def test_every_writer_makes_no_other_file_than_those_checked(self):
+        write(vtkPNGWriter(), textures.checkerboard(8), self.folder, "t.png")
+        for texture in ((), ("--texture", "t.png")):
+            for extension in outputs.SURFACES:
+                with self.subTest(extension, texture=texture):
+                    before = set(os.listdir(self.folder))
+                    self.makes("a.ply", "-o", "new" + extension, *texture, *COARSE)
+                    new = set(os.listdir(self.folder)) - before
+                    self.assertIn("new" + extension, new)
+                    self.assertLessEqual(new, set(outputs.files_of("new" + extension)))
+                    for name in new:
+                        os.remove(self.file(name))
+
+
+class TestPlaces(Folder):
+    """What cannot be written is noticed before any work."""
+
+    def test_names_with_control_characters(self):
+        for name in "x\n.glb", "x\t.vtp", "x\x7f.stl":
+            self.refuses("control characters", "a.ply", "-o", name)
+        self.refuses(r"x\x1b[2J.glb", "a.ply", "-o", "x\x1b[2J.glb")
+
+    def test_links(self):
+        os.mkdir(self.file("real"))
+        os.symlink("real/new.vtp", self.file("dangling.vtp"))
+        os.symlink("real/old.glb", self.file("link.glb"))
+        os.symlink("nowhere/new.vtp", self.file("lost.vtp"))
+        os.symlink("circle.vtp", self.file("circle.vtp"))
+        put("old", self.file("real", "old.glb"))
+        self.refuses("lost.vtp is a link to", "a.ply", "-o", "lost.vtp")
+        self.refuses("circle.vtp", "a.ply", "-o", "circle.vtp", "--overwrite")
+        self.refuses("link.glb already exists", "a.ply", "-o", "link.glb")
+        self.makes("a.ply", "-o", "dangling.vtp", *COARSE)
+        self.makes("a.ply", "-o", "link.glb", "--overwrite", *COARSE)
+        for link in "dangling.vtp", "link.glb":
+            self.assertTrue(os.path.islink(self.file(link)))
+        self.assertEqual(sorted(os.listdir(self.file("real"))), ["new.vtp", "old.glb"])
+        self.assertGreater(os.path.getsize(self.file("real", "old.glb")), 3)
+        self.refuses("would be written twice", "a.ply", "-o", "link.glb", "-o", "real/old.glb", "--overwrite")
+
+    def test_files_of_one_surface_behind_links(self):
+        write(vtkPNGWriter(), textures.checkerboard(8), self.folder, "t.png")
+        os.mkdir(self.file("elsewhere"))
+        os.symlink("elsewhere/p.png", self.file("s.png"))
+        self.makes("a.ply", "-o", "s.obj", "--texture", "t.png", *COARSE)
+        self.assertEqual(os.listdir(self.file("elsewhere")), ["p.png"])
+        self.assertTrue(os.path.islink(self.file("s.png")))
+
+    def test_places_that_are_none(self):
+        os.mkfifo(self.file("pipe.glb"))
+        os.mkdir(self.file("folder.vtp"))
+        for output, message in (("pipe.glb", "not a regular file"), ("a.ply/x.glb", "a.ply cannot be written to"),
+                                ("x" * 300 + ".glb", "name too long")):
+            self.refuses(message, "a.ply", "-o", output, "--overwrite")
+        self.refuses("folder.vtp is not a regular file", "a.ply", "--report", "folder.vtp", "--overwrite")
+        self.refuses("x.glb is to be a file and a folder", "a.ply", "-o", "x.glb", "-o", "x.glb/y.vtp")
+
+    def test_files_and_folders_that_are_read_only(self):
+        os.mkdir(self.file("locked"))
+        put("old", self.file("locked", "x.vtp"))
+        put("old", self.file("x.vtp"))
+        os.symlink("locked/y.vtp", self.file("link.vtp"))
+        os.chmod(self.file("x.vtp"), 0o444)
+        os.chmod(self.file("locked"), 0o555)
+        self.addCleanup(os.chmod, self.file("locked"), 0o755)
+        with unwritable(self.file("x.vtp"), self.file("locked")):
+            for path, message in (("x.vtp", "x.vtp cannot be replaced"), ("locked/x.vtp", "locked cannot be written to"),
+                                  ("locked/y.vtp", "locked cannot be written to"),
+                                  ("link.vtp", "locked cannot be written to")):
+                checks = plan.Checks([], overwrite=True)
+                with self.subTest(path), self.assertRaisesRegex(plan.WrongUsage, message):
+                    checks.expect_free(self.file(path))
+
+    def test_checks_cost_in_proportion_to_the_number_of_files(self):
+        """Eight times as many scans look at eight times as many files, or at 64 times as many."""
+        def looks(count):
+            scans = [self.file(f"{i}.xyz") for i in range(count)]
+            for scan in scans:
+                put("1 2 3\n", scan)
+            options, _ = None, None
+            calls = [0]
+            real = {name: getattr(os, name) for name in ("stat", "lstat")}
+
+            def counted(name):
+                def call(*arguments, **keywords):
+                    calls[0] += 1
+                    return real[name](*arguments, **keywords)
+                return call
+            options = mock.Mock(scans=scans, output=[self.file("out", "{}" + e) for e in (".glb", ".vtp", ".stl")],
+                                picture=None, report=None, texture=None, overwrite=False)
+            with mock.patch.object(os, "stat", counted("stat")), mock.patch.object(os, "lstat", counted("lstat")):
+                self.assertEqual(len(plan.paths_of(options)), count)
+            return calls[0]
+        self.assertLess(looks(320), 12 * looks(40))
+
+
+@contextlib.contextmanager
+def unwritable(*paths):
+    """Let paths be unwritable for root, too."""
+    real = outputs.may
+    with mock.patch.object(outputs, "may", lambda path, mode: os.path.realpath(path) not in paths and real(path, mode)):
+        yield
+
+
+class TestReplacing(Folder):
+    """One mechanism for all files."""
+
+    def test_files_of_a_surface_are_replaced_together(self):
+        for name in "x.obj", "x.mtl", "x.png":
+            put("old " + name, self.file(name))
+        before, real = files_in(self.folder), os.replace
+
+        def fail_for_png(source, target):
+            if target.endswith("x.png") and source.endswith(".new"):
+                raise OSError(errno.EIO, "the disk is gone", target)
+            real(source, target)
+        with mock.patch.object(os, "replace", fail_for_png), self.assertRaisesRegex(OSError, "the disk is gone"):
+            with outputs.whole(self.file("x.obj")) as part:
+                for extension in ".obj", ".mtl", ".png":
+                    put("new", os.path.splitext(part)[0] + extension)
+        self.assertEqual(files_in(self.folder), before)
+        for name in "x.obj", "x.mtl":  # and new ones are gone
+            os.remove(self.file(name))
+        with mock.patch.object(os, "replace", fail_for_png), self.assertRaisesRegex(OSError, "the disk is gone"):
+            with outputs.whole(self.file("x.obj")) as part:
+                for extension in ".obj", ".mtl", ".png":
+                    put("new", os.path.splitext(part)[0] + extension)
+        self.assertEqual(files_in(self.folder), {name: before[name] for name in ("a.ply", "x.png")})
+
+    def test_a_file_that_was_not_checked_is_not_written(self):
+        with self.assertRaisesRegex(RuntimeError, "x.png"):
+            with outputs.whole(self.file("x.vtp")) as part:
+                put("new", part)
+                put("new", os.path.splitext(part)[0] + ".png")
+        self.assertEqual(os.listdir(self.folder), ["a.ply"])
+
+    def test_what_came_into_being_meanwhile_is_kept(self):
+        put("theirs", self.file("x.vtp"))
+        with self.assertRaisesRegex(OSError, "meanwhile"):
+            with outputs.whole(self.file("x.vtp"), overwrite=False):
+                self.fail("nothing is written")
+        self.assertEqual(files_in(self.folder)["x.vtp"], b"theirs")
+
+    def replaced(self, mode, **functions):
+        """The mode of a file of that mode that is replaced, where functions of the system are others."""
+        path = self.file("x.vtp")
+        put("old", path)
+        os.chmod(path, mode)
+        with contextlib.ExitStack() as stack:
+            for name, function in functions.items():
+                stack.enter_context(mock.patch.object(os, name, function))
+            with outputs.whole(path) as part:
+                self.assertEqual(stat.S_IMODE(os.stat(os.path.dirname(part)).st_mode) & 0o077, 0)  # nobody looks in
+                put("new", part)
+        self.assertEqual(files_in(self.folder)["x.vtp"], b"new")
+        return stat.S_IMODE(os.stat(path).st_mode)
+
+    def test_rights_owner_and_group_are_kept(self):
+        for mode in 0o600, 0o640, 0o666, 0o751:
+            self.assertEqual(self.replaced(mode), mode)
+        self.assertEqual(self.replaced(0o6755), 0o755)
+        called = []
+        self.replaced(0o640, chown=lambda path, user, group: called.append((user, group)))
+        owner = os.stat(self.folder)
+        self.assertEqual(called, [(-1, os.stat(self.file("x.vtp")).st_gid), (owner.st_uid, -1)])
+
+    def test_group_that_cannot_be_kept_gets_no_more_than_all_others(self):
+        def refuse(path, user, group):
+            raise PermissionError(errno.EPERM, "no", path)
+        for mode, expected in ((0o664, 0o644), (0o660, 0o600), (0o604, 0o604), (0o667, 0o667)):
+            self.assertEqual(self.replaced(mode, chown=refuse), expected)
+
+    def test_access_list_is_kept(self):
+        lists = {}
+        entries = b"\x02\0\0\0"
+
+        def get(path, name):
+            if os.path.basename(path) == "x.vtp":
+                return entries
+            raise OSError(errno.ENODATA, "none")
+
+        def put_list(path, name, value):
+            lists[name] = value
+        self.replaced(0o640, getxattr=get, setxattr=put_list)
+        self.assertEqual(lists, {"system.posix_acl_access": entries})
+
+    def test_rights_of_every_kind_of_file_by_the_command(self):
+        names = [extension[1:] + extension for extension in outputs.SURFACES] + ["x.json"]
+        for name in names:
+            put("old", self.file(name))
+            os.chmod(self.file(name), 0o604)
+        self.makes("a.ply", *COARSE, *(word for name in names[:-1] for word in ("-o", name)),
+                   "--report", "x.json", "--overwrite")
+        for name in names:
+            with self.subTest(name):
+                self.assertEqual(stat.S_IMODE(os.stat(self.file(name)).st_mode), 0o604)
+                self.assertGreater(os.path.getsize(self.file(name)), 3)
+
+
+class TestWords(Folder):
+    """Errors in plain words."""
+
+    def test_standard_output_that_is_closed(self):
+        for arguments in (("--report", "-"), ("--measure",)):
+            run = subprocess.run(["bash", "-c", 'exec "$@" >&-', "bash", COMMAND, "a.ply", *COARSE, *arguments],
+                                 cwd=self.folder, text=True, stderr=subprocess.PIPE, check=False)
+            self.assertEqual(run.returncode, 1)
+            self.assertRegex(run.stderr, "^conformalsom: the standard output is closed.*\n$")
+        run = subprocess.run(["bash", "-c", 'exec "$@" <&- >&- 2>&-', "bash", COMMAND, "a.ply", *COARSE, "-o", "x.glb"],
+                             cwd=self.folder, check=False)
+        self.assertEqual((run.returncode, sorted(os.listdir(self.folder))), (0, ["a.ply", "x.glb"]))
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no device that is full")
+    def test_standard_output_that_is_full(self):
+        for arguments in (("--report", "-"), ("--measure",)):
+            with open("/dev/full", "wb") as full:
+                run = subprocess.run([COMMAND, "a.ply", *COARSE, *arguments], cwd=self.folder, text=True, stdout=full,
+                                     stderr=subprocess.PIPE, check=False)
+            self.assertEqual((run.returncode, run.stderr),
+                             (1, "conformalsom: the standard output: No space left on device\n"))
+
+    def test_system_errors_have_no_numbers(self):
+        for error, text in ((OSError(errno.ENOSPC, "No space left on device"), "No space left on device"),
+                            (OSError(errno.ENOSPC, "No space left on device", "x"), "x: No space left on device"),
+                            (ValueError("x: bad"), "x: bad")):
+            self.assertEqual(main.jobs.message_of(error), text)
+
+    def test_filter_that_fails_without_a_reason(self):
+        class Fails(VTKPythonAlgorithmBase):
+            def __init__(self):
+                super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+            def RequestData(self, request, inputs, outputs):
+                return 0
+        algorithm = Fails()
+        with heard(algorithm) as messages:
+            algorithm.Update()
+        self.assertEqual(messages.errors, [algorithm.GetClassName() + " failed and gave no reason; what it was given "
+                                           "may be broken"])
+
+    def test_silent_failure_of_a_filter(self):
+        put('<?xml version="1.0"?>\n<VTKFile type="PolyData"><Poly', self.folder, "b.vtp")
+        run = command(self.folder, "b.vtp", "-o", "x.glb")
+        self.assertEqual(run.returncode, 1)
+        self.assertNotIn("returned failure for request", run.stderr)
+        self.assertRegex(run.stderr, "^conformalsom: b.vtp: Read the scan: .*\n$")
+
+
+if __name__ == "__main__":
+    unittest.main()
