@@ -2,6 +2,9 @@
  * @class   vtkSurfaceHarmonicsSource
  * @brief   a surface from its spherical harmonics
  *
+ * Make a closed surface of a table of coefficients, as the second output of vtkSurfaceHarmonics
+ * is one.
+ *
  * Input port 0: vtkTable with a row for each harmonic of degrees 0 to L, at most 1024, in any
  * order:
  * - columns "Degree", "Order": l, and m from -l to l.

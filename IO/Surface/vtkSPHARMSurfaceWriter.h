@@ -2,6 +2,9 @@
  * @class   vtkSPHARMSurfaceWriter
  * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
  *
+ * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition"
+ * into shape_para.vtk beside it.
+ *
  * Input port 0: vtkPolyData, triangles, with
  * - point array "SpherePosition" (3 components).
  *
