@@ -1,6 +1,6 @@
 /**
  * @class   vtkAdaptiveSphere
- * @brief   triangle mesh of the sphere that is dense where a surface or a picture asks for it
+ * @brief   make a mesh of the sphere that is dense where a surface or a picture needs it
  *
  * A closed mesh of the unit sphere with as many points as wanted, close to each other where a
  * surface that is mapped to the sphere needs them, with no angle below 28 degrees. As the Sphere

@@ -1,6 +1,6 @@
 /**
  * @class   vtkCurvedSeamlessSurface
- * @brief   smooth closed surface over a mesh that is mapped to the sphere (CSS)
+ * @brief   make a mesh that is mapped to the sphere a smooth, dense surface (CSS)
  *
  * Make a smooth, dense, closed surface of a mesh that is mapped to the sphere, such as the
  * output of vtkConformalSOM, and keep its map: the CSS algorithm of section 3 of C.-Y. Liou,

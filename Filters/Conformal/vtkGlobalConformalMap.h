@@ -1,6 +1,6 @@
 /**
  * @class   vtkGlobalConformalMap
- * @brief   conformal map of a closed surface to the sphere
+ * @brief   map a closed surface to the sphere, conformally and without folds
  *
  * Give every point of a closed triangle mesh without handles its place on the sphere, the point
  * array "SpherePosition", so that angles are kept: what the method of the paper is compared

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSphericalMorph
- * @brief   shape between surfaces whose maps to the sphere correspond
+ * @brief   morph mapped surfaces: any shape between two or more, also as time steps
  *
  * Morph surfaces with the point array "SpherePosition": what lies at the same place of the
  * sphere corresponds, as after vtkSphericalAlignment. Colors and other point arrays that all

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSurfaceHarmonics
- * @brief   the spherical harmonics of a mapped surface and of arrays on it
+ * @brief   compute the spherical harmonics of a mapped surface and of arrays on it
  *
  * Describe a closed surface that has the point array "SpherePosition" by spherical harmonics,
  * and rebuild it from those of low degree. The second output is the table of coefficients, from

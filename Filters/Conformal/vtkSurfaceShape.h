@@ -1,6 +1,6 @@
 /**
  * @class   vtkSurfaceShape
- * @brief   curvatures of a closed surface, and how deep its folds are
+ * @brief   measure the curvatures of a closed surface and the depth of its folds
  *
  * Add the point arrays MeanCurvature (above 0 where the surface bulges out), GaussianCurvature,
  * and SulcalDepth (above 0 in folds, below 0 on ridges).

@@ -5,8 +5,7 @@
  * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition"
  * into shape_para.vtk beside it.
  *
- * Input port 0: vtkPolyData, triangles, with
- * - point array "SpherePosition" (3 components).
+ * Input port 0: vtkPolyData, triangles with the point array "SpherePosition" (3 components).
  *
  * What is written are two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
  * and shape_para.vtk beside it, whose points are SpherePosition, of unit length. (Where a name has

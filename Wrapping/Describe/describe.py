@@ -117,6 +117,13 @@ def paragraphs_of(text):
     return [paragraph for paragraph in found if paragraph]
 
 
+def before_list(text):
+    """Return the sentences of a paragraph that are before its list, without the one that the list continues."""
+    text, dash, _ = text.partition("\n- ")
+    end = text.rfind(". ") + 1
+    return text[:end] if dash and end and not text.endswith(".") else text
+
+
 class Reader:
     """The description of one class, in the making."""
 
@@ -218,7 +225,7 @@ class Reader:
         first is the class comment's, up to the list of arrays that the input has.
         """
         names = {0: "Input"}
-        texts = {0: texts.get(("Input", 0), "").split("\n- ")[0]}
+        texts = {0: before_list(texts.get(("Input", 0), ""))}
         for method in self.methods:
             if method.startswith("Set") and method.endswith("Connection"):
                 producer = vtkTrivialProducer()

@@ -148,13 +148,14 @@ class Words:
         self.properties = {name: words_of(name) for overlay in overlays.values() for name in overlay.properties}
 
     def constants(self, overlay):
-        """Return the labels of all constants, first those of one class."""
+        """Return the labels of all constants of a class, and of others where they are no abbreviations, such as OFF."""
         found = {}
         for other in (*self.overlays.values(), overlay):
             for property_ in other.class_.properties:
                 labels = other.labels(property_)
                 for value in property_.values:
-                    found.update(dict.fromkeys(value.constants, labels[value.value]))
+                    found.update({constant: labels[value.value] for constant in value.constants
+                                  if other is overlay or len(constant) > 3})
         return found
 
     def translate(self, text, overlay):
@@ -236,7 +237,7 @@ class Proxy:
 
     def class_documentation(self):
         """Return the element of the class: its brief, and the description in the header."""
-        brief = re.sub(r" \([^)]*\)$", "", self.class_.brief)
+        brief = re.sub(r" \([A-Z]+\)$", "", self.class_.brief)
         element = documentation(self.words.translate(self.class_.text, self.overlay))
         if not self.class_.text:
             raise Undescribed(f"{self.class_.name}: the header has no description between @brief and its first port")
@@ -506,7 +507,7 @@ def proxies(described, folder):
         proxy = Proxy(overlay, words)
         root.extend(proxy.writer(described) if overlay.class_.is_writer else proxy.source())
     for text in root.iter("Documentation"):
-        text.text = "\n".join(textwrap.fill(line, 100) for line in text.text.split("\n"))
+        text.text = "\n".join(textwrap.fill(line, 100, break_on_hyphens=False) for line in text.text.split("\n"))
     ElementTree.indent(root)
     return root
 
