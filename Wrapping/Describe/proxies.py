@@ -513,7 +513,7 @@ def proxies(described, folder):
 
 
 def main(folder, path):
-    """Write the file, and leave it alone if it would be the same."""
+    """Write the file."""
     try:
         text = ElementTree.tostring(proxies(classes(), folder), encoding="unicode") + "\n"
     except (Undescribed, WrongOverlay) as error:
