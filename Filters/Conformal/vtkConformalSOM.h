@@ -8,8 +8,9 @@
  * array "SpherePosition" states where each point lies on the sphere. Its second output is a
  * table of how learning went, for a line chart.
  *
- * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for polygons: learning may start from them, see StartingShape. Points that are not finite are
- * left out with a warning, hidden or duplicate ghost points silently.
+ * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for polygons: learning
+ * may start from them, see StartingShape. Points that are not finite are left out with a warning,
+ * hidden or duplicate ghost points silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition", from which learning starts instead of the sphere or a hull. It must lie where

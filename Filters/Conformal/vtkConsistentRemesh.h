@@ -3,8 +3,8 @@
  * @brief   put mapped surfaces on one mesh, with their mean shape and principal components
  *
  * Give surfaces with the point array "SpherePosition" the same points of the sphere and the same
- * triangles: what lies at the same place of the sphere corresponds. The second output is their
- * mean shape with its principal components.
+ * triangles: points at the same position of the sphere correspond. The second output is their mean
+ * shape with its principal components.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data,
  * with the point array "SpherePosition". Polygons and strips are cut into triangles. Each has

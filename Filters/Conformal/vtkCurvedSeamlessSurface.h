@@ -114,8 +114,8 @@ public:
   /**
    * DIRECTIONS: frequency f of the geodesic sphere that is used without a mesh on input port 1; the
    * surface has 10 f^2 + 2 points and 20 f^2 triangles. If it is a multiple of the frequency of the
-   * input's mesh, no triangle lies across one of its edges. NETWORK with Subdivisions 0: the surface
-   * gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   * input's mesh, no triangle lies across one of its edges. NETWORK with Subdivisions 0: the
+   * surface gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);

@@ -2,9 +2,9 @@
  * @class   vtkGlobalConformalMap
  * @brief   map a closed surface to the sphere, conformally and without folds
  *
- * Give every point of a closed triangle mesh without handles its place on the sphere, the point
- * array "SpherePosition", so that angles are kept: what the method of the paper is compared
- * with. The field data state whether the map is finished and folds nowhere.
+ * Give every point of a closed triangle mesh without handles its position on the sphere, the point
+ * array "SpherePosition", so that angles are kept: what the method of the paper is compared with.
+ * The field data state whether the map is finished and folds nowhere.
  *
  * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges are merged, triangles turned and points of no triangle

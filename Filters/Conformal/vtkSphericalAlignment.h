@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Pairs of point ids that are to come to the same place: one of the surface and one of the
-   * reference. Two pairs or more for a rotation, three or more for a Moebius transform; none
-   * (default) to use the surfaces themselves.
+   * Pairs of point ids that correspond: one of the surface and one of the reference. Two pairs or
+   * more for a rotation, three or more for a Moebius transform; none (default) to use the surfaces
+   * themselves.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType referencePointId);
   void RemoveAllLandmarks();

@@ -2,9 +2,9 @@
  * @class   vtkSphericalMorph
  * @brief   morph mapped surfaces: any shape between two or more, also as time steps
  *
- * Morph surfaces with the point array "SpherePosition": what lies at the same place of the
- * sphere corresponds, as after vtkSphericalAlignment. Colors and other point arrays that all
- * surfaces have are blended. With GenerateTimeSteps the time slider plays the morph.
+ * Morph surfaces with the point array "SpherePosition": points at the same position of the sphere
+ * correspond, as after vtkSphericalAlignment. Colors and other point arrays that all surfaces have
+ * are blended. With GenerateTimeSteps the time slider plays the morph.
  *
  * Input port 0: vtkPolyData, the first surface, or composite data of several, with the point array
  * "SpherePosition". Polygons and strips are cut into triangles.

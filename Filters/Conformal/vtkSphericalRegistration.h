@@ -2,9 +2,9 @@
  * @class   vtkSphericalRegistration
  * @brief   deform a surface's map to the sphere until it corresponds to another one's
  *
- * Move a surface's map, the point array "SpherePosition", so that what corresponds on both
- * surfaces lies at the same place of the sphere: by landmarks, by point arrays, or by the
- * surfaces' own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
+ * Move a surface's map, the point array "SpherePosition", so that corresponding points of both
+ * surfaces have the same position on the sphere: by landmarks, by point arrays, or by the surfaces'
+ * own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
  * TargetBarycentric hold what corresponds to each point.
  *
  * Input port 0: vtkPolyData, the moving surface: closed, of genus zero, with the point array

@@ -2,8 +2,8 @@
  * @class   vtkSphericalResample
  * @brief   carry point arrays from one surface to another by their maps to the sphere
  *
- * Give a surface the point arrays of another one: what lies at the same place of the sphere
- * corresponds. Numbers and colors are averaged, labels (arrays of integers with 1 component) and
+ * Give a surface the point arrays of another one: points at the same position of the sphere
+ * correspond. Numbers and colors are averaged, labels (arrays of integers with 1 component) and
  * masks are voted on. Both surfaces have the point array "SpherePosition", and their maps must
  * correspond, as after vtkSphericalAlignment.
  *

@@ -2,9 +2,9 @@
  * @class   vtkSphericalTemplate
  * @brief   register many mapped surfaces with their mean, so that all of them correspond
  *
- * Move the maps of all surfaces, their point arrays "SpherePosition", so that what corresponds
- * on all of them lies at the same place of the sphere: each surface is registered with the mean
- * of all, in several rounds. The second output is the mean surface.
+ * Move the maps of all surfaces, their point arrays "SpherePosition", so that corresponding points
+ * of all surfaces have the same position on the sphere: each surface is registered with the mean of
+ * all, in several rounds. The second output is the mean surface.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data:
  * closed, of genus zero, in one space, with the point array "SpherePosition". Each has

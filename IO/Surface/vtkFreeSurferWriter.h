@@ -2,8 +2,8 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
- * Write triangles with the surface's points, or with the places of its points on the sphere, or
- * one number for each point.
+ * Write triangles with the surface's points, or with their positions on the sphere, or one number
+ * for each point.
  *
  * Input port 0: vtkPolyData of triangles. Content chooses what is written:
  * - SURFACE: the points, as floats, and the triangles.

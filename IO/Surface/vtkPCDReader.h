@@ -2,8 +2,8 @@
  * @class   vtkPCDReader
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
- * Read PCD clouds as text, binary or compressed, with all fields. Points that the scanner did
- * not see are left out.
+ * Read PCD clouds as text, binary or compressed, with all fields. Points that are not finite, where
+ * the scanner measured nothing, are left out.
  *
  * Output port 0: vtkPolyData, the points of a file of version 0.5 to 0.7, ascii, binary or
  * binary_compressed, with one vertex for each. The points are floats if x, y and z are, else

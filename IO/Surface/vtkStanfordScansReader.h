@@ -2,8 +2,8 @@
  * @class   vtkStanfordScansReader
  * @brief   read range scans and the motions that align them as one cloud
  *
- * Read all PLY files that a .conf file of the Stanford scanning repository names, each moved as
- * the file says. The point array ScanId tells the scans apart.
+ * Read all PLY files that a .conf file of the Stanford scanning repository names, each moved by its
+ * transform there. The point array ScanId has the number of each point's scan.
  *
  * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
  * Stanford scanning repository names, each moved as the file says, with one vertex for each.

@@ -3,7 +3,7 @@
  * @brief   read clouds of points as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
  * Read one point from each line, whatever separates the numbers: XYZ, ASC, TXT, CSV, NTS and PTS
- * files. Normals, colors and intensities are told by a line of names, or by the numbers
+ * files. Normals, colors and intensities are recognized by a line of names, or by the numbers
  * themselves.
  *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
