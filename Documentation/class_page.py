@@ -1,27 +1,31 @@
 #!/usr/bin/python3
-"""class_page.py HEADER: the header for Doxygen, with the picture and the snippet that Filters.md has of its class."""
+"""class_page.py HEADER: the header for Doxygen, with what the guides have of its class: picture, snippet, properties."""
 import os
 import re
 import sys
 
-GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "Filters.md")
+GUIDES = [os.path.join(os.path.dirname(os.path.abspath(__file__)), name) for name in ("Filters.md", "Readers.md")]
 
 
 def section_of(kind):
-    """What the guide says of a class; nothing if it has no section."""
-    heading = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", kind[len("vtk"):])
-    with open(GUIDE, encoding="utf-8") as file:
-        found = re.search(rf"^## {heading}$(.*?)(?=^## |\Z)", file.read(), flags=re.M | re.S)
-    return found.group(1) if found else ""
+    """Return the section of a class in the guides; nothing if it has none."""
+    heading = re.sub(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])", " ", kind[len("vtk"):])
+    for guide in GUIDES:
+        with open(guide, encoding="utf-8") as file:
+            found = re.search(rf"^(##+) {heading}$(.*)", file.read(), flags=re.M | re.S)
+        if found:
+            return re.split(rf"^#{{2,{len(found[1])}}} ", found[2], maxsplit=1, flags=re.M)[0]
+    return ""
 
 
 def shown(section):
-    """Its pictures and snippets, as lines of a class comment."""
+    """Return its pictures, snippets and properties, as lines of a class comment."""
     lines = [f'@image html {os.path.basename(path)} "{caption}"'
              for caption, path in re.findall(r"^!\[(.*?)\]\((.*?)\)$", section, flags=re.M)]
     for code in re.findall(r"```python\n(.*?)```", section, flags=re.S):
         lines += ["In Python:", "@code{.py}", *code.splitlines(), "@endcode"]
-    return "".join(f" * {line}".rstrip() + "\n" for line in ["", *lines])
+    lines += ["\n" + table for table in re.findall(r"^<!-- Properties.*\n((?:\|.*\n)+)", section, flags=re.M)]
+    return "".join(f" * {line}".rstrip() + "\n" for line in "\n".join(["", *lines]).splitlines())
 
 
 def page(text, kind):

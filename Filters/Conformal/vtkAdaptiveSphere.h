@@ -1,6 +1,10 @@
 /**
  * @class   vtkAdaptiveSphere
- * @brief   triangle mesh of the sphere that is dense where a surface or a picture asks for it
+ * @brief   make a mesh of the sphere that is dense where a surface or a picture needs it
+ *
+ * A closed mesh of the unit sphere with as many points as wanted, close to each other where a
+ * surface that is mapped to the sphere needs them, with no angle below 28 degrees. As the Sphere
+ * of a vtkCurvedSeamlessSurface it determines where the surface gets its points.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
@@ -61,12 +65,13 @@ public:
 
   ///@{
   /**
-   * Where points are dense. AREA (default): evenly over the surface, so in inverse proportion to
-   * what the map leaves of its area. CURVATURE: half of the points evenly over the surface, half in
-   * proportion to how much it bends (the sum of the absolute principal curvatures). ARRAY: by an
-   * array of points for an area of the surface, of which only the ratios count. IMAGE: half of the
-   * points evenly over the surface, half in proportion to the change of the picture on port 1 with
-   * the direction.
+   * Where points are dense. AREA (default): evenly over the surface. CURVATURE: half of them by how
+   * much the surface bends. ARRAY: by an array of points for an area of the surface, of which only
+   * the ratios count. IMAGE: half of them by the change of the picture on input port 1.
+   *
+   * AREA is in inverse proportion to what the map leaves of the surface's area. CURVATURE and IMAGE
+   * spread the other half evenly over the surface; what bends is measured by the sum of the
+   * absolute principal curvatures, the picture's change is that with the direction.
    */
   vtkSetClampMacro(Density, int, AREA, IMAGE);
   vtkGetMacro(Density, int);
@@ -95,7 +100,7 @@ public:
   ///@}
 
   /**
-   * The picture of IMAGE: input port 1.
+   * The picture of Density IMAGE: one slice.
    */
   void SetImageConnection(vtkAlgorithmOutput* output);
 

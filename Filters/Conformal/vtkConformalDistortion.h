@@ -2,6 +2,10 @@
  * @class   vtkConformalDistortion
  * @brief   measure the angle and area distortion of a surface's map to the sphere
  *
+ * Add the cell arrays AngleDistortion (degrees; 0 means none), AreaDistortion (logarithm; 0
+ * means none) and QuasiConformalError (1 means none), and their means in the field data, among
+ * them NumberOfFlippedTriangles.
+ *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles; their value is the mean over these.
  *

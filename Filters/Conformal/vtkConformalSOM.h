@@ -2,9 +2,15 @@
  * @class   vtkConformalSOM
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
- * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for the polygons of
- * a vtkPolyData: learning may start from them, see StartingShape. Points that are not finite are
- * left out with a warning, hidden or duplicate ghost points silently.
+ * Learn a closed triangle mesh, with a one-to-one map to the sphere, from nothing but points:
+ * the conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71
+ * (2008). The mesh has 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency; its point
+ * array "SpherePosition" states where each point lies on the sphere. Its second output is a
+ * table of how learning went, for a line chart.
+ *
+ * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for polygons: learning
+ * may start from them, see StartingShape. Points that are not finite are left out with a warning,
+ * hidden or duplicate ghost points silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition", from which learning starts instead of the sphere or a hull. It must lie where
@@ -143,7 +149,8 @@ public:
   };
 
   /**
-   * The optional mesh to start from, input port 1.
+   * A closed mesh of genus zero with the point array "SpherePosition" to start from, such as an
+   * earlier result. Without it learning starts as StartingShape states.
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
@@ -154,13 +161,14 @@ public:
 
   ///@{
   /**
-   * What the network is. GEODESIC: the paper's, a geodesic sphere of which each triangle
-   * keeps its neighbors wherever it comes to lie. ADAPTIVE: triangles of one size all over the
-   * surface, nearly equilateral on long limbs too; Batch only. It starts as
-   * StartingShape says, on a coarse lattice, or from the mesh on input port 1. Points come to lie
-   * on sharp edges and in corners of the object. AUTOMATIC_LATTICE (default): ADAPTIVE in Batch
-   * mode, GEODESIC, as fine, in Online mode and for points in a plane. Documentation/Fit.md
-   * compares them.
+   * What the network is. GEODESIC: the paper's, a geodesic sphere whose triangles keep their
+   * neighbors. ADAPTIVE: triangles of one size all over the surface, nearly equilateral on long
+   * limbs too; batch learning only. AUTOMATIC_LATTICE (default): ADAPTIVE in batch learning,
+   * GEODESIC in online learning and for points in a plane.
+   *
+   * An adaptive network starts as StartingShape states, on a coarse lattice, or from the mesh on
+   * input port 1. Its points come to lie on sharp edges and in corners of the object.
+   * Documentation/Fit.md compares both.
    */
   vtkSetClampMacro(Lattice, int, GEODESIC, AUTOMATIC_LATTICE);
   vtkGetMacro(Lattice, int);
@@ -192,12 +200,13 @@ public:
   ///@{
   /**
    * Where the array "SpherePosition" has the points of the mesh. LATTICE (default): where the
-   * geodesic sphere has its neurons; an adaptive network has no such places, and gets the conformal
-   * map. CONFORMAL_MAP: in a conformal map of the learned mesh, as vtkGlobalConformalMap makes it:
-   * angles are kept, and limbs get little of the sphere. Limbs longer than about five times their
-   * girth have no room in double precision; they get more than that, and a warning gives the mean
-   * quasi-conformal error (1 if conformal). BALANCED: in one that trades angles for areas, see
-   * AreaBalance.
+   * geodesic sphere has its neurons; an adaptive network gets the conformal map. CONFORMAL_MAP: in
+   * a conformal map of the learned mesh, which keeps angles. BALANCED: in one that trades angles
+   * for areas, see AreaBalance.
+   *
+   * The conformal map is that of vtkGlobalConformalMap, in which limbs get little of the sphere.
+   * Limbs longer than about five times their girth have no room in double precision; they get more
+   * than that, and a warning gives the mean quasi-conformal error (1 if conformal).
    */
   vtkSetClampMacro(SphereMap, int, LATTICE, BALANCED);
   vtkGetMacro(SphereMap, int);
@@ -217,22 +226,24 @@ public:
 
   ///@{
   /**
-   * BATCH (default) for the multi-resolution batch learning, ONLINE for the paper's CSM Learning
-   * Algorithm step by step.
+   * BATCH (default): all points at a time on ever finer lattices, then a least-squares fit; much
+   * closer to the points, and faster. ONLINE: the paper's CSM Learning Algorithm, one point at a
+   * time.
    */
   vtkSetClampMacro(TrainingMode, int, ONLINE, BATCH);
   vtkGetMacro(TrainingMode, int);
-  void SetTrainingModeToOnline() { this->SetTrainingMode(ONLINE); }
   void SetTrainingModeToBatch() { this->SetTrainingMode(BATCH); }
+  void SetTrainingModeToOnline() { this->SetTrainingMode(ONLINE); }
   ///@}
 
   ///@{
   /**
-   * Name of a point array of the input with 1 component, the priority of each point: how often it
-   * is drawn (Online, in the second half of the epochs) or how much it weighs (Batch). The paper
-   * gives priority to extrusive parts.
-   * Negative and non-finite values count as 0, with a warning. Default is none, which an empty name
-   * means too: equal priority.
+   * Point array of the input with 1 component, the priority of each point: how often it is drawn
+   * (Online, in the second half of the epochs) or how much it weighs (Batch). Default is none,
+   * which an empty name means too: equal priority.
+   *
+   * The paper gives priority to extrusive parts. Negative and non-finite values count as 0, with a
+   * warning.
    */
   vtkSetStringMacro(PriorityArrayName);
   vtkGetStringMacro(PriorityArrayName);
@@ -240,8 +251,8 @@ public:
 
   ///@{
   /**
-   * Seed of the choice of points. In [0, VTK_INT_MAX]. Default is 1. The same input gives the same
-   * bits, on any number of threads and processes.
+   * Seed of the choice of points. At least 0. Default is 1. The same input gives the same bits, on
+   * any number of threads and processes.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -249,13 +260,15 @@ public:
 
   ///@{
   /**
-   * Which point r of the sphere a pattern stands for. CONFORMAL: the conformal image of its
-   * projection, Eqs. 4 and 5. WINNER: a neuron, which is the plain self-organizing map the paper
-   * compares with; Online the winning one, r = n_c, in Batch the corner of the triangle that the
-   * pattern is projected on with the largest barycentric weight. AFFINE: the affine image of the
-   * projection. AUTOMATIC_REFERENCE (default): CONFORMAL in Online mode, AFFINE in Batch mode,
-   * which there comes as close in less time. In Batch mode it counts while a lattice is learned
-   * from the sphere, not in the polish and not from a hull or a mesh.
+   * Which point of the sphere a pattern stands for. CONFORMAL: the conformal image of its
+   * projection, Eqs. 4 and 5 of the paper. WINNER: a neuron, which is the plain self-organizing
+   * map. AFFINE: the affine image of the projection. AUTOMATIC_REFERENCE (default): CONFORMAL in
+   * online learning, AFFINE in batch learning.
+   *
+   * The neuron is the winning one, r = n_c, in online learning; in batch learning it is the corner
+   * with the largest barycentric weight of the triangle that the pattern is projected on. In batch
+   * learning AFFINE comes as close as CONFORMAL in less time. There the property counts while a
+   * lattice is learned from the sphere, not in the polish and not from a hull or a mesh.
    */
   vtkSetClampMacro(ReferencePoint, int, CONFORMAL, AUTOMATIC_REFERENCE);
   vtkGetMacro(ReferencePoint, int);
@@ -283,8 +296,10 @@ public:
 
   ///@{
   /**
-   * Online: sigma_0 of the neighborhood h(d) = exp(-d^2 / (2 sigma^2)), with
-   * sigma(t) = sigma_0 exp(-t / tau_1), a length on the unit sphere. Positive. Default is 0.4.
+   * Online: width of the neighborhood at the start, sigma_0 in the paper: a length on the unit
+   * sphere. Positive. Default is 0.4.
+   *
+   * The neighborhood is h(d) = exp(-d^2 / (2 sigma^2)), with sigma(t) = sigma_0 exp(-t / tau_1).
    */
   vtkSetMacro(InitialNeighborhoodRadius, double);
   vtkGetMacro(InitialNeighborhoodRadius, double);
@@ -292,7 +307,8 @@ public:
 
   ///@{
   /**
-   * Online: tau_1, in epochs. Positive. Default is 20.
+   * Online: epochs in which the width of the neighborhood shrinks by the factor e, tau_1 in the
+   * paper. Positive. Default is 20.
    */
   vtkSetMacro(NeighborhoodTimeConstant, double);
   vtkGetMacro(NeighborhoodTimeConstant, double);
@@ -300,8 +316,8 @@ public:
 
   ///@{
   /**
-   * Online: alpha_0 of the learning rate alpha(t) = alpha_0 exp(-t / tau_2). In [0, 1). Default is
-   * 0.01.
+   * Online: learning rate at the start, alpha_0 in the paper: alpha(t) = alpha_0 exp(-t / tau_2).
+   * In [0, 1). Default is 0.01.
    */
   vtkSetMacro(InitialLearningRate, double);
   vtkGetMacro(InitialLearningRate, double);
@@ -309,7 +325,8 @@ public:
 
   ///@{
   /**
-   * Online: tau_2, in epochs. Positive. Default is 60.
+   * Online: epochs in which the learning rate falls by the factor e, tau_2 in the paper. Positive.
+   * Default is 60.
    */
   vtkSetMacro(LearningRateTimeConstant, double);
   vtkGetMacro(LearningRateTimeConstant, double);
@@ -364,12 +381,14 @@ public:
   ///@{
   /**
    * Batch: where learning starts if there is no mesh on input port 1. AUTOMATIC (default): from the
-   * input's own polygons, if they are one closed surface of genus zero of which all points are
-   * vertices, whose mesh is kept unless it is bad (see UnmetFraction, InvertedFraction,
-   * FoldedFraction) and another start does better; else from the unit sphere, as in the paper;
-   * where the mesh so learned has parts without points, webs between limbs or lids over holes, or
-   * triangles stretched over limbs (a fifth of them obtuse), anew from a closed hull of the points
-   * that is mapped to the sphere. SPHERE, HULL or MESH, the input's polygons: always from that.
+   * input's own polygons where they are a closed surface of genus zero of all of its points; else
+   * from the sphere, and anew from a closed hull of the points where the sphere leads to webs
+   * between limbs or lids over holes. SPHERE, HULL or MESH, the input's polygons: always from that.
+   *
+   * With AUTOMATIC the mesh learned from the polygons is kept unless it is bad (see UnmetFraction,
+   * InvertedFraction, FoldedFraction) and another start does better. A mesh learned from the unit
+   * sphere, as in the paper, is replaced if it has parts without points, which are webs or lids, or
+   * triangles stretched over limbs (a fifth of them obtuse). The hull is mapped to the sphere.
    *
    * Where vertices of the polygons are sparse, points on these are learned from too. With MESH it
    * is an error if the polygons are not a closed surface of genus zero, and points that none of
@@ -395,13 +414,14 @@ public:
 
   ///@{
   /**
-   * Batch: how the hull, if learning starts from one, tells inside from outside, as the property
-   * Indicator of vtkGenusZeroHull. AUTOMATIC_INDICATOR (default): as AUTOMATIC there; and where the
-   * mesh of an adaptive lattice turns out bad, it is learned anew from the other hull, and the
-   * better one is kept. DISTANCE or WINDING_NUMBERS: always by that. Winding numbers are for scans
-   * with large holes, hidden sides or noise; they use the normals of the input's polygons, turned
-   * to agree with their neighbors, if most of its points are of one; else its active normals; else,
-   * and where these do not agree on what is inside, they find them.
+   * Batch: how inside and outside of the hull, if learning starts from one, are classified, as
+   * Indicator of vtkGenusZeroHull: by DISTANCE, or by WINDING_NUMBERS, for scans with large holes,
+   * hidden sides or noise. AUTOMATIC_INDICATOR (default): as AUTOMATIC there; a bad mesh of an
+   * adaptive lattice is learned anew from the other hull, and the better one is kept.
+   *
+   * Winding numbers use the normals of the input's polygons, oriented to agree with their
+   * neighbors, if most of its points are of one; else its active normals; else, and where these do
+   * not agree on what is inside, they find them.
    */
   vtkSetClampMacro(HullIndicator, int, DISTANCE, AUTOMATIC_INDICATOR);
   vtkGetMacro(HullIndicator, int);
@@ -412,7 +432,8 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array "QuantizationError". Default is off.
+   * Whether to add the point array "QuantizationError": root mean square distance of each point of
+   * the mesh to the input points that it stands for. Default is off.
    */
   vtkSetMacro(GenerateErrorScalars, bool);
   vtkGetMacro(GenerateErrorScalars, bool);

@@ -1,6 +1,6 @@
 /**
  * @class   vtkCurvedSeamlessMap
- * @brief   the map between the sphere and a curved seamless surface, on arrays (CSS)
+ * @brief   evaluate a curved seamless surface anywhere, with derivatives and the inverse map (CSS)
  *
  * What vtkCurvedSeamlessSurface samples, as a function: of any direction its point of the surface,
  * with normal, derivatives, metric tensor and area element; of any point near the surface its

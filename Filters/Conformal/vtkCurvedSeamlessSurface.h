@@ -1,6 +1,11 @@
 /**
  * @class   vtkCurvedSeamlessSurface
- * @brief   smooth closed surface over a mesh that is mapped to the sphere (CSS)
+ * @brief   make a mesh that is mapped to the sphere a smooth, dense surface (CSS)
+ *
+ * Make a smooth, dense, closed surface of a mesh that is mapped to the sphere, such as the
+ * output of vtkConformalSOM, and keep its map: the CSS algorithm of section 3 of C.-Y. Liou,
+ * Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The surface has the point arrays
+ * "SpherePosition" and Normals.
  *
  * Input port 0: vtkPolyData, a closed surface of genus zero, of a vtkConformalSOM or any other
  * origin. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
@@ -67,7 +72,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The dense mesh of the sphere, N^new in the paper: input port 1.
+   * A mesh of the sphere at whose points the surface is evaluated, and whose triangles it gets:
+   * N^new in the paper, input port 1. Without it Sampling determines the points. Sampling NETWORK
+   * does not use it.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
@@ -85,14 +92,16 @@ public:
 
   ///@{
   /**
-   * Where the surface is evaluated, and how its points are joined. DIRECTIONS: at the points of the
-   * sphere on port 1, or of a geodesic sphere of the Frequency, which lies evenly on the sphere,
-   * whatever the mesh of port 0 looks like. NETWORK: every triangle of the mesh of port 0 is cut on
-   * the sphere into Subdivisions x Subdivisions, so that each has its points however small it is
-   * there, as the limbs of a conformal map are. The mesh's own points come first, then those on
-   * edges, then those inside triangles; an input on port 1 is not used. AUTOMATIC (default):
-   * DIRECTIONS where port 1 has an input or the mesh lies on the sphere as a geodesic one
-   * (vtkConformalSOM with Lattice GEODESIC and SphereMap LATTICE), NETWORK otherwise.
+   * Where the surface gets its points. DIRECTIONS: evenly over the sphere, or at the points of the
+   * mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that are
+   * small on the sphere get theirs. AUTOMATIC (default): DIRECTIONS where input port 1 has a mesh
+   * or the input's mesh lies on the sphere as a geodesic one, NETWORK otherwise.
+   *
+   * DIRECTIONS without a mesh on input port 1 evaluates the surface at the points of a geodesic
+   * sphere of the Frequency. NETWORK cuts every triangle on the sphere into Subdivisions x
+   * Subdivisions: the mesh's own points come first, then those on edges, then those inside
+   * triangles; input port 1 is not used. A mesh lies on the sphere as a geodesic one if
+   * vtkConformalSOM learned it with Lattice GEODESIC and SphereMap LATTICE.
    */
   vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
   vtkGetMacro(Sampling, int);
@@ -103,10 +112,10 @@ public:
 
   ///@{
   /**
-   * DIRECTIONS: frequency f of the geodesic sphere that is used where port 1 has no input; the
-   * surface has 10 f^2 + 2 points and 20 f^2 triangles. In a multiple of the frequency of the mesh
-   * on port 0 no triangle lies across one of its edges. NETWORK with Subdivisions 0: the surface
-   * gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   * DIRECTIONS: frequency f of the geodesic sphere that is used without a mesh on input port 1; the
+   * surface has 10 f^2 + 2 points and 20 f^2 triangles. If it is a multiple of the frequency of the
+   * input's mesh, no triangle lies across one of its edges. NETWORK with Subdivisions 0: the
+   * surface gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -124,7 +133,7 @@ public:
   ///@}
 
   /**
-   * The cloud that DomeHeight FITTED fits the surface to: input port 2.
+   * The points that the surface is fitted to. Only for, and needed by, DomeHeight FITTED.
    */
   void SetCloudConnection(vtkAlgorithmOutput* output);
 
@@ -149,7 +158,10 @@ public:
 
   ///@{
   /**
-   * EDGE_MATCHED (default) or PER_TRIANGLE: vtkCurvedSeamlessMap::SetSeamMode.
+   * How the maps of neighboring triangles join. EDGE_MATCHED (default): as one continuous map.
+   * PER_TRIANGLE: as published, each triangle for itself, with a jump along the common edge.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetSeamMode().
    */
   void SetSeamMode(int mode);
   int GetSeamMode();
@@ -159,8 +171,12 @@ public:
 
   ///@{
   /**
-   * CURVATURE (default), NONE, PUBLISHED, SCALED or FITTED: vtkCurvedSeamlessMap::SetDomeHeight.
-   * FITTED needs a cloud on input port 2.
+   * What is raised over the flat triangles. CURVATURE (default): a dome that follows the mesh's own
+   * normals, outwards on ridges and inwards in hollows. FITTED: one that is fitted to the cloud on
+   * input port 2. PUBLISHED and SCALED: the domes of the paper, which rise outwards everywhere.
+   * NONE: nothing.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetDomeHeight().
    */
   void SetDomeHeight(int height);
   int GetDomeHeight();
@@ -173,8 +189,11 @@ public:
 
   ///@{
   /**
-   * Whether the mesh was polished by least squares: AUTOMATIC (default, by its field array
-   * "Polished"), OFF or ON: vtkCurvedSeamlessMap::SetPolished.
+   * Whether the triangles of the mesh were fitted to points by least squares. AUTOMATIC (default):
+   * by the field array "Polished" that vtkConformalSOM writes. OFF or ON: for a learned mesh that
+   * has lost this array, for instance in a file.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetPolished().
    */
   void SetPolished(int polished);
   int GetPolished();
@@ -185,8 +204,11 @@ public:
 
   ///@{
   /**
-   * How far the vertices of a mesh polished by least squares are moved, in [0, 2], or negative
-   * (default) to take what vtkConformalSOM found: vtkCurvedSeamlessMap::SetVertexShift.
+   * How far the vertices of a mesh that was fitted to points are moved, as a share of what would
+   * keep its volume, in [0, 2]. 0 makes the surface go through the mesh's points; a negative value,
+   * the default, stands for what vtkConformalSOM found from the points.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetVertexShift().
    */
   void SetVertexShift(double shift);
   double GetVertexShift();
@@ -194,7 +216,10 @@ public:
 
   ///@{
   /**
-   * Rounds of FITTED, in [0, 100]. Default is 6: vtkCurvedSeamlessMap::SetNumberOfFitRounds.
+   * DomeHeight FITTED: how often the closest points are looked up and the surface is drawn to them.
+   * In [0, 100]. Default is 6.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetNumberOfFitRounds().
    */
   void SetNumberOfFitRounds(int rounds);
   int GetNumberOfFitRounds();
@@ -202,7 +227,10 @@ public:
 
   ///@{
   /**
-   * Smoothness of FITTED, in [0, 1000]. Default is 0.01: vtkCurvedSeamlessMap::SetFitSmoothness.
+   * DomeHeight FITTED: weight of a smooth surface against a close one. In [0, 1000]. Default is
+   * 0.01.
+   *
+   * This is a property of the map: vtkCurvedSeamlessMap::SetFitSmoothness().
    */
   void SetFitSmoothness(double smoothness);
   double GetFitSmoothness();

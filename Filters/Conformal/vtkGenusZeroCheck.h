@@ -2,6 +2,10 @@
  * @class   vtkGenusZeroCheck
  * @brief   check whether a surface is closed, manifold, connected, of genus zero and oriented
  *
+ * Pass the surface on with field data: IsGenusZero, the numbers of boundary edges, components,
+ * non-manifold edges and so on, the ids of faulty edges, points and cells, and all of it in
+ * words in GenusZeroReport. A spreadsheet view shows them under Field Data.
+ *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines
  * are ignored.
  *

@@ -2,6 +2,10 @@
  * @class   vtkGenusZeroHull
  * @brief   wrap scattered points into one closed surface without handles
  *
+ * Make a closed triangle mesh around the points, across holes in the data and without webs
+ * between limbs. The field data state how large the largest hole was, how many handles were cut
+ * open, and how many points lie outside.
+ *
  * Input port 0: vtkPointSet, any points in any order. Points that are not finite are left out with
  * a warning, hidden or duplicate ghost points silently. Cells and normals are used by
  * WINDING_NUMBERS only, see Indicator.
@@ -81,15 +85,16 @@ public:
 
   ///@{
   /**
-   * How inside and outside are told apart. DISTANCE (default): by the distance to the points, which
+   * How inside and outside are classified. DISTANCE (default): by the distance to the points, which
    * closes holes smaller than what is behind them. WINDING_NUMBERS: by winding numbers around all
-   * points, for scans with large holes, hidden sides or noise. They need normals: those of the
-   * input's polygons, else its active normals; inward ones are turned. Where there are none, or
-   * where they do not agree on what is inside (with a warning), normals are found from the points.
-   * AUTOMATIC: by the distance; where that seems wrong, as for a hole as wide as what is behind it,
-   * handles, or many points left out, by winding numbers if these do not, and if there is little
-   * noise.
-   * Takes about a second of one thread more.
+   * points, for scans with large holes, hidden sides or noise. AUTOMATIC: by the distance; where
+   * that seems wrong, by winding numbers if these do not.
+   *
+   * Winding numbers need normals: those of the input's polygons, else its active normals; inward
+   * ones are turned. Where there are none, or where they do not agree on what is inside (with a
+   * warning), normals are found from the points. With AUTOMATIC the distance seems wrong with a
+   * hole as wide as what is behind it, handles, or many points left out; winding numbers also have
+   * to find little noise. That needs about a second of one thread more.
    */
   vtkSetClampMacro(Indicator, int, DISTANCE, AUTOMATIC);
   vtkGetMacro(Indicator, int);
@@ -100,12 +105,14 @@ public:
 
   ///@{
   /**
-   * Spacing of the grid, as a fraction of the largest distance of a point from the centroid.
-   * Gaps of two spacings or less are closed. In [0.002, 0.2]. Default is 0.016. Time and memory
-   * grow with the number of grid nodes in the points' bounding box, 17 bytes a node: 2 million
-   * of them around a sphere by default, 8 times as many with half the spacing. More than
-   * 268,435,456 (4.6 GB) are an error, which says the smallest spacing possible for these points.
-   * For a sphere that is 0.00315; the flatter or thinner the object, the smaller it is.
+   * Spacing of the grid, as a fraction of the largest distance of a point from the centroid. Gaps
+   * of two spacings or less are closed. Time and memory grow with its inverse cubed. In [0.002,
+   * 0.2]. Default is 0.016.
+   *
+   * The grid covers the points' bounding box and needs 17 bytes a node: 2 million of them around a
+   * sphere by default, 8 times as many with half the spacing. More than 268,435,456 (4.6 GB) are an
+   * error, with the smallest spacing that is possible for these points. For a sphere that is
+   * 0.00315; the flatter or thinner the object, the smaller it is.
    */
   vtkSetClampMacro(Spacing, double, 0.002, 0.2);
   vtkGetMacro(Spacing, double);
@@ -113,7 +120,8 @@ public:
 
   ///@{
   /**
-   * DISTANCE: distance of the surface from the points, in spacings. In [0.9, 10]. Default is 1.
+   * DISTANCE: distance of the surface from the points, in spacings. WINDING_NUMBERS: not used, the
+   * surface goes through the points. In [0.9, 10]. Default is 1.
    */
   vtkSetClampMacro(Offset, double, 0.9, 10.0);
   vtkGetMacro(Offset, double);

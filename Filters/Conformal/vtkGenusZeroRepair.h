@@ -2,6 +2,10 @@
  * @class   vtkGenusZeroRepair
  * @brief   free a triangle mesh from handles, small holes and other parts, and leave the rest alone
  *
+ * Keep the largest part of the mesh, fill its holes, and cut each handle along a short loop
+ * around it or through it, so that the result is a closed surface of genus zero. Triangles that
+ * are left are not changed. The second output has the loops; the field data state what was done.
+ *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
  *

@@ -1,6 +1,10 @@
 /**
  * @class   vtkGeodesicSphereSource
- * @brief   unit sphere triangulated as a geodesic icosahedron
+ * @brief   make a geodesic sphere, the mesh that learning starts from
+ *
+ * A closed mesh of 10 f^2 + 2 points and 20 f^2 triangles on the unit sphere, f being the
+ * Frequency: the network of vtkConformalSOM before it has learned anything. Its points are also
+ * in the point array "SpherePosition".
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles on
  * the unit sphere around the origin, f being the Frequency, triangles counter-clockwise seen from

@@ -1,6 +1,10 @@
 /**
  * @class   vtkGlobalConformalMap
- * @brief   conformal map of a closed surface to the sphere
+ * @brief   map a closed surface to the sphere, conformally and without folds
+ *
+ * Give every point of a closed triangle mesh without handles its position on the sphere, the point
+ * array "SpherePosition", so that angles are kept: what the method of the paper is compared with.
+ * The field data state whether the map is finished and folds nowhere.
  *
  * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges are merged, triangles turned and points of no triangle
@@ -61,8 +65,8 @@ public:
 
   ///@{
   /**
-   * How the map is made: without folds whatever the surface (ROBUST), or as Gu and Yau published it
-   * (GUYAU). Default is ROBUST.
+   * How the map is made. ROBUST (default): without folds, whatever the surface. GUYAU: as Gu and
+   * Yau published it, which folds at obtuse triangles.
    */
   vtkSetClampMacro(Method, int, ROBUST, GUYAU);
   vtkGetMacro(Method, int);

@@ -2,6 +2,11 @@
  * @class   vtkSphericalTextureBlend
  * @brief   blend a picture of the front and one of the back into an image of the sphere
  *
+ * Make one image of two pictures, for the texture coordinates of vtkSphericalTextureMap in a
+ * projection that holds all of the sphere (any but STEREOGRAPHIC). The front picture lies where
+ * that filter's view meets the surface; over the equator between front and back the one fades
+ * into the other.
+ *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
  * image lies on the sphere, with the point array "SpherePosition" (3 components).
  *
@@ -46,7 +51,7 @@ public:
 
   ///@{
   /**
-   * The pictures, input ports 1 and 2.
+   * The pictures of the front and of the back: one slice each, with equally many components.
    */
   void SetFrontConnection(vtkAlgorithmOutput* algOutput);
   void SetFrontData(vtkImageData* front);
@@ -56,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Direction from the model to whoever sees the back picture, in the coordinates of the model. Of
+   * Direction from the model to the viewer of the back picture, in the coordinates of the model. Of
    * any length, but not zero. Default is (0, 0, -1).
    */
   vtkSetVector3Macro(BackViewDirection, double);
@@ -65,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Direction that he sees as up. Of any length, but not zero, and not parallel to
-   * BackViewDirection. Default is (0, 1, 0).
+   * Direction that is up for the viewer of the back picture. Of any length, but not zero, and not
+   * parallel to BackViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(BackViewUp, double);
   vtkGetVector3Macro(BackViewUp, double);

@@ -2,6 +2,10 @@
  * @class   vtkSphericalTextureImage
  * @brief   bake colors or arrays of a surface into an image of the sphere
  *
+ * Make an image that, seen through the texture coordinates of vtkSphericalTextureMap, looks like
+ * the surface: save it as PNG and load it as a Texture. Its point array OutsideSurface is 1
+ * where the map to the sphere has a hole.
+ *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
  * image lies on the sphere, with the point array "SpherePosition" (3 components). Seams may be
  * split or not. Polygons and strips are treated as triangles.
@@ -59,7 +63,8 @@ public:
 
   ///@{
   /**
-   * Where the values are taken from, if not from the surface itself: input port 1.
+   * What the values are taken from instead, at the closest point: for example the colored scan that
+   * the surface was learned from. Without it they are those of the surface.
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkPointSet* source);
@@ -76,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array to bake. Empty for the active scalars. Default is empty.
+   * Point array to bake. Empty (default) for the active scalars, such as the colors of a scan.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);

@@ -2,6 +2,11 @@
  * @class   vtkSphericalTextureMap
  * @brief   compute texture coordinates from a map to the sphere, for a chosen view
  *
+ * Give a mapped surface texture coordinates, which become its active ones: load a picture as
+ * Texture in the Display section and it shows, its middle facing the ViewDirection. Section 4.2
+ * of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008), and three projections that
+ * hold all of the sphere.
+ *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles.
  *
@@ -152,9 +157,9 @@ public:
 
   ///@{
   /**
-   * CLAMP draws the image's border out. REPEAT lets the coordinates go on beyond [0, 1], for a
-   * texture that repeats. MIRROR folds them at the image's borders; with SplitSeam the surface is
-   * cut there. Default is CLAMP.
+   * What lies where the image does not reach. CLAMP (default): the border of the image. REPEAT: the
+   * image again; its coordinates go on beyond [0, 1], for a texture that repeats. MIRROR: the image
+   * mirrored at its borders, where SplitSeam cuts the surface.
    */
   vtkSetClampMacro(Wrap, int, CLAMP, MIRROR);
   vtkGetMacro(Wrap, int);
@@ -165,11 +170,12 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the projection's seams and folds and the image's borders, and
-   * to give the points there a copy for each side, so that no triangle shows the image backwards or
-   * squeezed and OutsideImage is the same at all corners of each. STEREOGRAPHIC then has no image
-   * within 10 degrees of the opposite pole. The output consists of triangles and is no closed mesh
-   * any more. Default is off.
+   * Whether to cut the surface along the projection's seams and folds and the image's borders, so
+   * that no triangle shows the image backwards or squeezed. The output consists of triangles and is
+   * no closed mesh any more. Default is off.
+   *
+   * The points there get a copy for each side, and "OutsideImage" is the same at all corners of
+   * each triangle. STEREOGRAPHIC then has no image within 10 degrees of the opposite pole.
    */
   vtkSetMacro(SplitSeam, bool);
   vtkGetMacro(SplitSeam, bool);

@@ -2,12 +2,19 @@
  * @class   vtkSurfaceMismatch
  * @brief   measure the distances between a model surface and its reference, in both directions
  *
- * Input port 0: vtkPolyData, the model, a surface. Input port 1: vtkPolyData, the reference, a
- * surface or a cloud of points. Polygons and strips are treated as triangles. Distances to a
- * reference without any are those to its nearest point. All points of the reference count as data,
- * also those of no polygon.
+ * Add the point array Distance to the surface and, as a second output, to the reference. The
+ * field data of the surface hold the mean square distances, the mismatch error E_mis of the
+ * paper as MeanSquarePointToSurface among them, and the largest.
  *
- * Output port 0: the model. Output port 1: the reference. Each with
+ * Input port 0: vtkPolyData, the model, a surface. Polygons and strips are treated as triangles.
+ *
+ * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. Distances to a
+ * reference without polygons are those to its nearest point. All points of the reference count as
+ * data, also those of no polygon.
+ *
+ * Output port 0: vtkPolyData, the model.
+ *
+ * Output port 1: vtkPolyData, the reference. Each with
  * - point array "Distance" (double, 1 component): distance of the point to the other, in units of
  *   the coordinates.
  *
@@ -90,7 +97,7 @@ public:
 
   ///@{
   /**
-   * The reference, input port 1.
+   * The surface or cloud of points that the model is compared with.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);

@@ -1,9 +1,13 @@
 /**
  * @class   vtkConsistentRemesh
- * @brief   surfaces whose maps to the sphere correspond, on one mesh, with their mean and modes
+ * @brief   put mapped surfaces on one mesh, with their mean shape and principal components
  *
- * Input port 0 (repeatable): vtkPolyData, or composite data of them: one surface or more. Polygons
- * and strips are cut into triangles. Each has
+ * Give surfaces with the point array "SpherePosition" the same points of the sphere and the same
+ * triangles: points at the same position of the sphere correspond. The second output is their mean
+ * shape with its principal components.
+ *
+ * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data,
+ * with the point array "SpherePosition". Polygons and strips are cut into triangles. Each has
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. What lies at the same place corresponds. The surface must be closed and the map cover the
  *   sphere exactly once; all maps must mirror their surfaces, or none.

@@ -2,8 +2,14 @@
  * @class   vtkSphericalAlignment
  * @brief   align one surface's map to the sphere with another one's
  *
- * Input port 0: vtkPolyData, the surface whose map is moved. Input port 1: vtkPolyData, the surface
- * whose map it is to agree with. Both with the point array "SpherePosition" (3 components).
+ * Move a surface's map, the point array "SpherePosition", to where it agrees best with that of a
+ * reference: by pairs of points, or, if the two surfaces lie over each other in space, by
+ * themselves. The field array AlignmentError is what is left.
+ *
+ * Input port 0: vtkPolyData, the surface whose map is moved, with the point array "SpherePosition"
+ * (3 components).
+ *
+ * Input port 1: vtkPolyData, the surface whose map it is to agree with, with the same array.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the same map, moved.
@@ -63,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Pairs of points that are to come to the same place: a point of port 0 and one of port 1. Two or
-   * more for a rotation, three or more for a Moebius transform; none to use the surfaces
-   * themselves. Default is none.
+   * Pairs of point ids that correspond: one of the surface and one of the reference. Two pairs or
+   * more for a rotation, three or more for a Moebius transform; none (default) to use the surfaces
+   * themselves.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType referencePointId);
   void RemoveAllLandmarks();
@@ -74,7 +80,7 @@ public:
 
   ///@{
   /**
-   * The surface whose map is agreed with, input port 1.
+   * The surface whose map is agreed with, with the point array "SpherePosition".
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);

@@ -1,10 +1,16 @@
 /**
  * @class   vtkSphericalMorph
- * @brief   shape between surfaces whose maps to the sphere correspond
+ * @brief   morph mapped surfaces: any shape between two or more, also as time steps
  *
- * Input port 0: vtkPolyData, or composite data of them. Input port 1 (optional): the same. The
- * surfaces of both ports, one after the other, are morphed: two or more. Polygons and strips are
- * cut into triangles. Each has
+ * Morph surfaces with the point array "SpherePosition": points at the same position of the sphere
+ * correspond, as after vtkSphericalAlignment. Colors and other point arrays that all surfaces have
+ * are blended. With GenerateTimeSteps the time slider plays the morph.
+ *
+ * Input port 0: vtkPolyData, the first surface, or composite data of several, with the point array
+ * "SpherePosition". Polygons and strips are cut into triangles.
+ *
+ * Input port 1 (optional): vtkPolyData or composite data, more surfaces. Those of both ports, one
+ * after the other, are morphed: two or more. Each has
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. What lies at the same place corresponds (vtkSphericalAlignment). The map must cover the
  *   sphere exactly once; all maps must mirror their surfaces, or none.
@@ -143,7 +149,8 @@ public:
 
   ///@{
   /**
-   * More surfaces, input port 1: the target of the morph.
+   * The surface to morph to, or several as composite data, with the point array "SpherePosition".
+   * Not needed if the input has several.
    */
   void SetTargetConnection(vtkAlgorithmOutput* output);
   void SetTargetData(vtkDataObject* target);

@@ -2,9 +2,15 @@
  * @class   vtkSphericalRegistration
  * @brief   deform a surface's map to the sphere until it corresponds to another one's
  *
- * Input port 0: vtkPolyData, the moving surface. Input port 1: vtkPolyData, the fixed surface. Both
- * closed, of genus zero, with the point array "SpherePosition" (3 components): a map that covers
- * the sphere once without folds.
+ * Move a surface's map, the point array "SpherePosition", so that corresponding points of both
+ * surfaces have the same position on the sphere: by landmarks, by point arrays, or by the surfaces'
+ * own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
+ * TargetBarycentric hold what corresponds to each point.
+ *
+ * Input port 0: vtkPolyData, the moving surface: closed, of genus zero, with the point array
+ * "SpherePosition" (3 components), a map that covers the sphere once without folds.
+ *
+ * Input port 1: vtkPolyData, the fixed surface, likewise.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the map, deformed so that points of both
@@ -99,7 +105,8 @@ public:
 
   ///@{
   /**
-   * Pairs of points that correspond: ids of a point of port 0 and one of port 1. Default is none.
+   * Pairs of point ids that correspond: one of the moving and one of the fixed surface. Default is
+   * none.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType fixedPointId);
   void RemoveAllLandmarks();
@@ -130,7 +137,7 @@ public:
 
   ///@{
   /**
-   * The fixed surface, input port 1.
+   * The fixed surface: closed, of genus zero, with the point array "SpherePosition".
    */
   void SetFixedConnection(vtkAlgorithmOutput* output);
   void SetFixedData(vtkPolyData* fixed);

@@ -2,9 +2,16 @@
  * @class   vtkSphericalResample
  * @brief   carry point arrays from one surface to another by their maps to the sphere
  *
- * Input port 0: vtkPolyData, the target: the surface that gets the arrays. Input port 1:
- * vtkPolyData, the source: the surface that has them. Polygons and strips are cut into triangles.
- * Both have
+ * Give a surface the point arrays of another one: points at the same position of the sphere
+ * correspond. Numbers and colors are averaged, labels (arrays of integers with 1 component) and
+ * masks are voted on. Both surfaces have the point array "SpherePosition", and their maps must
+ * correspond, as after vtkSphericalAlignment.
+ *
+ * Input port 0: vtkPolyData, the target: the surface that gets the arrays, with the point array
+ * "SpherePosition" or points that lie on a sphere around the origin. Polygons and strips are cut
+ * into triangles.
+ *
+ * Input port 1: vtkPolyData, the source: the surface that has the arrays. Both have
  * - point array "SpherePosition" (3 components, of any length but 0, float or double): where on the
  *   sphere the point lies. What lies at the same place corresponds. Surfaces must be closed and the
  *   maps cover the sphere once; of a target with BARYCENTRIC neither counts, nor need there be
@@ -80,7 +87,8 @@ public:
 
   ///@{
   /**
-   * The surface that has the arrays, input port 1.
+   * The surface that has the arrays, with the point array "SpherePosition" or points that lie on a
+   * sphere around the origin.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkPolyData* source);

@@ -2,8 +2,12 @@
  * @class   vtkSphericalTemplate
  * @brief   register many mapped surfaces with their mean, so that all of them correspond
  *
- * Input port 0 (repeatable): vtkPolyData, or composite data of them: one surface or more, closed,
- * of genus zero, in one space, each with
+ * Move the maps of all surfaces, their point arrays "SpherePosition", so that corresponding points
+ * of all surfaces have the same position on the sphere: each surface is registered with the mean of
+ * all, in several rounds. The second output is the mean surface.
+ *
+ * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data:
+ * closed, of genus zero, in one space, with the point array "SpherePosition". Each has
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
  * Output port 0: vtkMultiBlockDataSet, a block for each surface in their order, with the names of

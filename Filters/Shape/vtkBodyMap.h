@@ -2,6 +2,11 @@
  * @class   vtkBodyMap
  * @brief   give a mapped body longitudes and latitudes, heights and slopes
  *
+ * Turn and move the surface's map to the sphere, the point array "SpherePosition", so that its
+ * poles lie on the rotation axis and longitude 0 goes through a marker. The second output has
+ * meridians and parallels on the body, the third places given by longitude and latitude. These
+ * are no planetocentric or planetographic coordinates.
+ *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), as
  * vtkGlobalConformalMap writes it. Polygons and strips are treated as triangles.
  *
@@ -67,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Places on the map to put on the body: input port 1.
+   * Places on the map to put on the body: x is the longitude, y the latitude, in degrees.
    */
   void SetPlacesConnection(vtkAlgorithmOutput* algOutput);
   void SetPlacesData(vtkPolyData* places);
@@ -102,7 +107,8 @@ public:
 
   ///@{
   /**
-   * See UseMarkerPoint. Default is (1, 0, 0).
+   * Longitude 0 goes through the point of the surface that is closest to this one. Only with
+   * UseMarkerPoint. Default is (1, 0, 0).
    */
   vtkSetVector3Macro(MarkerPoint, double);
   vtkGetVector3Macro(MarkerPoint, double);
@@ -122,7 +128,7 @@ public:
 
   ///@{
   /**
-   * Degrees between the lines of output port 1. In [1, 90]. Default is 15.
+   * Degrees between meridians, and between parallels, on output port 1. In [1, 90]. Default is 15.
    */
   vtkSetClampMacro(GraticuleSpacing, double, 1.0, 90.0);
   vtkGetMacro(GraticuleSpacing, double);

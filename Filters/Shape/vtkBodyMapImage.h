@@ -2,6 +2,10 @@
  * @class   vtkBodyMapImage
  * @brief   draw a map of a body: any array in one of four projections of the sphere
  *
+ * Make an image of the body that vtkBodyMap has given longitudes and latitudes. All of the
+ * surface is on it. Point arrays state what lies beyond the outline of the map, and where
+ * meridians and parallels run.
+ *
  * Input port 0: vtkPolyData, an output of vtkBodyMap, or any surface with the point array
  * "SpherePosition" (3 components) whose north pole is (0, 0, 1). Polygons and strips are treated as
  * triangles.
@@ -58,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array to draw. Empty for the active scalars. Default is empty.
+   * Point array to draw. Empty (default) for the active scalars.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
@@ -108,7 +112,8 @@ public:
 
   ///@{
   /**
-   * Whether to add "BodyPosition". Default is off.
+   * Whether to add the point array "BodyPosition", the point of the body that each pixel shows.
+   * Default is off.
    */
   vtkSetMacro(GeneratePositions, bool);
   vtkGetMacro(GeneratePositions, bool);

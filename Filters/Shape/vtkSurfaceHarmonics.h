@@ -1,8 +1,13 @@
 /**
  * @class   vtkSurfaceHarmonics
- * @brief   the spherical harmonics of a mapped surface and of arrays on it
+ * @brief   compute the spherical harmonics of a mapped surface and of arrays on it
  *
- * Input port 0: vtkPolyData, a closed surface; polygons and strips are cut into triangles. With
+ * Describe a closed surface that has the point array "SpherePosition" by spherical harmonics,
+ * and rebuild it from those of low degree. The second output is the table of coefficients, from
+ * which vtkSurfaceHarmonicsSource makes surfaces.
+ *
+ * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
+ * strips are cut into triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): its map to the sphere, which
  *   covers the sphere once without folds, or mirrors the surface so.
  *
@@ -152,7 +157,7 @@ public:
 
   ///@{
   /**
-   * The coefficients that Alignment compares with, input port 1.
+   * The coefficients of another surface, by which Alignment decides which way axes point.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkTable* reference);

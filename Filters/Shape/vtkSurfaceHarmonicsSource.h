@@ -1,9 +1,13 @@
 /**
  * @class   vtkSurfaceHarmonicsSource
- * @brief   a surface from its spherical harmonics
+ * @brief   make a surface from a table of its spherical harmonics
  *
- * Input port 0: vtkTable with a row for each harmonic of degrees 0 to L, at most 1024, in any
- * order:
+ * Make a closed surface of a table of coefficients, as the second output of vtkSurfaceHarmonics
+ * is one.
+ *
+ * Input port 0: vtkTable, the coefficients: columns "Degree", "Order", "X", "Y" and "Z"; others of
+ * numbers become point arrays. It has a row for each harmonic of degrees 0 to L, at most 1024, in
+ * any order:
  * - columns "Degree", "Order": l, and m from -l to l.
  * - columns "X", "Y", "Z": coefficients of the coordinates.
  * - any other columns of numbers: coefficients of point arrays. Columns of text are left out.
@@ -34,7 +38,8 @@ public:
 
   ///@{
   /**
-   * f, for 10 f^2 + 2 points, in [1, 1000]. Default is 36: 12,962 points.
+   * Frequency f of the geodesic sphere, for 10 f^2 + 2 points, in [1, 1000]. Default is 36: 12,962
+   * points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);

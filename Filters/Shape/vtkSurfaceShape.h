@@ -1,6 +1,9 @@
 /**
  * @class   vtkSurfaceShape
- * @brief   curvatures of a closed surface, and how deep its folds are
+ * @brief   measure the curvatures of a closed surface and the depth of its folds
+ *
+ * Add the point arrays MeanCurvature (above 0 where the surface bulges out), GaussianCurvature,
+ * and SulcalDepth (above 0 in folds, below 0 on ridges).
  *
  * Input port 0: vtkPolyData, a closed surface without handles, mapped to the sphere or not.
  * Polygons and strips are treated as triangles. Coincident points of open edges are merged,

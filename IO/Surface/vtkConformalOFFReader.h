@@ -2,6 +2,8 @@
  * @class   vtkConformalOFFReader
  * @brief   read meshes and clouds in the OFF format of Geomview, with all its prefixes
  *
+ * Read Geomview's OFF files, text or binary, with normals, colors and texture coordinates.
+ *
  * Output port 0: vtkPolyData, the points and polygons of a file whose keyword is
  * [ST][C][N][4][n]OFF, of three dimensions, as text (points are double) or BINARY (float). The
  * keyword may be missing, but CanReadFile() does not know such a file. The fourth coordinate of

@@ -2,6 +2,8 @@
  * @class   vtkConformalOFFWriter
  * @brief   write OFF text with normals, colors and texture coordinates
  *
+ * Write OFF as text, with the active normals, colors and texture coordinates.
+ *
  * Input port 0: vtkPolyData. What is written is OFF as text: active normals, colors and texture
  * coordinates of the points, active colors (or else the array "ColorIndex" of 1 integer) of the
  * polygons. Numbers are written so that they are read back the same.

@@ -2,6 +2,10 @@
  * @class   vtkConformalPLYReader
  * @brief   read scans in the PLY format: every property, strips, doubles, visible clouds
  *
+ * Read PLY files of all three formats. Unlike ParaView's PLY Reader it keeps every property of a
+ * point and double precision, reads triangle strips, range grids and clouds without triangles (with
+ * vertices, so that they are shown), and refuses broken files with an error.
+ *
  * Output port 0: vtkPolyData, the points and polygons of a PLY file of any of its three formats.
  * The points are floats if x, y and z are, else doubles. Triangle strips become triangles, and so
  * do neighbors in the grid of a range scan. vtkSurfaceFileReader describes what all

@@ -2,6 +2,9 @@
  * @class   vtkConformalPLYWriter
  * @brief   write PLY with all arrays
  *
+ * Write binary PLY with all arrays of points and polygons, "SpherePosition" among them;
+ * vtkConformalPLYReader reads the same back.
+ *
  * Input port 0: vtkPolyData. What is written is PLY, binary little endian, with all arrays of
  * points and polygons: active normals, texture coordinates and colors by their usual names, others
  * of several components as NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.

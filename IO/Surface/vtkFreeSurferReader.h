@@ -2,6 +2,9 @@
  * @class   vtkFreeSurferReader
  * @brief   read FreeSurfer's surfaces with their sphere and their curvature
  *
+ * Read a surface such as lh.white and, if named, its sphere (as "SpherePosition") and a file
+ * with one number for each point (as Curvature).
+ *
  * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
  * lh.white.
  * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
@@ -31,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Name of the file whose points are the places of the surface's points on the sphere. Default is
-   * none.
+   * File whose points are the positions of the surface's points on the sphere, such as lh.sphere.
+   * Default is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -40,7 +43,7 @@ public:
 
   ///@{
   /**
-   * Name of a file with one number for each point. Default is none.
+   * File with one number for each point, such as lh.curv or lh.thickness. Default is none.
    */
   vtkSetFilePathMacro(CurvatureFileName);
   vtkGetFilePathMacro(CurvatureFileName);

@@ -2,6 +2,9 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
+ * Write triangles with the surface's points, or with their positions on the sphere, or one number
+ * for each point.
+ *
  * Input port 0: vtkPolyData of triangles. Content chooses what is written:
  * - SURFACE: the points, as floats, and the triangles.
  * - SPHERE: the same triangles with the points of array "SpherePosition" (3 components) times 100,
@@ -36,7 +39,8 @@ public:
 
   ///@{
   /**
-   * What is written: SURFACE, SPHERE or CURVATURE. Default is SURFACE.
+   * What is written. SURFACE (default): points and triangles. SPHERE: the triangles with the point
+   * array "SpherePosition" times 100 as points. CURVATURE: the point array ArrayName.
    */
   vtkSetClampMacro(Content, int, SURFACE, CURVATURE);
   vtkGetMacro(Content, int);

@@ -2,6 +2,9 @@
  * @class   vtkGIFTIReader
  * @brief   read GIFTI surfaces with their sphere and numbers at their points
  *
+ * Read a surface (.surf.gii) and, if named, its sphere (as "SpherePosition") and a file with
+ * arrays of numbers at the points.
+ *
  * Output port 0: vtkPolyData, the points (float or double, as in the file) and triangles of a
  * surface (.surf.gii): ASCII, Base64Binary or GZipBase64Binary, of both orders of bytes and of
  * indices.
@@ -34,8 +37,7 @@ public:
 
   ///@{
   /**
-   * Name of the file whose points are the places of the surface's points on the sphere. Default is
-   * none.
+   * File whose points are the positions of the surface's points on the sphere. Default is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -43,7 +45,8 @@ public:
 
   ///@{
   /**
-   * Name of a file with arrays of numbers at the surface's points. Default is none.
+   * File with arrays of numbers at the surface's points, such as .shape.gii, .func.gii or
+   * .label.gii. Default is none.
    */
   vtkSetFilePathMacro(ShapeFileName);
   vtkGetFilePathMacro(ShapeFileName);

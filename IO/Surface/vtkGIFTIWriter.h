@@ -2,6 +2,9 @@
  * @class   vtkGIFTIWriter
  * @brief   write GIFTI surfaces, spheres and numbers at their points
  *
+ * Write points, triangles and every array of the points, compressed, or as files that other
+ * programs of neuroimaging read: the geometry, the sphere or the arrays alone.
+ *
  * Input port 0: vtkPolyData. What is written is GIFTI, compressed. Content is
  * - SURFACE: points in their type, triangles, and every array of the points by its name
  *   (.surf.gii). Polygons of more corners are an error.
@@ -42,7 +45,10 @@ public:
 
   ///@{
   /**
-   * What is written: SURFACE, GEOMETRY, SPHERE or SHAPE. Default is SURFACE.
+   * What is written. SURFACE (default): the surface with its arrays. GEOMETRY: its points and
+   * triangles alone. SPHERE: the triangles with the point array "SpherePosition" times 100 as
+   * points. SHAPE: the point arrays with 1 component alone (.shape.gii). Connectome Workbench reads
+   * all but the first.
    */
   vtkSetClampMacro(Content, int, SURFACE, SHAPE);
   vtkGetMacro(Content, int);
@@ -54,8 +60,9 @@ public:
 
   ///@{
   /**
-   * What the surface is of, for programs that ask: the metadata AnatomicalStructurePrimary, such as
-   * CortexLeft or CortexRight. Default is empty: none is written.
+   * What the surface is of, such as CortexLeft or CortexRight, for programs that need it, as
+   * Connectome Workbench: the metadata AnatomicalStructurePrimary. Default is empty: none is
+   * written.
    */
   vtkSetMacro(AnatomicalStructure, std::string);
   vtkGetMacro(AnatomicalStructure, std::string);

@@ -1,6 +1,8 @@
 /**
  * @class   vtkGuMeshReader
- * @brief   read meshes in the .m format of X. Gu's MeshLib, with their sphere map
+ * @brief   read meshes in the .m format of MeshLib, with their sphere map
+ *
+ * Read vertices, faces and the traits sph (as "SpherePosition"), normal, uv and rgb.
  *
  * Output port 0: vtkPolyData, the vertices (double) and faces of the file.
  * - point array "SpherePosition" (double, 3 components), of unit length: trait sph of the vertices,

@@ -1,6 +1,9 @@
 /**
  * @class   vtkGuMeshWriter
- * @brief   write meshes in the .m format of X. Gu's MeshLib, with their sphere map
+ * @brief   write meshes in the .m format of MeshLib, with their sphere map
+ *
+ * Write points and polygons, and as traits of the points "SpherePosition" (sph), normals,
+ * texture coordinates and colors.
  *
  * Input port 0: vtkPolyData. What is written is Gu's .m: points and polygons, and of the points as
  * traits

@@ -2,6 +2,9 @@
  * @class   vtkPCDReader
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
+ * Read PCD clouds as text, binary or compressed, with all fields. Points that are not finite, where
+ * the scanner measured nothing, are left out.
+ *
  * Output port 0: vtkPolyData, the points of a file of version 0.5 to 0.7, ascii, binary or
  * binary_compressed, with one vertex for each. The points are floats if x, y and z are, else
  * doubles. A point that is not finite is one that the scanner did not see: it is dropped without a

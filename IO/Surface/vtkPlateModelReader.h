@@ -1,7 +1,8 @@
 /**
  * @class   vtkPlateModelReader
- * @brief   read plate models of comets, asteroids and moons (.tab, .ver) of the Planetary Data
- * System
+ * @brief   read plate models of small bodies (.tab, .ver) of the Planetary Data System
+ *
+ * Read the vertices and triangular plates of a shape model, with or without numbered rows.
  *
  * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file that has numbers
  * of vertices and plates and a row for each: X Y Z or I X Y Z, then A B C, I A B C, or 3 A B C, of

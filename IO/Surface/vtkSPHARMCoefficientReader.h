@@ -2,6 +2,8 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
+ * Give a table, of which vtkSurfaceHarmonicsSource makes the surface.
+ *
  * Output port 0: vtkTable as vtkSurfaceHarmonics makes it, a row for each harmonic: columns
  * "Degree", "Order" (int) and "X", "Y", "Z" (double). Numbers are those of real orthonormal
  * harmonics without the Condon-Shortley phase, so that vtkSurfaceHarmonicsSource makes the

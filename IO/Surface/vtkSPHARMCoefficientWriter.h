@@ -2,6 +2,8 @@
  * @class   vtkSPHARMCoefficientWriter
  * @brief   write spherical-harmonic coefficients for SPHARM-PDM (.coef)
  *
+ * Write the table that is the second output of vtkSurfaceHarmonics.
+ *
  * Input port 0: vtkTable as vtkSurfaceHarmonics makes it: columns "Degree", "Order", "X", "Y" and
  * "Z". Other columns are left out. Numbers are written with 15 digits, in SPHARM-PDM's own
  * normalization, so that its programs make the same surface of them; vtkSPHARMCoefficientReader

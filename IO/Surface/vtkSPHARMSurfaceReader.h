@@ -2,6 +2,9 @@
  * @class   vtkSPHARMSurfaceReader
  * @brief   read surfaces of SPHARM-PDM (_surf) with their sphere (_para)
  *
+ * Read a surface, such as shape_surf.vtk, and its sphere, shape_para.vtk, as the point array
+ * "SpherePosition".
+ *
  * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
  * as shape_surf.vtk, text or binary. Its arrays are not read.
  * - point array "SpherePosition" (double, 3 components), of unit length: the points of the sphere,
@@ -28,8 +31,8 @@ public:
 
   ///@{
   /**
-   * Name of the file whose points are the places of the surface's points on the sphere. Default is
-   * none: the file shape_para.vtk of a shape_surf.vtk, or of a shape.vtk, is read if it is there.
+   * File whose points are the positions of the surface's points on the sphere. Default is none: the
+   * file shape_para.vtk of a shape_surf.vtk, or of a shape.vtk, is read if it is there.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);

@@ -2,8 +2,10 @@
  * @class   vtkSPHARMSurfaceWriter
  * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Input port 0: vtkPolyData, triangles, with
- * - point array "SpherePosition" (3 components).
+ * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition"
+ * into shape_para.vtk beside it.
+ *
+ * Input port 0: vtkPolyData, triangles with the point array "SpherePosition" (3 components).
  *
  * What is written are two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
  * and shape_para.vtk beside it, whose points are SpherePosition, of unit length. (Where a name has

@@ -2,6 +2,9 @@
  * @class   vtkStanfordScansReader
  * @brief   read range scans and the motions that align them as one cloud
  *
+ * Read all PLY files that a .conf file of the Stanford scanning repository names, each moved by its
+ * transform there. The point array ScanId has the number of each point's scan.
+ *
  * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
  * Stanford scanning repository names, each moved as the file says, with one vertex for each.
  * - point array "ScanId" (int, 1 component): which of the scans that the file names, counted from

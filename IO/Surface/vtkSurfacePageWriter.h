@@ -2,6 +2,9 @@
  * @class   vtkSurfacePageWriter
  * @brief   write a web page that shows a surface and its sphere in any browser
  *
+ * Write one file that needs no network: surface and sphere turn side by side, with a picture or
+ * any point array as color; a point picked on the one is marked on the other.
+ *
  * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
  * are left out.
  * - point array "SpherePosition" (float or double, 3 components): its map to the sphere.
@@ -55,7 +58,7 @@ public:
 
   ///@{
   /**
-   * The picture, input port 1.
+   * The picture: one slice of unsigned char, RGB or RGBA.
    */
   void SetTextureConnection(vtkAlgorithmOutput* algOutput);
   void SetTextureData(vtkImageData* picture);

@@ -2,6 +2,10 @@
  * @class   vtkTextCloudReader
  * @brief   read clouds of points as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
+ * Read one point from each line, whatever separates the numbers: XYZ, ASC, TXT, CSV, NTS and PTS
+ * files. Normals, colors and intensities are recognized by a line of names, or by the numbers
+ * themselves.
+ *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
  * separated by blanks, tabs, commas or semicolons. Lines that are blank or begin with #, // or ;
  * are passed over. A number alone on the first line is the number of points that follow, as in PTS

@@ -2,6 +2,9 @@
  * @class   vtkTextCloudWriter
  * @brief   write clouds of points as text
  *
+ * Write one point on a line, with all its numbers between blanks; a remark at the start names
+ * the columns. Polygons are left out.
+ *
  * Input port 0: vtkPolyData. What is written is one point on a line, all its numbers between
  * blanks; a remark at the start names the columns if there are more than x, y and z. Arrays of
  * several components other than active normals and colors (3 unsigned chars) become several

@@ -2,6 +2,9 @@
  * @class   vtkTexturedSurfaceWriter
  * @brief   write a surface and its texture as binary glTF, OBJ or PLY
  *
+ * Write a surface with its active texture coordinates, and the picture that belongs to them:
+ * .glb in one file, .obj and .ply with a PNG beside them.
+ *
  * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
  * are left out.
  * - active texture coordinates of the points (any type, 2 components): u to the right and v up, 0
@@ -48,7 +51,7 @@ public:
 
   ///@{
   /**
-   * The picture, input port 1.
+   * The picture: one slice of unsigned char, RGB or RGBA.
    */
   void SetTextureConnection(vtkAlgorithmOutput* algOutput);
   void SetTextureData(vtkImageData* picture);

@@ -36,14 +36,6 @@ function (is_concrete class header result)
   endif ()
 endfunction ()
 
-# A class that makes objects for a pipeline is in ParaView too; bases and helpers are not.
-function (require_proxy class header unit)
-  file(READ "${SOURCE_DIR}/${header}" text)
-  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n")
-    require_file(${class} "Wrapping/ParaView/${unit}.xml")
-  endif ()
-endfunction ()
-
 # A class that makes objects for a pipeline and has inputs gets broken ones in a test. Tables have no
 # points and cells that could be broken.
 function (require_input_case class header)
@@ -90,7 +82,6 @@ function (check_module folder core_folder document)
       require_line(${class} README.md "${class}" "the class")
     endif ()
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
-    require_proxy(${class} "${folder}/${class}.h" ${unit})
     require_input_case(${class} "${folder}/${class}.h")
     require_mirrored_options(${class} "${folder}/${class}.cxx")
     require_measured_progress(${class} "${folder}/${class}.h")

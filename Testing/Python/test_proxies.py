@@ -1,10 +1,11 @@
-"""ParaView's XML says of every class what the class itself says: commands, defaults, ranges, ports.
+"""ParaView's proxies are made of the classes: texts for a panel, domains, files, and clear errors of overlays.
 
 No ParaView is needed for that; what needs one is tested in Testing/ParaView.
 """
-import glob
 import os
 import re
+import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -14,266 +15,217 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 FOLDER = os.path.join(SOURCE, "Wrapping", "ParaView")
-AUTOMATIC = {"NumberOfNeurons": 0}  # what stands for the number that the class then says
+sys.path.insert(0, os.path.join(SOURCE, "Wrapping", "Describe"))
+import describe
+import proxies
+
 LEFT_OUT = {"Controller"}  # ParaView's own processes, which is the default
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
+LONGEST_TEXT = 640  # of a tooltip
+CLASSES = describe.classes()
+ROOT = proxies.proxies(CLASSES, FOLDER)
 
 
-def sentence(text):
-    """The text without blanks, case, remarks in brackets and final stop, for comparisons."""
-    return re.sub(r"\([^)]*\)|\.$|\s", "", text.strip()).lower()
+def proxy_of(name):
+    """The proxy that is shown for a class, and the one that has the class's properties."""
+    found = [proxy for group in ROOT for proxy in group]
+    shown, = (proxy for proxy in found if proxy.get("name") == name)
+    core, = (proxy for proxy in found if proxy.get("class") == "vtk" + name)
+    return shown, core
 
 
-def numbers(text):
-    return [float(word) for word in text.split()]
-
-
-class Proxy:
-    """One file: the proxy that users see, and the one that has the class's properties."""
-
-    def __init__(self, path):
-        self.name = os.path.splitext(os.path.basename(path))[0]
-        proxies = [proxy for group in ElementTree.parse(path).getroot() for proxy in group]
-        self.shown, = (proxy for proxy in proxies if proxy.get("name") == self.name)
-        self.class_name = "vtk" + self.name
-        self.core, = (proxy for proxy in proxies if proxy.get("class") == self.class_name)
-        self.proxies = proxies
-        self.type = getattr(conformalsom, self.class_name)
-        self.object = self.type()
-
-    def properties(self, *kinds):
-        """Properties that set something in the class."""
-        return [element for element in self.core if element.tag in kinds and element.get("command")]
-
-    def documented(self):
-        """All that must say what it is for."""
-        for proxy in self.proxies:
-            for element in proxy:
-                if element.tag in VALUES + ("InputProperty",):
-                    yield element
-
-    def is_writer(self):
-        return self.name.endswith("Writer")
-
-
-def setters(cls):
-    """Names of the settings of a class and of its bases in the package, from its methods."""
-    for base in cls.__mro__:
-        if not base.__module__.startswith("conformalsom"):
-            continue
-        methods = vars(base)
-        for method in methods:
-            if not method.startswith(("Set", "Add")):
-                continue
-            name = method[len("Set"):]
-            if any(name.startswith(other[len("Set"):] + "To") for other in methods
-                   if other.startswith("Set") and other != method):
-                continue  # SetMethodToRobust
-            yield name
-
-
-PROXIES = [Proxy(path) for path in sorted(glob.glob(os.path.join(FOLDER, "*.xml")))]
-
-
-def of_each_proxy(test):
-    """A test that is told a proxy, of all of them."""
-    def all_of_them(self):
-        for proxy in PROXIES:
-            with self.subTest(proxy.name):
-                test(self, proxy)
-    all_of_them.__doc__ = test.__doc__
-    return all_of_them
+def documented():
+    """All elements of which the panel shows a text, with the name of their proxy."""
+    for proxy in (proxy for group in ROOT for proxy in group):
+        for element in proxy:
+            if element.tag in VALUES + ("InputProperty",):
+                yield proxy.get("name"), element
 
 
 class TestProxies(unittest.TestCase):
 
-    def test_every_algorithm_has_its_file(self):
-        found = {proxy.class_name for proxy in PROXIES}
-        self.assertGreater(len(found), 25)
+    def test_every_algorithm_has_a_proxy(self):
+        self.assertGreater(len(CLASSES), 25)
         for name, cls in vars(conformalsom).items():
-            if isinstance(cls, type) and issubclass(cls, vtkAlgorithm) and name not in found:
+            if isinstance(cls, type) and issubclass(cls, vtkAlgorithm) and name not in CLASSES:
                 with self.subTest(name):
                     self.assertRaises((NotImplementedError, TypeError), cls)  # a base of others
+        for class_ in CLASSES.values():
+            with self.subTest(class_.name):
+                proxy_of(class_.unit)
 
-    @of_each_proxy
-    def test_every_setting_is_a_property(self, proxy):
-        known = {element.get("command")[len("Set"):]
-                 for element in proxy.properties(*VALUES)}
-        inputs = {element.get("name") for element in proxy.properties("InputProperty")}
-        if proxy.is_writer():
-            known.add("FileName")  # given by ParaView's own writer around ours
-        for name in set(setters(proxy.type)) - LEFT_OUT:
-            port = re.fullmatch("(.+)(Connection|Data)", name)
-            if port:
-                self.assertIn(port.group(1), inputs)
-            else:
-                self.assertIn(name, known)
+    def test_every_setting_is_a_property(self):
+        """Set...(), Add...() and their ports; SetMethodToRobust() is a value of Method."""
+        for class_ in CLASSES.values():
+            _, core = proxy_of(class_.unit)
+            commands = {element.get("command") for element in core} | {"SetFileName"}
+            inputs = {element.get("name") for element in core.findall("InputProperty")}
+            for base in getattr(conformalsom, class_.name).__mro__:
+                methods = [method for method in vars(base) if method.startswith(("Set", "Add"))]
+                for method in methods if base.__module__.startswith("conformalsom") else []:
+                    name = method[len("Set"):]
+                    if name in LEFT_OUT or any(method.startswith(other + "To") for other in methods):
+                        continue
+                    port = re.fullmatch("(.+)(Connection|Data)", name)
+                    with self.subTest(class_.name + "::" + method):
+                        self.assertTrue(port and port.group(1) in inputs or method in commands)
 
-    @of_each_proxy
-    def test_every_command_is_a_method_named_as_the_property(self, proxy):
-        for element in proxy.properties(*VALUES):
-            self.assertTrue(hasattr(proxy.object, element.get("command")))
-            self.assertIn(element.get("command"),
-                          ("Set" + element.get("name"), "Add" + element.get("name")[:-1]))
-            for other in ("clean_command", "set_number_command"):
-                if element.get(other):
-                    self.assertTrue(hasattr(proxy.object, element.get(other)))
+    def test_a_proxy_in_full(self):
+        """A known answer."""
+        shown, _ = proxy_of("GenusZeroRepair")
+        self.assertEqual(shown.attrib, {"name": "GenusZeroRepair", "class": "vtkGenusZeroRepair",
+                                        "label": "Genus Zero Repair"})
+        area = shown.find("DoubleVectorProperty")
+        self.assertEqual(area.attrib, {"name": "MaximumHoleArea", "command": "SetMaximumHoleArea",
+                                       "number_of_elements": "1", "default_values": "0.25"})
+        self.assertEqual(area.find("DoubleRangeDomain").attrib, {"name": "range", "min": "0", "max": "1"})
+        self.assertIn("The largest hole that is filled", area.findtext("Documentation"))
+        self.assertEqual([port.get("name") for port in shown.findall("OutputPort")], ["Surface", "Loops"])
+        self.assertEqual(shown.find("Hints/ShowInMenu").get("category"), "Conformal SOM")
+        self.assertEqual(shown.find("InputProperty/DataTypeDomain/DataType").get("value"), "vtkPolyData")
 
-    @of_each_proxy
-    def test_defaults_are_those_of_the_class(self, proxy):
-        for element in proxy.properties(*VALUES):
-            name, default = element.get("name"), element.get("default_values")
-            if element.get("repeat_command"):
-                self.assertIsNone(default)
-                continue
-            value = getattr(proxy.object, "Get" + name)()
-            if name in AUTOMATIC:
-                getattr(proxy.object, "Set" + name)(AUTOMATIC[name])
-                self.assertEqual(getattr(proxy.object, "Get" + name)(), value)
-                value = AUTOMATIC[name]
-            with self.subTest(name):
-                if element.tag == "StringVectorProperty":
-                    self.assertEqual(default or "", value or "")
-                else:
-                    values = value if isinstance(value, tuple) else (value,)
-                    self.assertEqual(numbers(default), [float(v) for v in values])
-                    self.assertEqual(int(element.get("number_of_elements")), len(values))
+    def test_every_value_has_a_domain(self):
+        for name, element in documented():
+            if element.get("command") and element.tag != "InputProperty" and element.get("name") != "FileName":
+                with self.subTest(f"{name}.{element.get('name')}"):
+                    self.assertTrue(element.get("repeat_command") or
+                                    any(child.tag.endswith("Domain") for child in element))
 
-    @of_each_proxy
-    def test_ranges_are_those_of_the_class(self, proxy):
-        """A clamp of the class is the range, or the values of the menu; VTK_INT_MAX means none."""
-        endless = 2.0**31 - 1
-        for element in proxy.properties("IntVectorProperty", "DoubleVectorProperty"):
-            name = element.get("name")
-            if not hasattr(proxy.object, f"Get{name}MinValue"):
-                continue
-            with self.subTest(name):
-                low = getattr(proxy.object, f"Get{name}MinValue")()
-                high = getattr(proxy.object, f"Get{name}MaxValue")()
-                menu = element.find("EnumerationDomain")
-                if menu is not None:
-                    values = sorted(int(entry.get("value")) for entry in menu)
-                    self.assertEqual(values, list(range(low, high + 1)))
-                    continue
-                domain = element.find(element.tag.replace("VectorProperty", "RangeDomain"))
-                self.assertEqual(float(domain.get("min")), low)
-                if domain.get("max") is not None:
-                    self.assertEqual(float(domain.get("max")), high)
-                else:
-                    self.assertGreaterEqual(high, endless)
+    def test_texts_are_short_and_for_a_panel(self):
+        """No names of C++ and Python, which a header has: classes, methods, constants, ports."""
+        constants = {constant for class_ in CLASSES.values() for property_ in class_.properties
+                     for value in property_.values for constant in value.constants if "_" in constant}
+        pattern = rf"\bvtk[A-Z]\w*|\w+::|\bSet[A-Z]\w+|\bport \d|@\w+|\b(?:{'|'.join(sorted(constants))})\b"
+        for name, element in documented():
+            text = " ".join(element.findtext("Documentation").split())
+            with self.subTest(f"{name}.{element.get('name')}"):
+                self.assertGreater(len(text), 8)
+                self.assertLessEqual(len(text), LONGEST_TEXT, "begin a new paragraph in the header after what users need")
+                self.assertEqual(re.findall(pattern, text), [])
+        for class_ in CLASSES.values():
+            text = proxy_of(class_.unit)[0].find("Documentation")
+            with self.subTest(class_.name):
+                self.assertGreater(len(text.text), 20)
+                self.assertEqual(re.findall(pattern, text.text + text.get("short_help")), [])
 
-    @of_each_proxy
-    def test_every_value_has_a_domain(self, proxy):
-        for element in proxy.properties(*VALUES):
-            with self.subTest(element.get("name")):
-                self.assertTrue(element.get("repeat_command") or
-                                any(child.tag.endswith("Domain") for child in element))
-
-    @of_each_proxy
-    def test_ports_are_those_of_the_class(self, proxy):
-        inputs = proxy.properties("InputProperty")
-        ports = sorted(int(element.get("port_index", 0)) for element in inputs)
-        if proxy.core is not proxy.shown:
-            ports.insert(0, 0)  # given by ParaView's own writer around ours
-        self.assertEqual(ports, list(range(proxy.object.GetNumberOfInputPorts())))
-        for element in inputs:
-            port = int(element.get("port_index", 0))
-            needed = proxy.object.GetInputPortInformation(port)
-            types = [needed.Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), i)
-                     for i in range(needed.Length(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()))]
-            self.assertEqual([value.get("value") for value in element.iter("DataType")], types)
-            self.assertEqual(element.find("Hints/Optional") is not None,
-                             bool(needed.Get(vtkAlgorithm.INPUT_IS_OPTIONAL())))
-        outputs = [element.get("name") for element in proxy.core.findall("OutputPort")]
-        if proxy.object.GetNumberOfOutputPorts() > 1:
-            self.assertEqual(len(outputs), proxy.object.GetNumberOfOutputPorts())
-
-    @of_each_proxy
-    def test_every_other_input_is_set_by_its_name(self, proxy):
-        """As a connection and as data, in Python as in ParaView."""
-        for element in proxy.properties("InputProperty"):
-            port = int(element.get("port_index", 0))
-            if port == 0:
-                continue
-            name = element.get("name")
-            needed = proxy.object.GetInputPortInformation(port)
-            type_name = needed.Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), 0)
-            data = vtkPolyData() if type_name == "vtkPointSet" else (
-                vtkDataObjectTypes.NewDataObject(type_name))
-            with self.subTest(name):
-                producer = vtkTrivialProducer()
-                getattr(proxy.object, f"Set{name}Connection")(producer.GetOutputPort())
-                self.assertIs(proxy.object.GetInputAlgorithm(port, 0), producer)
-                getattr(proxy.object, f"Set{name}Data")(data)
-                self.assertIs(proxy.object.GetInputDataObject(port, 0), data)
-
-    @of_each_proxy
-    def test_everything_is_documented(self, proxy):
-        for element in proxy.documented():
-            with self.subTest(element.get("name")):
-                self.assertGreater(len(element.findtext("Documentation").strip()), 8)
-        self.assertGreater(len(proxy.shown.findtext("Documentation").strip()), 20)
-
-    @of_each_proxy
-    def test_help_is_that_of_the_header(self, proxy):
-        pattern = os.path.join(SOURCE, "*", "*", proxy.class_name + ".h")
-        with open(glob.glob(pattern)[0], encoding="ascii") as file:
-            brief = re.search(r"@brief +((?:.|\n)*?)\n \*\n", file.read()).group(1)
-        self.assertEqual(sentence(proxy.shown.find("Documentation").get("short_help")),
-                         sentence(brief.replace("\n *", " ")))
-
-    @of_each_proxy
-    def test_labels_are_the_words_of_the_class(self, proxy):
+    def test_labels_are_the_words_of_the_class(self):
         """Scripts call proxies and properties by their labels without the blanks."""
-        self.assertEqual(proxy.shown.get("label").replace(" ", ""), proxy.name)
-        for element in proxy.documented():
-            self.assertIsNone(element.get("label"))
+        for class_ in CLASSES.values():
+            with self.subTest(class_.name):
+                self.assertEqual(proxy_of(class_.unit)[0].get("label").replace(" ", ""), class_.unit)
+        for name, element in documented():
+            with self.subTest(f"{name}.{element.get('name')}"):
+                self.assertIsNone(element.get("label"))
 
-    @of_each_proxy
-    def test_what_shows_only_sometimes_names_properties_that_are_there(self, proxy):
-        names = {element.get("name"): element for element in proxy.core if element.get("name")}
-        for decorator in proxy.core.iter("PropertyWidgetDecorator"):
-            menu = names[decorator.get("property")].find("EnumerationDomain")
-            values = ("0", "1") if menu is None else [entry.get("value") for entry in menu]
-            self.assertIn(decorator.get("value"), values)
-        for member in proxy.core.iterfind("PropertyGroup/Property"):
-            self.assertIn(member.get("name"), names)
+    def test_every_other_input_is_set_by_its_name(self):
+        """As a connection and as data, in Python as in ParaView."""
+        for class_ in CLASSES.values():
+            object_ = getattr(conformalsom, class_.name)()
+            for port in class_.inputs[1:]:
+                data = vtkPolyData() if port.types[0] == "vtkPointSet" else (
+                    vtkDataObjectTypes.NewDataObject(port.types[0]))
+                with self.subTest(f"{class_.name}.{port.name}"):
+                    producer = vtkTrivialProducer()
+                    getattr(object_, f"Set{port.name}Connection")(producer.GetOutputPort())
+                    self.assertIs(object_.GetInputAlgorithm(port.index, 0), producer)
+                    getattr(object_, f"Set{port.name}Data")(data)
+                    self.assertIs(object_.GetInputDataObject(port.index, 0), data)
 
-    @of_each_proxy
-    def test_sources_and_filters_are_in_the_menu(self, proxy):
-        if "Reader" in proxy.name or proxy.is_writer():
-            return
-        self.assertEqual(proxy.shown.find("Hints/ShowInMenu").get("category"), "Conformal SOM")
+    def test_files_find_their_readers_and_writers(self):
+        for class_ in CLASSES.values():
+            shown, _ = proxy_of(class_.unit)
+            with self.subTest(class_.name):
+                if class_.is_reader:
+                    hint = shown.find("Hints/ReaderFactory")
+                    self.assertEqual(hint.get("extensions"), " ".join(class_.extensions))
+                    self.assertTrue(callable(getattr(conformalsom, class_.name).CanReadFile))
+                    if len(list(shown.iter("FileListDomain"))) > 1:
+                        name = shown.find("Hints/DefaultFileNameProperty").get("name")
+                        self.assertEqual(name, "FileName")  # what File > Open sets
+                elif class_.is_writer and class_.name != "vtkSPHARMSurfaceWriter":  # .vtk is ParaView's own
+                    hint = shown.find("Hints/WriterFactory")
+                    self.assertIn("(Conformal SOM)", hint.get("file_description"))
+                    reader = CLASSES.get(class_.name.replace("Writer", "Reader"))
+                    known = reader.extensions if reader else ["glb", "html"]
+                    self.assertLessEqual(set(hint.get("extensions").split()), set(known))
 
-    @of_each_proxy
-    def test_files_are_told_by_the_readers_extensions(self, proxy):
-        if "Reader" not in proxy.name:
-            return
-        hint = proxy.shown.find("Hints/ReaderFactory")
-        self.assertEqual(hint.get("extensions"),
-                         proxy.object.GetFileExtensions().replace(".", ""))
-        self.assertEqual(hint.get("file_description"),
-                         proxy.object.GetDescriptiveName() + " (Conformal SOM)")
-        self.assertTrue(callable(proxy.type.CanReadFile))
-        if len(list(proxy.shown.iter("FileListDomain"))) > 1:
-            name = proxy.shown.find("Hints/DefaultFileNameProperty").get("name")
-            self.assertEqual(name, "FileName")  # what File > Open sets
 
-    @of_each_proxy
-    def test_writers_are_chosen_by_extensions_that_readers_know(self, proxy):
-        if not proxy.is_writer():
-            return
-        hint = proxy.shown.find("Hints/WriterFactory")
-        if proxy.name == "SPHARMSurfaceWriter":
-            self.assertIsNone(hint)  # .vtk is ParaView's own
-            return
-        self.assertIn("(Conformal SOM)", hint.get("file_description"))
-        reader = "vtk" + proxy.name.replace("Writer", "Reader")
-        known = ".glb .html"
-        if hasattr(conformalsom, reader):
-            known = getattr(conformalsom, reader)().GetFileExtensions()
-        for extension in hint.get("extensions").split():
-            self.assertIn("." + extension, known)
+class TestOverlays(unittest.TestCase):
+    """What does not fit the class is named, so that a renamed property is found at once."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="overlays ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+
+    def made(self, overlay, name="GlobalConformalMap"):
+        """The proxy of a class with an overlay."""
+        with open(os.path.join(self.folder, name + ".xml"), "w", encoding="utf-8") as file:
+            file.write(overlay)
+        class_ = CLASSES["vtk" + name]
+        overlay = proxies.Overlay(class_, self.folder)
+        return proxies.Proxy(overlay, proxies.Words({class_.name: overlay})).source()[0][0]
+
+    def expect(self, overlay, *words):
+        """An overlay is an error that has these words."""
+        with self.assertRaises(proxies.WrongOverlay) as raised:
+            self.made(overlay)
+        for word in ("GlobalConformalMap.xml", *words):
+            self.assertIn(word, str(raised.exception))
+
+    def test_names_that_there_are_not(self):
+        self.expect('<Overlay advanced="Toleranze" />', "no input or property Toleranze", "Tolerance")
+        self.expect('<Overlay mapped="Sphere" />', "no input or property Sphere", "Input")
+        self.expect('<Overlay><Property name="Toleranze" min="0" /></Overlay>', "Toleranze")
+        self.expect('<Overlay><Move name="Toleranze" after="Input" /></Overlay>', "Toleranze")
+        self.expect('<Overlay><Move name="Tolerance" after="Inputt" /></Overlay>', "Inputt")
+        self.expect('<Overlay><PropertyGroup><Property name="Gone" /></PropertyGroup></Overlay>', "Gone")
+        self.expect('<Overlay lable="Map" />', "no attribute lable")
+        self.expect('<Overlay><Property name="Method" shown="1" /></Overlay>', "no attribute shown")
+
+    def test_values_that_there_are_not(self):
+        self.expect('<Overlay><Property name="Tolerance" shown_if="Method=Rubust" /></Overlay>', "Rubust", "Robust")
+        self.expect('<Overlay><Property name="Tolerance" shown_if="Way=Robust" /></Overlay>', "Way", "Method")
+        self.expect('<Overlay><Property name="Tolerance" shown_if="Method" /></Overlay>', "neither")
+        self.expect('<Overlay><Property name="Method" labels="Rubust=Robust" /></Overlay>', "Rubust")
+        self.expect('<Overlay outputs="One Two" />', "2 outputs")
+
+    def test_what_the_class_has_itself(self):
+        self.expect('<Overlay><Property name="Tolerance" max="2" /></Overlay>', "max of Tolerance", "leave it out")
+
+    def test_an_overlay_without_a_class(self):
+        with open(os.path.join(self.folder, "Gone.xml"), "w", encoding="utf-8") as file:
+            file.write("<Overlay />")
+        with self.assertRaisesRegex(proxies.WrongOverlay, "Gone.xml: there is no class vtkGone"):
+            proxies.overlays_of(CLASSES, self.folder)
+
+    def test_what_it_adds(self):
+        made = self.made("""
+            <Overlay label="Global Map" mapped="Input" advanced="Method" outputs="Mapped">
+              <Property name="AreaBalance Tolerance" shown_if="Method!=Gu-Yau" />
+              <Property name="Method" labels="GuYau=Gu-Yau" />
+              <Move name="Tolerance Method" after="AreaBalance" />
+              <Hints><View type="None" /></Hints>
+            </Overlay>""")
+        names = [element.get("name") for element in made if element.get("command")]
+        self.assertEqual(names, ["Input", "AreaBalance", "Tolerance", "Method", "MaximumNumberOfIterations"])
+        elements = {element.get("name"): element for element in made}
+        self.assertEqual(made.get("label"), "Global Map")
+        self.assertEqual(elements["Input"].find("InputArrayDomain").get("name"), "mapped")
+        self.assertEqual(elements["Method"].get("panel_visibility"), "advanced")
+        self.assertEqual([entry.get("text") for entry in elements["Method"].iter("Entry")], ["Robust", "Gu-Yau"])
+        self.assertIn("Gu-Yau", elements["Method"].findtext("Documentation"))
+        decorator = elements["AreaBalance"].find("Hints/PropertyWidgetDecorator")
+        self.assertEqual([decorator.get(key) for key in ("property", "value", "inverse")], ["Method", "1", "1"])
+        self.assertIsNone(elements["MaximumNumberOfIterations"].find("Hints"))
+        self.assertEqual([hint.tag for hint in made.find("Hints")], ["ShowInMenu", "View"])
+        self.assertEqual(made.find("OutputPort").get("name"), "Mapped")
+
+    def test_the_file_is_that_of_all_overlays(self):
+        path = os.path.join(self.folder, "proxies.xml")
+        proxies.main(FOLDER, path)
+        count = sum(len(group) for group in ElementTree.parse(path).getroot())
+        self.assertEqual(count, sum(len(group) for group in ROOT))
 
 
 if __name__ == "__main__":

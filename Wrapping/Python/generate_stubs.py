@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 """generate_stubs.py FOLDER: write type stubs (.pyi) of the wrapped modules into the package's folder.
 
-VTK's wrapper begins the text of a method with its signatures, in Python and in C++. Stubs have those in
-Python, and the header's text, which editors show. Methods of one group, as those of a property, share one
-text in a header, and the wrapper gives it to the first of them only; a stub gives it to all.
+Stubs have the signatures of each method in Python, and the header's text, which editors show. Methods of
+one group share one text in a header; a stub gives it to all.
 
 Where vtkmodules comes without stubs, as Debian's does, the classes ours are derived from are written
 too, into _types.pyi: otherwise a checker would take any method for one that they may have.
@@ -17,7 +16,9 @@ import sys
 from vtkmodules.vtkCommonCore import vtkVersion
 import conformalsom
 
-MADE_BY_MACRO = ("SafeDownCast", "NewInstance")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Describe"))
+from wrapped import signatures_of, texts_of
+
 INHERITED = ("IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType")
 BUILTIN = ("None", "bool", "bytes", "float", "int", "str", "Any")
 PYTHONIC = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) >= (9, 4)
@@ -159,34 +160,6 @@ def documented(line, text):
     lines[0] = '"""' + lines[0]
     end = '"""' if len(lines) == 1 and not lines[0].endswith('"') else '\n"""'
     return [line, *("    " * bool(text) + text for text in "\n".join([*lines[:-1], lines[-1] + end]).split("\n"))]
-
-
-def signatures_of(name, method):
-    """The lines of the wrapper that say how a method is called in Python."""
-    head = (method.__doc__ or "").partition("\n\n")[0]
-    return [line for line in re.sub(r"\n +", " ", head).split("\n") if line.startswith(name + "(")]
-
-
-def text_of(method):
-    """What the header says of a method."""
-    return (method.__doc__ or "").partition("\n\n")[2].strip()
-
-
-def texts_of(class_):
-    """Texts of all methods by their names: in a class of ours one without any has that of the one before,
-    with which it is in a group of the header.
-    """
-    texts, text = {}, ""
-    for name, member in vars(class_).items():
-        if inspect.isroutine(member):
-            text = text_of(member) or (text if name not in MADE_BY_MACRO and is_ours(class_) else "")
-            texts[name] = text
-    return texts
-
-
-def is_ours(class_):
-    """Whether a class is of this package."""
-    return class_.__module__.startswith("conformalsom.")
 
 
 def main():
