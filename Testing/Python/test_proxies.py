@@ -100,7 +100,8 @@ class TestProxies(unittest.TestCase):
             text = " ".join(element.findtext("Documentation").split())
             with self.subTest(f"{name}.{element.get('name')}"):
                 self.assertGreater(len(text), 8)
-                self.assertLessEqual(len(text), LONGEST_TEXT, "begin a new paragraph in the header after what users need")
+                self.assertTrue(text.endswith("."), text)
+                self.assertLessEqual(len(text), LONGEST_TEXT, "in the header, begin a paragraph after what users need")
                 self.assertEqual(re.findall(pattern, text), [])
         for class_ in CLASSES.values():
             text = proxy_of(class_.unit)[0].find("Documentation")
@@ -192,6 +193,11 @@ class TestOverlays(unittest.TestCase):
 
     def test_what_the_class_has_itself(self):
         self.expect('<Overlay><Property name="Tolerance" max="2" /></Overlay>', "max of Tolerance", "leave it out")
+
+    def test_what_a_kind_of_property_does_not_have(self):
+        self.expect('<Overlay><Property name="Method" min="0" /></Overlay>', "Method has no min")
+        self.expect('<Overlay><Property name="Tolerance" arrays="Input any 1" /></Overlay>', "Tolerance has no arrays")
+        self.expect('<Overlay><Property name="Input" labels="A=B" /></Overlay>', "Input has no labels")
 
     def test_an_overlay_without_a_class(self):
         with open(os.path.join(self.folder, "Gone.xml"), "w", encoding="utf-8") as file:

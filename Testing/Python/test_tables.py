@@ -36,7 +36,8 @@ class TestTables(unittest.TestCase):
         classes = {"vtkGenusZeroRepair": describe.classes()["vtkGenusZeroRepair"]}
         text = "# Filters\n\n## Genus Zero Repair\n\nText.\n\n## Other\n\nText.\n"
         once = tables.renewed_guide(text, classes)
-        self.assertEqual(once, text.replace("\n## Other", tables.property_table(classes["vtkGenusZeroRepair"]) + "\n## Other"))
+        table = tables.property_table(classes["vtkGenusZeroRepair"])
+        self.assertEqual(once, text.replace("\n## Other", table + "\n## Other"))
         self.assertEqual(tables.renewed_guide(once, classes), once)
 
 

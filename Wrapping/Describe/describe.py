@@ -189,9 +189,8 @@ class Reader:
         """Return the bound to which a property is clamped; None if there is none."""
         method = getattr(self.object, f"Get{name}{which}Value", None)
         limit = method() if method else None
-        if limit is None or abs(limit) >= UNLIMITED_DOUBLE or (isinstance(limit, int) and abs(limit) >= UNLIMITED_INTEGER):
-            return None
-        return limit
+        unlimited = UNLIMITED_INTEGER if isinstance(limit, int) else UNLIMITED_DOUBLE
+        return None if limit is None or abs(limit) >= unlimited else limit
 
     def setting(self, name):
         """Describe a property with a single value."""
@@ -216,7 +215,8 @@ class Reader:
             plural = method[len("RemoveAll"):]
             if method.startswith("RemoveAll") and "Add" + plural[:-1] in self.methods:
                 add = "Add" + plural[:-1]
-                yield Property(plural, self.argument_types(add), None, None, None, [], self.text(plural, add), add, method)
+                yield Property(plural, self.argument_types(add), None, None, None, [], self.text(plural, add),
+                               add, method)
 
     def inputs(self, texts):
         """Describe the input ports.

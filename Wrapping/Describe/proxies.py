@@ -35,10 +35,11 @@ import xml.etree.ElementTree as ElementTree
 from describe import Undescribed, classes, paragraphs_of, words_of
 
 CATEGORY = "Conformal SOM"
-POINT_SETS = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
+DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}
 OVERLAY_ATTRIBUTES = {"label", "outputs", "mapped", "advanced", "extensions", "file_type"}
 PROPERTY_ATTRIBUTES = {"name", "shown_if", "min", "max", "default", "arrays", "labels", "strings"}
+ELEMENT_TYPES = {"int": "0", "float": "1", "str": "2"}  # ParaView's numbers
 OWN_ELEMENTS = ("Property", "Move")
 
 
@@ -55,15 +56,19 @@ class Overlay:
     def __init__(self, class_, folder):
         self.class_ = class_
         self.path = os.path.join(folder, class_.unit + ".xml")
-        self.root = ElementTree.parse(self.path).getroot() if os.path.exists(self.path) else ElementTree.Element("Overlay")
+        self.root = ElementTree.Element("Overlay")
+        if os.path.exists(self.path):
+            self.root = ElementTree.parse(self.path).getroot()
         self.check_names("attribute", self.root.keys(), OVERLAY_ATTRIBUTES)
-        inputs = [port.name for port in class_.inputs]
-        self.properties = {name: {} for name in [*inputs, *(property_.name for property_ in class_.properties)]}
+        self.inputs = [port.name for port in class_.inputs]
+        self.properties = {name: {} for name in [*self.inputs, *(property_.name for property_ in class_.properties)]}
         for element in self.root.findall("Property"):
             self.check_names("attribute", element.keys(), PROPERTY_ATTRIBUTES)
             for name in self.names(element.get("name"), self.properties):
                 self.properties[name].update(element.items())
-        self.mapped = self.names(self.root.get("mapped"), inputs)
+        for name in self.properties:
+            self.check_attributes(name)
+        self.mapped = self.names(self.root.get("mapped"), self.inputs)
         self.advanced = self.names(self.root.get("advanced"), self.properties)
         self.outputs = self.root.get("outputs", "").split()
         if self.outputs and len(self.outputs) != len(class_.outputs):
@@ -81,7 +86,18 @@ class Overlay:
         """Raise unless all names are known."""
         for name in names:
             if name not in known:
-                raise self.error(f"{self.class_.name} has no {kind} {name}; there are {', '.join(sorted(known)) or 'none'}")
+                there_are = ", ".join(sorted(known)) or "none"
+                raise self.error(f"{self.class_.name} has no {kind} {name}; there are {there_are}")
+
+    def check_attributes(self, name):
+        """Raise if the file has something of a property that its kind does not have."""
+        known = {"name", "shown_if"}
+        for property_ in self.class_.properties:
+            if property_.name == name and not property_.repeated:
+                known |= attributes_of(property_)
+        for attribute in self.properties[name]:
+            if attribute not in known:
+                raise self.error(f"{name} has no {attribute}; there are {', '.join(sorted(known - {'name'}))}")
 
     def names(self, text, known):
         """Return the names in a text, all of which must be known."""
@@ -136,6 +152,15 @@ class Overlay:
         return other, value, bool(inverted)
 
 
+def attributes_of(property_):
+    """Return what an overlay may have of a property, besides when it is shown."""
+    if property_.values:
+        return {"labels", "default"}
+    if property_.types == ["str"]:
+        return {"arrays"} if property_.name.endswith("ArrayName") else {"strings"}
+    return set() if property_.types == ["bool"] else {"min", "max", "default"}
+
+
 ## Texts --------------------------------------------------------------------------------
 
 
@@ -161,14 +186,14 @@ class Words:
     def translate(self, text, overlay):
         """Return a text of a header as a panel shows it; names in quotes, as of arrays, stay."""
         constants = self.constants(overlay)
-        known = {**self.properties, **constants, **POINT_SETS, **self.labels}
+        known = {**self.properties, **constants, **DATA_TYPES, **self.labels}
 
         def port(match):
-            names = overlay.outputs if match[1] == "output " else [port.name for port in overlay.class_.inputs]
-            index = int(match[2])
-            if match[1] != "output " and index == 0:
-                return "the input"
-            return f"{match[1] or 'input '}{words_of(names[index])}" if index < len(names) else match[0]
+            kind, index = (match[1] or "input ").lower(), int(match[2])
+            names = overlay.outputs if kind == "output " else ["the input", *overlay.inputs[1:]]
+            if index >= len(names):
+                return match[0]
+            return names[0] if kind == "input " and index == 0 else kind + words_of(names[index])
 
         pieces = re.split(r'("[^"]*")', text)
         for i in range(0, len(pieces), 2):
@@ -246,11 +271,11 @@ class Proxy:
         return element
 
     def arrays(self, port):
-        """Return the name of the domain, the attribute and the components of arrays that properties choose on an input."""
+        """Return the attribute and the components of arrays that properties choose on an input, if any do."""
         for property_ in self.class_.properties:
             if property_.name.endswith("ArrayName"):
                 name, attribute, components = self.overlay.get(property_.name, "arrays", "Input point 0").split()
-                self.overlay.check_names("input", [name], [port.name for port in self.class_.inputs])
+                self.overlay.check_names("input", [name], self.overlay.inputs)
                 if name == port:
                     return attribute, None if components == "0" else components
         return None
@@ -335,14 +360,15 @@ class Proxy:
         """Return a bound of a property: that of the class, or else that of the overlay."""
         given = self.overlay.get(property_.name, which)
         if limit is not None and given is not None:
-            raise self.overlay.error(f"{which} of {property_.name} is that of the class, {number(limit)}; leave it out here")
+            raise self.overlay.error(f"{which} of {property_.name} is that of the class, {number(limit)}; "
+                                     "leave it out here")
         return number(limit) if limit is not None else given
 
     def array_list(self, element, property_):
         """Add the list of arrays that a property is chosen from; empty stands for none where that is the default."""
         port = self.overlay.get(property_.name, "arrays", "Input").split()[0]
-        domain = add(element, "ArrayListDomain", name="array_list", attribute_type="Scalars", input_domain_name="values",
-                     none_string=None if property_.default else "")
+        domain = add(element, "ArrayListDomain", name="array_list", attribute_type="Scalars",
+                     input_domain_name="values", none_string=None if property_.default else "")
         required = add(domain, "RequiredProperties")
         add(required, "Property", name="ArrayInput" if self.class_.is_writer else port, function="Input")
 
@@ -354,7 +380,7 @@ class Proxy:
             panel_visibility="advanced", clean_command=property_.remove_all, repeat_command="1",
             number_of_elements_per_command=str(len(property_.types)))
         if len(set(property_.types)) > 1:
-            element.set("element_types", " ".join({"int": "0", "float": "1", "str": "2"}[type_] for type_ in property_.types))
+            element.set("element_types", " ".join(ELEMENT_TYPES[type_] for type_ in property_.types))
         element.set("animateable", "0")
         element.append(self.text(property_.text))
         return decorated(element, self.overlay, property_.name)
@@ -402,15 +428,17 @@ class Proxy:
         return [group]
 
     def writer_factory(self, readers):
-        """Return the hint by which files of a writer are known: that of the reader of the same name, or the overlay's."""
+        """Return the hint by which a writer's files are known: of the reader of the same name, or the overlay."""
         reader = readers.get(self.class_.name.replace("Writer", "Reader"))
         extensions = self.overlay.root.get("extensions", " ".join(reader.extensions) if reader else None)
         file_type = self.overlay.root.get("file_type", reader.file_type if reader else None)
         if extensions is None:
-            raise self.overlay.error(f"{self.class_.name} has no reader of the same name: extensions and file_type are needed")
+            raise self.overlay.error(f"{self.class_.name} has no reader of the same name: "
+                                     "extensions and file_type are needed")
         if not extensions:
             return []
-        return [ElementTree.Element("WriterFactory", extensions=extensions, file_description=f"{file_type} ({CATEGORY})")]
+        return [ElementTree.Element("WriterFactory", extensions=extensions,
+                                    file_description=f"{file_type} ({CATEGORY})")]
 
     def writer(self, readers):
         """Make the proxy of a writer, in its group; of surfaces the pieces of all processes are gathered before."""
@@ -476,7 +504,8 @@ def kind_of(types):
 
 def file_name(animateable=None, writes=False):
     """Make the element of the name of the file to read or write."""
-    element = ElementTree.Element("StringVectorProperty", name="FileName", command="SetFileName", number_of_elements="1")
+    element = ElementTree.Element("StringVectorProperty", name="FileName", command="SetFileName",
+                                  number_of_elements="1")
     if animateable:
         element.set("animateable", animateable)
     element.set("panel_visibility", "never")
