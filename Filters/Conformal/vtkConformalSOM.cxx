@@ -5,6 +5,7 @@
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Surface/VertexShift.h"
+#include "vtkCloudInput.h"
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
@@ -387,14 +388,12 @@ int vtkConformalSOM::RequestData(
   return vtkConformalConversions::RunCore(this, this->Controller,
     [&](vtkConformalConversions::Processes& processes)
     {
-      const conformal::CoordinateFrame frame =
-        vtkConformalConversions::FrameOf({ input }, processes.reduce());
-      conformal::Points copy;
-      const conformal::PointView points =
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy);
       std::vector<double> priorityCopy;
       const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
+      vtkConformalConversions::CloudInput cloud;
+      vtkConformalConversions::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
+      const conformal::CoordinateFrame frame = cloud.Frame;
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
       // Reading, normals and mesh of the polygons, learning, errors, the vertex shift, the
@@ -412,8 +411,8 @@ int vtkConformalSOM::RequestData(
       conformal::Steps steps(processes.run(),
         { 40.0 * size, 600.0 * polygons, 1000.0 * polygons, learningFrom(polygons), ofErrors,
           ofShift, ofOutput });
-      conformal::TrainingSamples samples(points, priorities,
-        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
+      conformal::TrainingSamples samples(
+        cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       vtkConformalConversions::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
@@ -429,6 +428,7 @@ int vtkConformalSOM::RequestData(
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
+        vtkConformalConversions::WarnOfFarPoints(this, cloud.Far);
       }
       if (samples.empty())
       {

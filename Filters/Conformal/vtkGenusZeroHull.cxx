@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Hull/GenusZeroHull.h"
+#include "vtkCloudInput.h"
 #include "vtkCloudNormals.h"
 #include "vtkCloudWarnings.h"
 #include "vtkConformalConversions.h"
@@ -87,7 +88,8 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
-  const conformal::GenusZeroHullResult& hull, const conformal::CoordinateFrame& frame)
+  const conformal::GenusZeroHullResult& hull, const conformal::FarPoints& far,
+  const conformal::CoordinateFrame& frame)
 {
   using vtkConformalConversions::AddNumber;
   const auto addLength = [&](const char* name, double length)
@@ -103,7 +105,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   addLength("HoleWidth", hull.LargestHole.Saddle);
   addLength("HoleDepth", hull.LargestHole.Peak);
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
-  AddNumber(data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside));
+  AddNumber(data, "NumberOfPointsOutside",
+    static_cast<long long>(hull.NumberOfSamplesOutside + far.Count));
   AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
 }
 }
@@ -160,12 +163,11 @@ int vtkGenusZeroHull::RequestData(
       const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
       const bool mayWind = options.Indicator != conformal::HullIndicator::Distance;
       conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
-      const conformal::CoordinateFrame frame =
-        vtkConformalConversions::FrameOf({ input }, processes.reduce());
-      conformal::Points copy;
+      vtkConformalConversions::CloudInput cloud;
+      vtkConformalConversions::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
+      const conformal::CoordinateFrame frame = cloud.Frame;
       conformal::TrainingSamples samples(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
-        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
+        cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       vtkConformalConversions::CloudNormals normals;
       if (mayWind)
       {
@@ -187,13 +189,14 @@ int vtkGenusZeroHull::RequestData(
       if (processes.isFirst())
       {
         WarnAbout(this, samples, hull);
+        vtkConformalConversions::WarnOfFarPoints(this, cloud.Far);
       }
       if (!samples.empty())
       {
         steps.next();
         vtkConformalConversions::SetSurface(
           output, Restore(samples, hull.Positions), hull.Triangles, frame);
-        AddFigures(output->GetFieldData(), samples, hull, frame);
+        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, frame);
         vtkConformalConversions::KeepOwnShare(output, inPieces, processes);
       }
     });
