@@ -75,6 +75,11 @@ int vtkGenusZeroCheck::RequestData(
   return vtkConformalConversions::RunCore(this,
     [&]()
     {
+      if (input->GetNumberOfPoints() == 0)
+      {
+        vtkConformalConversions::WarnOfEmptyInput(
+          this, "the surface is empty; it is not of genus zero");
+      }
       conformal::Steps steps(
         vtkConformalConversions::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
       steps.next();

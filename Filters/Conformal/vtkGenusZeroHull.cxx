@@ -105,8 +105,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   addLength("HoleWidth", hull.LargestHole.Saddle);
   addLength("HoleDepth", hull.LargestHole.Peak);
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
-  AddNumber(data, "NumberOfPointsOutside",
-    static_cast<long long>(hull.NumberOfSamplesOutside + far.Count));
+  AddNumber(
+    data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside + far.Count));
   AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
 }
 }

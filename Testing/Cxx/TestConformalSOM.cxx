@@ -735,7 +735,8 @@ TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)
   ExpectEmpty(c);
 }
 
-// Outliers at any distance change no bit of the mesh; a frame around them would leave nothing of it.
+// Outliers at any distance change no bit of the mesh; a frame around them would leave nothing of
+// it.
 TEST(ConformalSOM, PointsFarFromAllOthersAreLeftOutAndCounted)
 {
   for (const int lattice : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
@@ -787,7 +788,7 @@ TEST(ConformalSOM, ManyPointsAtTheOriginAreLeftOut)
 // A vertex of the input's own polygons is no outlier.
 TEST(ConformalSOM, FarVerticesOfPolygonsAreKept)
 {
-  const vtkNew<vtkPolyData> surface = Ellipsoid(20);
+  const vtkNew<vtkPolyData> surface = fixtures::Ellipsoid(20);
   surface->GetPoints()->SetPoint(7, 300.0, 0.0, 0.0);
   auto filter = MakeFilter(surface);
   contract::Observed observed(filter);

@@ -20,7 +20,7 @@ namespace
 using Place = std::array<double, 3>;
 
 constexpr Index BlockSize = 1 << 14;
-constexpr Index MinimumPlaces = 20;  // fewer have no typical distance
+constexpr Index MinimumPlaces = 20; // fewer have no typical distance
 constexpr Index SampledPoints = 20000;
 constexpr double RadiusQuantile = 0.9;
 

@@ -15,9 +15,10 @@ namespace conformal
 /// Points far from all others of a cloud, on all processes.
 struct FarPoints
 {
-  Index Count = 0;       ///< number of far points
-  Index Total = 0;       ///< number of points examined, far ones included
-  double Distance = 0.0; ///< of the nearest far point, in units of the cloud's radius; 0 without any
+  Index Count = 0; ///< number of far points
+  Index Total = 0; ///< number of points examined, far ones included
+  double Distance =
+    0.0; ///< of the nearest far point, in units of the cloud's radius; 0 without any
   double LargestCoordinate = 0.0; ///< of the points that are not far; 0 without far points
 
   Vector3 QuarterOfCenter = Vector3::Zero(); ///< of the cloud, coordinatewise median
@@ -40,9 +41,9 @@ struct FarPoints
 ///
 /// if they are at no more than 32 places, or at no more than a twentieth of all places and do not
 /// lie on a surface of their own: less than a quarter of them lie flat (StrayPoints.h) among
-/// neighbors that are nearer than half the distance to the cloud. Points at one place count as one. A cloud of fewer than 20 places has no far
-/// points. Own construction: usual criteria of outliers, such as distances to neighbors, fail for
-/// outliers at one place.
+/// neighbors that are nearer than half the distance to the cloud. Points at one place count as one.
+/// A cloud of fewer than 20 places has no far points. Own construction: usual criteria of outliers,
+/// such as distances to neighbors, fail for outliers at one place.
 ///
 /// @param[in] points  #P by 3, in any unit; points that are not finite are not examined
 /// @param[in] skip    test whether to leave a point out; may be empty

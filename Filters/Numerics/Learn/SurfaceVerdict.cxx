@@ -155,9 +155,9 @@ double unresolvedFraction(const Points& asked, const std::vector<double>& weight
   return all > 0.0 ? unresolved / all : 0.0;
 }
 
-// Mean square distance of neighbors from the smooth surface through them: a quadratic polynomial over
-// the plane across the normal. It is small where the samples lie on one curved surface, however far
-// they are from the flat triangles of a coarse mesh.
+// Mean square distance of neighbors from the smooth surface through them: a quadratic polynomial
+// over the plane across the normal. It is small where the samples lie on one curved surface,
+// however far they are from the flat triangles of a coarse mesh.
 double squareOffQuadric(
   const Points& points, const std::vector<int>& ids, const Vector3& place, const Vector3& normal)
 {
