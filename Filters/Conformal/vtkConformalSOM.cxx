@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
+#include "Glue/CloudInput.h"
 #include "Glue/CloudNormals.h"
 #include "Glue/CloudWarnings.h"
 #include "Glue/Meshes.h"
@@ -386,12 +387,12 @@ int vtkConformalSOM::RequestData(
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      const conformal::CoordinateFrame frame = glue::FrameOf({ input }, processes.reduce());
-      conformal::Points copy;
-      const conformal::PointView points = glue::ViewPoints(input->GetPoints(), frame, copy);
       std::vector<double> priorityCopy;
       const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
+      glue::CloudInput cloud;
+      glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
+      const conformal::CoordinateFrame frame = cloud.Frame;
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
       // Reading, normals and mesh of the polygons, learning, errors, the vertex shift, the
@@ -409,7 +410,7 @@ int vtkConformalSOM::RequestData(
         { 40.0 * size, 600.0 * polygons, 1000.0 * polygons, learningFrom(polygons), ofErrors,
           ofShift, ofOutput });
       conformal::TrainingSamples samples(
-        points, priorities, glue::GhostTest(input), processes.reduce(), steps.next());
+        cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       glue::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
@@ -425,6 +426,7 @@ int vtkConformalSOM::RequestData(
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
+        glue::WarnOfFarPoints(this, cloud.Far);
       }
       if (samples.empty())
       {

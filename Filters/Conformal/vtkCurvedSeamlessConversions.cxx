@@ -3,6 +3,7 @@
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Cloud/TrainingSamples.h"
+#include "Glue/CloudInput.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
@@ -135,16 +136,18 @@ Model ModelOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
   return model;
 }
 
-conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
-  const conformal::CoordinateFrame& frame, conformal::Points& copy, glue::Processes& processes,
-  const conformal::Run& run)
+conformal::TrainingSamples SamplesOf(vtkObject* self, const glue::CloudInput& cloud,
+  glue::Processes& processes, const conformal::Run& run)
 {
-  conformal::TrainingSamples samples(glue::ViewPoints(cloud->GetPoints(), frame, copy), {},
-    glue::GhostTest(cloud), processes.reduce(), run);
+  conformal::TrainingSamples samples(cloud.View, {}, cloud.Skip, processes.reduce(), run);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
       self, << samples.numberOfNonFinite() << " points of the cloud are not finite and left out");
+  }
+  if (processes.isFirst())
+  {
+    glue::WarnOfFarPoints(self, cloud.Far);
   }
   return samples;
 }
@@ -173,8 +176,13 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
 {
   const conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
   const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  CloudInput points;
+  if (fits)
+  {
+    ReadCloud(cloud, {}, surface, processes.reduce(), points);
+  }
   const conformal::CoordinateFrame frame =
-    FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce());
+    fits ? points.Frame : FrameOf({ surface }, processes.reduce());
   const auto size = static_cast<double>(surface->GetNumberOfPoints());
   const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
   const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
@@ -183,10 +191,9 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
       (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
         (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
   const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
-  conformal::Points copy;
   const conformal::Run reading = steps.next();
   const conformal::TrainingSamples samples = fits
-    ? SamplesOf(self, cloud, frame, copy, processes, reading)
+    ? SamplesOf(self, points, processes, reading)
     : conformal::TrainingSamples(conformal::PointView());
   std::shared_ptr<const BuiltSurface> built(new BuiltSurface{
     conformal::CurvedSeamlessSurface(model, model.Options, fits ? &samples : nullptr, steps.next()),

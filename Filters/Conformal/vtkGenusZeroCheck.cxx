@@ -77,6 +77,10 @@ int vtkGenusZeroCheck::RequestData(
   return glue::RunCore(this,
     [&]()
     {
+      if (input->GetNumberOfPoints() == 0)
+      {
+        glue::WarnOfEmptyInput(this, "the surface is empty; it is not of genus zero");
+      }
       conformal::Steps steps(glue::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
       steps.next();
       std::vector<vtkIdType> cellIds;

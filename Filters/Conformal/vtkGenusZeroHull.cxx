@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
+#include "Glue/CloudInput.h"
 #include "Glue/CloudNormals.h"
 #include "Glue/CloudWarnings.h"
 #include "Glue/Points.h"
@@ -87,7 +88,8 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
-  const conformal::GenusZeroHullResult& hull, const conformal::CoordinateFrame& frame)
+  const conformal::GenusZeroHullResult& hull, const conformal::FarPoints& far,
+  const conformal::CoordinateFrame& frame)
 {
   using glue::AddNumber;
   const auto addLength = [&](const char* name, double length)
@@ -103,7 +105,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   addLength("HoleWidth", hull.LargestHole.Saddle);
   addLength("HoleDepth", hull.LargestHole.Peak);
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
-  AddNumber(data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside));
+  AddNumber(
+    data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside + far.Count));
   AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
 }
 }
@@ -160,10 +163,11 @@ int vtkGenusZeroHull::RequestData(
       const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
       const bool mayWind = options.Indicator != conformal::HullIndicator::Distance;
       conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
-      const conformal::CoordinateFrame frame = glue::FrameOf({ input }, processes.reduce());
-      conformal::Points copy;
-      conformal::TrainingSamples samples(glue::ViewPoints(input->GetPoints(), frame, copy), {},
-        glue::GhostTest(input), processes.reduce(), steps.next());
+      glue::CloudInput cloud;
+      glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
+      const conformal::CoordinateFrame frame = cloud.Frame;
+      conformal::TrainingSamples samples(
+        cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;
       if (mayWind)
       {
@@ -185,12 +189,13 @@ int vtkGenusZeroHull::RequestData(
       if (processes.isFirst())
       {
         WarnAbout(this, samples, hull);
+        glue::WarnOfFarPoints(this, cloud.Far);
       }
       if (!samples.empty())
       {
         steps.next();
         glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, frame);
-        AddFigures(output->GetFieldData(), samples, hull, frame);
+        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, frame);
         glue::KeepOwnShare(output, inPieces, processes);
       }
     });

@@ -735,6 +735,68 @@ TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)
   ExpectEmpty(c);
 }
 
+// Outliers at any distance change no bit of the mesh; a frame around them would leave nothing of
+// it.
+TEST(ConformalSOM, PointsFarFromAllOthersAreLeftOutAndCounted)
+{
+  for (const int lattice : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+  {
+    auto clean = MakeFilter(MakeCloud(1000));
+    clean->SetLattice(lattice);
+    clean->Update();
+    for (const double distance : { 30.0, 900.0, 3e4, 3e9, 3e15, 3e200 })
+    {
+      SCOPED_TRACE(std::to_string(lattice) + " " + std::to_string(distance));
+      auto cloud = MakeCloud(1000);
+      cloud->GetPoints()->InsertNextPoint(distance, 0.0, 0.0);
+      cloud->GetPoints()->InsertNextPoint(0.1 * distance, -distance, 0.3 * distance);
+      auto filter = MakeFilter(cloud);
+      filter->SetLattice(lattice);
+      contract::Observed observed(filter);
+      filter->Update();
+      observed.ExpectWarning("2 of 1002 points lie far from all others and are left out");
+      ExpectSamePoints(clean, filter);
+    }
+  }
+}
+
+// As exporters write pixels without a point, in a cloud that lies far from there.
+TEST(ConformalSOM, ManyPointsAtTheOriginAreLeftOut)
+{
+  auto clean = MakeCloud(1000), dirty = MakeCloud(1000);
+  for (vtkPolyData* cloud : { clean.Get(), dirty.Get() })
+  {
+    for (vtkIdType i = 0; i < 1000; ++i)
+    {
+      double x[3];
+      cloud->GetPoint(i, x);
+      cloud->GetPoints()->SetPoint(i, x[0] + 5e5, x[1] + 5e6, x[2]);
+    }
+  }
+  for (int i = 0; i < 400; ++i)
+  {
+    dirty->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
+  }
+  auto a = MakeFilter(clean), b = MakeFilter(dirty);
+  contract::Observed observed(b);
+  a->Update();
+  b->Update();
+  observed.ExpectWarning("400 of 1400 points lie far from all others");
+  ExpectSamePoints(a, b);
+}
+
+// A vertex of the input's own polygons is no outlier.
+TEST(ConformalSOM, FarVerticesOfPolygonsAreKept)
+{
+  const vtkNew<vtkPolyData> surface = fixtures::Ellipsoid(20);
+  surface->GetPoints()->SetPoint(7, 300.0, 0.0, 0.0);
+  auto filter = MakeFilter(surface);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_EQ(observed.WarningMessage().find("far from all others"), std::string::npos);
+  EXPECT_FALSE(observed.Error());
+}
+
 // Real scans, closed and of genus zero, with limbs that bend back to the body.
 TEST(ConformalSOM, SaysNothingOfCleanScans)
 {

@@ -521,6 +521,26 @@ TEST_F(CurvedSeamlessSurface, PointsOfACloudThatAreNotFiniteAreLeftOut)
   EXPECT_LT(MaximumDifference(output, expected), 1e-12);
 }
 
+TEST_F(CurvedSeamlessSurface, PointsOfACloudFarFromAllOthersAreLeftOut)
+{
+  const vtkNew<vtkPolyData> cloud = Ellipsoid(20);
+  vtkNew<vtkPolyData> expected;
+  this->Filter->SetDomeHeightToFitted();
+  this->Filter->SetCloudData(cloud);
+  expected->DeepCopy(this->Run(Ellipsoid()));
+  cloud->GetPointData()->Initialize();
+  cloud->SetPolys(nullptr);
+  cloud->GetPoints()->InsertNextPoint(1e4, 0.0, 0.0);
+  for (const double distance : { 1e4, 1e9, 1e15 })
+  {
+    cloud->GetPoints()->SetPoint(cloud->GetNumberOfPoints() - 1, distance, 0.0, 0.0);
+    cloud->Modified();
+    vtkPolyData* output =
+      this->ExpectDone(Ellipsoid(), "1 of 4003 points lie far from all others and are left out");
+    EXPECT_LT(MaximumDifference(output, expected), 1e-12);
+  }
+}
+
 // The vertices of a polished mesh lie outside of ridges.
 TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
 {

@@ -209,3 +209,16 @@ TEST(GenusZeroCheck, RunsOnlyWhenModified)
   check->SetInputConnection(source->GetOutputPort());
   contract::ExpectRunsOnlyWhenModified(check, [&]() { source->SetFrequency(3); });
 }
+
+// The figures are those of nothing, so that scripts find them.
+TEST(GenusZeroCheck, WarnsOfAnEmptySurface)
+{
+  vtkNew<vtkGenusZeroCheck> check;
+  contract::Observed observed(check);
+  check->SetInputData(vtkNew<vtkPolyData>());
+  check->Update();
+  observed.ExpectWarning("the surface is empty");
+  EXPECT_EQ(check->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(Figure(check, "IsGenusZero"), 0);
+  EXPECT_EQ(Figure(check, "NumberOfComponents"), 0);
+}

@@ -388,6 +388,41 @@ TEST_F(GenusZeroHull, SkipsGhostPointsAndThoseNotFinite)
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), expected);
 }
 
+TEST_F(GenusZeroHull, LeavesOutPointsFarFromAllOthers)
+{
+  for (const int indicator :
+    { vtkGenusZeroHull::DISTANCE, vtkGenusZeroHull::WINDING_NUMBERS, vtkGenusZeroHull::AUTOMATIC })
+  {
+    SCOPED_TRACE(indicator);
+    vtkNew<vtkGenusZeroHull> clean;
+    clean->SetInputData(this->Cloud);
+    clean->SetSpacing(0.05);
+    clean->SetIndicator(indicator);
+    clean->Update();
+    this->Filter->SetIndicator(indicator);
+    vtkPoints* points = clean->GetOutput()->GetPoints();
+    for (const double distance : { 1e2, 1e4, 1e15, 1e200 })
+    {
+      vtkNew<vtkPolyData> dirty;
+      dirty->DeepCopy(this->Cloud);
+      for (int i = 0; i < 3; ++i)
+      {
+        dirty->GetPoints()->InsertNextPoint(distance, (i - 1) * distance, 0.0);
+      }
+      const std::vector<std::string> warnings = WarningsOf(this->Filter, dirty);
+      ASSERT_EQ(warnings.size(), 1U);
+      EXPECT_NE(warnings[0].find("3 of 12965 points lie far from all others"), std::string::npos)
+        << warnings[0];
+      EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 3);
+      vtkPoints* own = this->Filter->GetOutput()->GetPoints();
+      ASSERT_EQ(own->GetNumberOfPoints(), points->GetNumberOfPoints());
+      EXPECT_EQ(std::memcmp(own->GetVoidPointer(0), points->GetVoidPointer(0),
+                  3 * sizeof(double) * own->GetNumberOfPoints()),
+        0);
+    }
+  }
+}
+
 TEST_F(GenusZeroHull, WarnsOfNoPoints)
 {
   contract::Observed observed(this->Filter);

@@ -34,6 +34,7 @@ struct Case
   bool IsOurs = true; ///< or VTK's, for comparison
   std::function<Outcome()> Run;
   int CPUSeconds = 0; ///< limit of its own, if not 0
+  int Megabytes = 0;  ///< limit of memory of its own, if not 0
 
   std::string name() const { return this->SetUp + "/" + this->Input; }
 };

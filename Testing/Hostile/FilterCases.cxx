@@ -632,9 +632,10 @@ std::vector<SetUp> Templates()
   // The output has the surfaces' own polygons, as they are turned.
   SetUp whole = { "vtkSphericalTemplate", "", true, On<F>(with), BadPoints | BadIds | BadMap, false,
     true };
-  whole.Properties = { Number("Tolerance", &F::SetTolerance),
-    Integer("Alignment", &F::SetAlignment), Number("ShapeWeight", &F::SetShapeWeight),
-    Number("StretchWeight", &F::SetStretchWeight),
+  whole.Properties = { Integer("MaximumNumberOfRounds", &F::SetMaximumNumberOfRounds),
+    Integer("MeanFrequency", &F::SetMeanFrequency), Integer("Frequency", &F::SetFrequency),
+    Number("Tolerance", &F::SetTolerance), Integer("Alignment", &F::SetAlignment),
+    Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
     Name("LandmarkArrayName", &F::SetLandmarkArrayName), features };
   SetUp start = { "vtkSphericalTemplate", "single", true, On<F>([](F*, vtkPolyData*) {}), BadMap,
     false, true };

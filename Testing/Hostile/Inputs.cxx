@@ -171,6 +171,15 @@ Surface Changed(Change change)
   return Dressed(positions, polygons);
 }
 
+// The ellipsoid's points and triangles, and points of no triangle that many times as far away.
+Surface WithPointsAway(std::size_t count, double distance)
+{
+  return Changed(
+    [=](Positions& p, Polygons&) {
+      p.insert(p.end(), count, { 0.3 * distance, -distance, 0.0 });
+    });
+}
+
 // The ellipsoid with all its arrays after change(surface), so that only this is wrong.
 template <typename Change>
 Surface Damaged(Change change)
@@ -887,6 +896,10 @@ std::vector<Input> Meshes()
             p[51] = p[52];
           });
       } },
+    { "a point 1e3 away", []() { return WithPointsAway(1, 1e3); } },
+    { "a point 1e15 away", []() { return WithPointsAway(1, 1e15); } },
+    { "a point 1e300 away", []() { return WithPointsAway(1, 1e300); } },
+    { "100 points at a place 1e6 away", []() { return WithPointsAway(100, 1e6); } },
     { "isolated points",
       []() {
         return Changed([](Positions& p, Polygons&) { p.insert(p.end(), 9, { 9, 9, 9 }); });

@@ -34,7 +34,13 @@ constexpr rlim_t MemoryLimit = rlim_t(4) << 30;      // bytes
 
 rlim_t CPULimitOf(const Case& test)
 {
-  return test.CPUSeconds > 0 ? static_cast<rlim_t>(test.CPUSeconds) : CPULimit;
+  return test.CPUSeconds > 0 ? static_cast<rlim_t>(test.CPUSeconds) * (HasSanitizer ? 6 : 1)
+                             : CPULimit;
+}
+
+rlim_t MemoryLimitOf(const Case& test)
+{
+  return test.Megabytes > 0 ? static_cast<rlim_t>(test.Megabytes) << 20 : MemoryLimit;
 }
 
 // Comes every so many seconds, and ends a process that did nothing since: it waits for something
@@ -63,7 +69,7 @@ void SetLimits(const Case& test)
   limit(RLIMIT_CPU, CPULimitOf(test));
   if (!HasSanitizer)
   {
-    limit(RLIMIT_AS, MemoryLimit);
+    limit(RLIMIT_AS, MemoryLimitOf(test));
   }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGALRM, EndIfIdle);

@@ -122,6 +122,36 @@ void StopAfterASecond(vtkAlgorithm* filter)
   filter->AddObserver(vtkCommand::ProgressEvent, stop);
 }
 
+// Asked to stop at a report of its progress, a filter must not take long, and fill no memory.
+Outcome RunUntil(int report, const SetUp& setUp, const std::function<void(vtkAlgorithm*)>& set)
+{
+  vtkSMPTools::Initialize(1);
+  const auto good = Ellipsoid();
+  const auto data = Ellipsoid();
+  const Messages messages;
+  const auto filter = setUp.Make(data, good);
+  set(filter);
+  int left = report;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&left);
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      if (--*static_cast<int*>(client) <= 0)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  filter->Update();
+  // The first report comes before anything large; between later ones a count may fill the memory.
+  if (report == 1 && messages.errors() > 0)
+  {
+    return { Verdict::Wrong, "an error before it could be stopped: " + messages.first() };
+  }
+  return JudgeFilter(filter, messages, setUp.IsClosed);
+}
+
 Outcome RunWith(const SetUp& setUp, const std::function<void(vtkAlgorithm*)>& set)
 {
   vtkSMPTools::Initialize(1);
@@ -169,6 +199,19 @@ void AddPropertyCases(std::vector<Case>& all, const SetUp& setUp)
     {
       all.push_back({ setUp.Class, setUp.name(), property.Name + " " + text, setUp.IsOurs,
         [setUp, set = set]() { return RunWith(setUp, set); } });
+    }
+    if (!property.IsCount)
+    {
+      continue;
+    }
+    const auto& [text, set] = property.Values.back();
+    for (const auto& [when, report] : { std::pair("first", 1), std::pair("third", 3) })
+    {
+      constexpr int seconds = 10, megabytes = 2048;
+      all.push_back({ setUp.Class, setUp.name(),
+        property.Name + " " + text + ", stopped at the " + when + " report", setUp.IsOurs,
+        [setUp, set = set, report = report]() { return RunUntil(report, setUp, set); }, seconds,
+        megabytes });
     }
   }
 }

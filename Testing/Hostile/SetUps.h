@@ -25,6 +25,10 @@ struct Property
 {
   std::string Name;
   std::vector<std::pair<std::string, std::function<void(vtkAlgorithm*)>>> Values;
+
+  /// Whether it may be a count, the last of its values being the largest: work without end, which
+  /// must stop when asked to.
+  bool IsCount = false;
 };
 
 struct SetUp
@@ -62,7 +66,8 @@ struct SetUp
 /// One case for each input, and two for each scale where there are others it can differ from.
 void AddCases(std::vector<Case>& all, const SetUp& setUp, const std::vector<Input>& inputs);
 
-/// One case for each value of each property, on good data.
+/// One case for each value of each property, on good data, and for the largest of counts runs that
+/// are asked to stop at their first report of progress, and at their third.
 void AddPropertyCases(std::vector<Case>& all, const SetUp& setUp);
 
 /// Values that no property is made for, through its setter.
@@ -75,6 +80,7 @@ Property Integer(const char* name, void (Filter::*set)(int))
     property.Values.emplace_back(std::to_string(value),
       [=](vtkAlgorithm* filter) { (static_cast<Filter*>(filter)->*set)(value); });
   }
+  property.IsCount = true;
   return property;
 }
 

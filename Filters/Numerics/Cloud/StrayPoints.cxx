@@ -14,22 +14,6 @@ namespace
 {
 constexpr int Neighbors = 8;
 
-/// Whether a point lies in the plane of its nearest others, and these in one.
-bool isFlat(const Points& points, const Vector3& point, const PointTree& tree)
-{
-  constexpr double thickness = 0.1; // its square, of that of the second axis
-  for (const int count : { Neighbors, 2 * Neighbors })
-  {
-    const NearestPlane plane = planeNear(points, tree, point, count);
-    const double most = thickness * plane.SquareWidths[1];
-    if (plane.SquareWidths[0] < most && plane.Offset * plane.Offset < most)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Sparse parts of a surface are no outliers: where a quarter of the suspects around a suspect lie
 /// flat, which few points scattered in space do by chance, it is free.
 void acquitSurfaces(
@@ -55,7 +39,7 @@ void acquitSurfaces(
       for (Index k = begin; k < end; ++k)
       {
         places.row(k) = points.row(ids[k]);
-        flat[k] = isFlat(points, points.row(ids[k]), tree);
+        flat[k] = liesFlat(points, tree, points.row(ids[k]));
       }
     });
   const PointTree others(places, run.unwatched());
@@ -98,6 +82,21 @@ NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector
   plane.Offset = plane.Normal.dot(middle);
   plane.SquareWidths = axes.eigenvalues();
   return plane;
+}
+
+bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
+{
+  constexpr double thickness = 0.1; // its square, of that of the second axis
+  for (const int count : { Neighbors, 2 * Neighbors })
+  {
+    const NearestPlane plane = planeNear(points, tree, place, count);
+    const double most = thickness * plane.SquareWidths[1];
+    if (plane.SquareWidths[0] < most && plane.Offset * plane.Offset < most)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)

@@ -24,6 +24,10 @@ struct NearestPlane
 NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
+/// Test whether a place lies in the plane of its eight or sixteen nearest points, which lie in one.
+/// @param[in] tree  of the points, more than eight
+bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
+
 /// Mark points that lie off the surface which the points around them make up: farther from the
 /// plane through the eight nearest other points, along its normal, than 0.8 times the root mean
 /// square width of these in it. Points at sharp tips and some of a very noisy cloud are marked too.

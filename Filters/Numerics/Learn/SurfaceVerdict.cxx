@@ -10,6 +10,8 @@
 #include "Search/PointTree.h"
 #include "Search/TriangleTree.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,11 +155,41 @@ double unresolvedFraction(const Points& asked, const std::vector<double>& weight
   return all > 0.0 ? unresolved / all : 0.0;
 }
 
+// Mean square distance of neighbors from the smooth surface through them: a quadratic polynomial
+// over the plane across the normal. It is small where the samples lie on one curved surface,
+// however far they are from the flat triangles of a coarse mesh.
+double squareOffQuadric(
+  const Points& points, const std::vector<int>& ids, const Vector3& place, const Vector3& normal)
+{
+  constexpr Index coefficients = 6;
+  const auto size = static_cast<Index>(ids.size());
+  const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  Eigen::MatrixXd terms(size, coefficients);
+  Eigen::VectorXd heights(size);
+  double largest = 0.0;
+  for (Index k = 0; k < size; ++k)
+  {
+    const Vector3 x = Vector3(points.row(ids[static_cast<std::size_t>(k)])) - place;
+    terms(k, 1) = u.dot(x);
+    terms(k, 2) = v.dot(x);
+    heights[k] = normal.dot(x);
+    largest = std::max({ largest, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
+  }
+  terms.middleCols(1, 2) /= largest > 0.0 ? largest : 1.0;
+  terms.col(0).setOnes();
+  terms.col(3) = terms.col(1).cwiseAbs2();
+  terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));
+  terms.col(5) = terms.col(2).cwiseAbs2();
+  const Eigen::VectorXd fitted = terms * terms.colPivHouseholderQr().solve(heights);
+  return (heights - fitted).squaredNorm() / static_cast<double>(size - coefficients);
+}
+
 // How far apart two layers of samples are, or 0 where there is one.
 double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
 {
   constexpr int neighbors = 24;
   constexpr double least = 0.004, mostKurtosis = 2.15, sameSide = 0.5;
+  constexpr double leastOffQuadric = 0.5; // of the offsets' variance; about 1 for layers
   if (asked.rows() < neighbors)
   {
     return 0.0;
@@ -168,28 +200,41 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
     double Second = 0.0, SquareOfSecond = 0.0, Fourth = 0.0;
   };
   const Index blocks = (asked.rows() + BlockSize - 1) / BlockSize;
+  // Calls body(i, ids) for each sample with enough neighbors on its side of the surface.
+  const auto forNeighbors = [&](Index begin, Index end, const auto& body)
+  {
+    std::vector<Neighbor> nearest;
+    std::vector<int> ids;
+    for (Index i = begin; i < end; ++i)
+    {
+      tree.nearest(asked.row(i), neighbors, nearest);
+      ids.clear();
+      for (const Neighbor& neighbor : nearest)
+      {
+        if (std::abs(feet.Offsets[neighbor.Id]) <= near &&
+          feet.Normals.row(i).dot(feet.Normals.row(neighbor.Id)) > sameSide)
+        {
+          ids.push_back(neighbor.Id);
+        }
+      }
+      if (2 * ids.size() >= neighbors)
+      {
+        body(i, ids);
+      }
+    }
+  };
   std::vector<Moments> sums(blocks);
   forBlocks(run, asked.rows(), BlockSize,
     [&](Index begin, Index end)
     {
-      std::vector<Neighbor> nearest;
       std::vector<double> offsets;
       Moments& sum = sums[begin / BlockSize];
-      for (Index i = begin; i < end; ++i)
+      const auto add = [&](Index, const std::vector<int>& ids)
       {
-        tree.nearest(asked.row(i), neighbors, nearest);
         offsets.clear();
-        for (const Neighbor& neighbor : nearest)
+        for (const int id : ids)
         {
-          if (std::abs(feet.Offsets[neighbor.Id]) <= near &&
-            feet.Normals.row(i).dot(feet.Normals.row(neighbor.Id)) > sameSide)
-          {
-            offsets.push_back(feet.Offsets[neighbor.Id]);
-          }
-        }
-        if (2 * offsets.size() < neighbors)
-        {
-          continue;
+          offsets.push_back(feet.Offsets[id]);
         }
         const auto count = static_cast<double>(offsets.size());
         const double mean = std::accumulate(offsets.begin(), offsets.end(), 0.0) / count;
@@ -203,7 +248,8 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
         sum.Second += second;
         sum.SquareOfSecond += second * second;
         sum.Fourth += fourth;
-      }
+      };
+      forNeighbors(begin, end, add);
     });
   Moments all;
   for (const Moments& sum : sums)
@@ -213,7 +259,23 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
     all.Fourth += sum.Fourth;
   }
   const double apart = all.Second > 0.0 ? 2.0 * std::sqrt(all.SquareOfSecond / all.Second) : 0.0;
-  return apart > least && all.Fourth < mostKurtosis * all.SquareOfSecond ? apart : 0.0;
+  if (!(apart > least && all.Fourth < mostKurtosis * all.SquareOfSecond))
+  {
+    return 0.0;
+  }
+  // Offsets from the triangles of a coarse mesh have two values as well: at corners and within.
+  std::vector<double> squares(blocks, 0.0);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      forNeighbors(begin, end,
+        [&](Index i, const std::vector<int>& ids) {
+          squares[begin / BlockSize] +=
+            squareOffQuadric(asked, ids, asked.row(i), feet.Normals.row(i));
+        });
+    });
+  const double offQuadric = std::accumulate(squares.begin(), squares.end(), 0.0);
+  return offQuadric > leastOffQuadric * all.Second ? apart : 0.0;
 }
 
 // Directions in which the surface should face at the points.

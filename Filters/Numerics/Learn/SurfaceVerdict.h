@@ -41,7 +41,8 @@ struct ToleratedVerdict
 ///   between them is guessed.
 /// - Samples lie on two layers, as those of scans that are not registered well, where their offsets
 ///   from the surface have, among neighbors, two values: a kurtosis nearer to 1 than to the 3 of
-///   noise.
+///   noise. Neighbors on one curved surface are no layers, though their offsets from the triangles
+///   of a coarse mesh have two values, too: those are near a quadratic polynomial.
 ///
 /// Some 10,000 of the samples are asked, the same on all processes.
 ///

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 using conformal::Index;
 using conformal::judgeSurface;
@@ -244,4 +245,40 @@ TEST(SurfaceVerdict, FindsTheDistanceOfTwoLayersAndNoneInNoise)
   EXPECT_NEAR(verdictOn(makeGeodesicSphere(48), layers).LayerDistance, 0.012, 0.001);
   EXPECT_EQ(verdictOn(makeGeodesicSphere(48), noisy).LayerDistance, 0.0);
   EXPECT_EQ(verdictOn(makeGeodesicSphere(48), spheres::random(20000)).LayerDistance, 0.0);
+}
+
+// Flat triangles lie below a sphere by a hundredth of its radius: at their corners and within, the
+// offsets of points have two values.
+TEST(SurfaceVerdict, DoesNotTakeTheTrianglesOfACoarseMeshForLayers)
+{
+  for (const int frequency : { 2, 3, 4, 6 })
+  {
+    const Mesh coarse = makeGeodesicSphere(frequency);
+    for (const Index size : { 800, 3000 })
+    {
+      for (const double scale : { 1.0, 1.01 })
+      {
+        SCOPED_TRACE(
+          std::to_string(frequency) + " " + std::to_string(size) + " " + std::to_string(scale));
+        Mesh mesh = coarse;
+        mesh.Positions *= scale;
+        EXPECT_EQ(verdictOn(mesh, spheres::spiral(size)).LayerDistance, 0.0);
+        EXPECT_EQ(verdictOn(mesh, spheres::random(size)).LayerDistance, 0.0);
+      }
+    }
+  }
+}
+
+TEST(SurfaceVerdict, FindsLayersOfFewPointsAroundACoarseMesh)
+{
+  for (const Index size : { 800, 3000, 10000 })
+  {
+    conformal::Random random(7);
+    Points layers = spheres::random(size);
+    for (Index i = 0; i < size; ++i)
+    {
+      layers.row(i) *= random.uniform() < 0.5 ? 0.98 : 1.02;
+    }
+    EXPECT_NEAR(verdictOn(makeGeodesicSphere(8), layers).LayerDistance, 0.04, 0.004) << size;
+  }
 }
