@@ -36,7 +36,7 @@ vtkNew<vtkPolyData> Sphere(int frequency = 3)
   return surface;
 }
 
-class MeshConversions : public testing::Test
+class Meshes : public testing::Test
 {
 protected:
   std::string WhyNot(vtkPolyData* surface)
