@@ -6,7 +6,7 @@
 #include "Mesh/EvenTriangles.h"
 #include "Mesh/GeodesicSphere.h"
 #include "vtkConformalConversions.h"
-#include "vtkCurvedSeamlessMap.h"
+#include "vtkCurvedSeamlessSurface.h"
 #include "vtkMeshConversions.h"
 #include "vtkProcessConversions.h"
 
@@ -22,66 +22,37 @@
 
 namespace
 {
-int PolishedOf(vtkFieldData* data)
-{
-  vtkAbstractArray* array = data->GetAbstractArray("Polished");
-  if (!array)
-  {
-    return vtkCurvedSeamlessMap::AUTOMATIC;
-  }
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers || numbers->GetNumberOfTuples() == 0)
-  {
-    throw std::invalid_argument("the field array Polished of the surface holds no number. Give it "
-                                "one, or remove it, or set Polished to Off or On.");
-  }
-  return numbers->GetComponent(0, 0) != 0.0 ? vtkCurvedSeamlessMap::ON : vtkCurvedSeamlessMap::OFF;
-}
-
-double VertexShiftOf(
-  const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkFieldData* data)
+// The property, or the field array of the mesh. Warn where neither is there, and the mesh is likely
+// to have been fitted.
+double VertexShiftOf(const vtkConformalConversions::CurvedSeamlessProperties& properties,
+  vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
 {
   if (!(properties.VertexShift < 0.0))
   {
     return properties.VertexShift;
   }
-  vtkAbstractArray* array = data->GetAbstractArray("VertexShift");
-  if (!array)
+  if (vtkAbstractArray* array = surface->GetFieldData()->GetAbstractArray("VertexShift"))
   {
-    return conformal::UsualVertexShift;
+    auto* numbers = vtkDataArray::SafeDownCast(array);
+    const double shift =
+      numbers && numbers->GetNumberOfTuples() > 0 ? numbers->GetComponent(0, 0) : -1.0;
+    if (!(shift >= 0.0 && shift <= conformal::MaximumVertexShift))
+    {
+      throw std::invalid_argument("the field array VertexShift of the surface holds no number from "
+                                  "0 to 2. Give it one, or remove it, or set VertexShift.");
+    }
+    return shift;
   }
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  const double shift =
-    numbers && numbers->GetNumberOfTuples() > 0 ? numbers->GetComponent(0, 0) : -1.0;
-  if (!(shift >= 0.0 && shift <= conformal::MaximumVertexShift))
-  {
-    throw std::invalid_argument("the field array VertexShift of the surface holds no number from 0 "
-                                "to 2. Give it one, or remove it, or set VertexShift.");
-  }
-  return shift;
-}
-
-// With a warning where neither the property nor the mesh tells, and a learned mesh is likely.
-bool IsPolished(const vtkConformalConversions::CurvedSeamlessProperties& properties,
-  vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
-{
-  int polished = properties.Polished;
-  if (polished == vtkCurvedSeamlessMap::AUTOMATIC)
-  {
-    polished = PolishedOf(surface->GetFieldData());
-  }
-  const bool isUsed = properties.Options.DomeHeight >= conformal::DomeHeight::Curvature &&
-    properties.VertexShift != 0.0;
-  if (polished == vtkCurvedSeamlessMap::AUTOMATIC && isUsed &&
+  if (properties.Options.DomeHeight >= conformal::DomeHeight::Curvature &&
     (conformal::hasGeodesicConnectivity(mesh.Triangles, mesh.Positions.rows()) ||
       conformal::hasEvenTriangles(mesh)))
   {
     vtkWarningWithObjectMacro(self,
       << "the surface has triangles like those of a mesh of vtkConformalSOM, but no field array "
-         "\"Polished\"; it is taken as not polished. Set Polished to On if it was learned in batch "
-         "training, or to Off if it was not.");
+         "\"VertexShift\"; its vertices are not moved. Set VertexShift to 1 if it was learned in "
+         "batch training, or to 0 if it was not.");
   }
-  return polished == vtkCurvedSeamlessMap::ON;
+  return 0.0;
 }
 
 conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
@@ -119,8 +90,7 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   if (tells)
   {
     auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
-    model.Options.Polished = IsPolished(properties, self, surface, mesh);
-    model.Options.VertexShift = VertexShiftOf(properties, surface->GetFieldData());
+    model.Options.VertexShift = VertexShiftOf(properties, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Positions = std::move(mesh.Positions);
     model.Triangles = std::move(mesh.Triangles);
@@ -129,10 +99,9 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   {
     static_cast<conformal::MappedMesh&>(model) =
       vtkConformalConversions::GatherMesh(processes.reduce(), model);
-    model.Options.Polished = processes.firstWith(model.Options.Polished) >= 0;
     const std::vector<double> own(tells ? 1 : 0, model.Options.VertexShift);
     const std::vector<double> shift = conformal::gather(processes.reduce(), own);
-    model.Options.VertexShift = shift.empty() ? conformal::UsualVertexShift : shift.front();
+    model.Options.VertexShift = shift.empty() ? 0.0 : shift.front();
   }
   return model;
 }
@@ -156,16 +125,15 @@ conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
 namespace vtkConformalConversions
 {
 //------------------------------------------------------------------------------
-CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map)
+CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter)
 {
   CurvedSeamlessProperties properties;
   conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
-  options.SeamMode = static_cast<conformal::SeamMode>(map->GetSeamMode());
-  options.DomeHeight = static_cast<conformal::DomeHeight>(map->GetDomeHeight());
-  options.Fit.NumberOfFitRounds = map->GetNumberOfFitRounds();
-  options.Fit.FitSmoothness = map->GetFitSmoothness();
-  properties.Polished = map->GetPolished();
-  properties.VertexShift = map->GetVertexShift();
+  options.SeamMode = static_cast<conformal::SeamMode>(filter->GetSeamMode());
+  options.DomeHeight = static_cast<conformal::DomeHeight>(filter->GetDomeHeight());
+  options.Fit.NumberOfFitRounds = filter->GetNumberOfFitRounds();
+  options.Fit.FitSmoothness = filter->GetFitSmoothness();
+  properties.VertexShift = filter->GetVertexShift();
   return properties;
 }
 
@@ -178,13 +146,7 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
   const conformal::CoordinateFrame frame =
     FrameOf({ surface, fits ? cloud : nullptr }, processes.reduce());
-  const auto size = static_cast<double>(surface->GetNumberOfPoints());
-  const double cloudSize = fits ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
-  const double rounds = 1.0 + options.Fit.NumberOfFitRounds;
-  conformal::Steps steps(run,
-    { 750.0 * size, 80.0 * cloudSize,
-      (options.SeamMode == conformal::SeamMode::EdgeMatched ? 4500.0 : 2500.0) * size +
-        (fits ? rounds * (2500.0 * cloudSize + 10000.0 * size) : 0.0) });
+  conformal::Steps steps(run, { 0.12, 0.03, 0.85 }); // mesh, cloud, surface
   const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
   conformal::Points copy;
   const conformal::Run reading = steps.next();

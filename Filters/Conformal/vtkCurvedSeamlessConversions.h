@@ -7,7 +7,7 @@
 
 #include <memory> // for std::shared_ptr
 
-class vtkCurvedSeamlessMap;
+class vtkCurvedSeamlessSurface;
 class vtkObject;
 class vtkPointSet;
 class vtkPolyData;
@@ -16,15 +16,14 @@ namespace vtkConformalConversions
 {
 class Processes;
 
-/// What a user has set of a map.
+/// Properties of vtkCurvedSeamlessSurface for the map; their defaults.
 struct CurvedSeamlessProperties
 {
-  conformal::CurvedSeamlessSurfaceOptions Options; ///< but Polished and VertexShift
-  int Polished = 0;                                ///< vtkCurvedSeamlessMap::GetPolished()
-  double VertexShift = 0.0;                        ///< vtkCurvedSeamlessMap::GetVertexShift()
+  conformal::CurvedSeamlessSurfaceOptions Options; ///< but VertexShift
+  double VertexShift = -1.0;                       ///< vtkCurvedSeamlessSurface::GetVertexShift()
 };
 
-CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessMap* map);
+CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter);
 
 /// A surface, and the frame of its points.
 struct BuiltSurface

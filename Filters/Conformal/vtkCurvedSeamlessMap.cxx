@@ -4,6 +4,7 @@
 #include "Surface/CurvedSeamlessSurface.h"
 #include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessConversions.h"
+#include "vtkCurvedSeamlessSurface.h"
 #include "vtkInputChecks.h"
 #include "vtkProcessConversions.h"
 
@@ -131,8 +132,12 @@ void vtkCurvedSeamlessMap::Take(std::shared_ptr<const vtkConformalConversions::B
 }
 
 //------------------------------------------------------------------------------
-bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
+bool vtkCurvedSeamlessMap::Build(
+  vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessSurface* settings)
 {
+  const vtkConformalConversions::CurvedSeamlessProperties properties = settings
+    ? vtkConformalConversions::PropertiesOf(settings)
+    : vtkConformalConversions::CurvedSeamlessProperties();
   return vtkConformalConversions::ReportErrors(this,
     [&]()
     {
@@ -144,8 +149,8 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       vtkInputChecks::RequireConsistentData(surface, "surface");
       vtkInputChecks::RequireConsistentData(cloud, "cloud");
       vtkConformalConversions::Processes alone;
-      this->Map = vtkConformalConversions::BuildSurface(
-        vtkConformalConversions::PropertiesOf(this), this, surface, cloud, {}, alone);
+      this->Map =
+        vtkConformalConversions::BuildSurface(properties, this, surface, cloud, {}, alone);
     });
 }
 
@@ -236,15 +241,6 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessMap::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const domeHeights[] = { "None", "Published", "Scaled", "Curvature", "Fitted" };
-  static const char* const polishedModes[] = { "Automatic", "Off", "On" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SeamMode: " << (this->SeamMode == PER_TRIANGLE ? "PerTriangle" : "EdgeMatched")
-     << "\n";
-  os << indent << "DomeHeight: " << domeHeights[this->DomeHeight] << "\n";
-  os << indent << "Polished: " << polishedModes[this->Polished] << "\n";
-  os << indent << "VertexShift: " << this->VertexShift << "\n";
-  os << indent << "NumberOfFitRounds: " << this->NumberOfFitRounds << "\n";
-  os << indent << "FitSmoothness: " << this->FitSmoothness << "\n";
   os << indent << "IsBuilt: " << (this->IsBuilt() ? "Yes" : "No") << "\n";
 }

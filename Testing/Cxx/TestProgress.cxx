@@ -25,7 +25,6 @@
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
 #include "vtkConsistentRemesh.h"
-#include "vtkCurvedSeamlessMap.h"
 #include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroCheck.h"
 #include "vtkGenusZeroHull.h"
@@ -241,10 +240,10 @@ vtkSmartPointer<vtkPolyData> Star(int frequency, Radius radius)
     const double r = radius(n);
     surface->GetPoints()->SetPoint(i, 10.0 + r * n[0], r * n[1], r * n[2]);
   }
-  vtkNew<vtkIdTypeArray> polished; // else vtkCurvedSeamlessSurface would ask for it
-  polished->SetName("Polished");
-  polished->InsertNextValue(0);
-  surface->GetFieldData()->AddArray(polished);
+  vtkNew<vtkIdTypeArray> shift; // else vtkCurvedSeamlessSurface warns
+  shift->SetName("VertexShift");
+  shift->InsertNextValue(0);
+  surface->GetFieldData()->AddArray(shift);
   return surface;
 }
 
@@ -372,9 +371,9 @@ TEST(Progress, OfTheLearner)
   const auto head = Head(60), limbs = Limbs(60);
   ExpectEven("ConformalSOM head", Of<SOM>(head));
   ExpectEven(
-    "ConformalSOM head, frequency 70", Of<SOM>(head, [](SOM* som) { som->SetFrequency(70); }));
-  ExpectEven("ConformalSOM head, without a polish",
-    Of<SOM>(head, [](SOM* som) { som->SetNumberOfPolishRounds(0); }));
+    "ConformalSOM head, large", Of<SOM>(head, [](SOM* som) { som->SetNumberOfNeurons(49002); }));
+  ExpectEven(
+    "ConformalSOM head, without a fit", Of<SOM>(head, [](SOM* som) { som->SetFitIterations(0); }));
   ExpectEven("ConformalSOM limbs", Of<SOM>(limbs));
   ExpectEven("ConformalSOM head, from the sphere",
     Of<SOM>(head, [](SOM* som) { som->SetStartingShape(SOM::SPHERE); }));
@@ -383,7 +382,7 @@ TEST(Progress, OfTheLearner)
       [](SOM* som)
       {
         som->SetStartingShape(SOM::HULL);
-        som->SetFrequency(20);
+        som->SetNumberOfNeurons(4002);
       }));
   const auto start = Head(40);
   ExpectEven("ConformalSOM head, from a mesh",
@@ -400,7 +399,7 @@ TEST(Progress, OfTheLearner)
     Of<SOM>(large,
       [](SOM* som)
       {
-        som->SetFrequency(20);
+        som->SetNumberOfNeurons(4002);
         som->SetGenerateErrorScalars(true);
       }));
 }
@@ -409,7 +408,7 @@ TEST(Progress, OfTheAdaptiveLearner)
 {
   using SOM = vtkConformalSOM;
   ExpectEven("ConformalSOM limbs, adaptive",
-    Of<SOM>(Limbs(60), [](SOM* som) { som->SetLatticeToAdaptive(); }));
+    Of<SOM>(Limbs(60), [](SOM* som) { som->SetMeshTypeToAdaptive(); }));
 }
 
 TEST(Progress, OfTheLearnerOnScans)
@@ -417,7 +416,7 @@ TEST(Progress, OfTheLearnerOnScans)
   ExpectEvenOnScans<vtkConformalSOM>({ "igea-closed.ply", "stanford-bunny-closed.ply" });
   // An adaptive mesh of its points alone is bad, and learned anew, which nobody could foresee.
   ExpectEvenOnScans<vtkConformalSOM>(
-    { "cortex.ply" }, [](vtkConformalSOM* filter) { filter->SetLatticeToGeodesic(); });
+    { "cortex.ply" }, [](vtkConformalSOM* filter) { filter->SetMeshTypeToGeodesic(); });
 }
 
 TEST(Progress, OfTheGlobalConformalMap)
@@ -461,7 +460,7 @@ TEST(Progress, OfTheCurvedSurface)
         css->SetFrequency(150);
         css->SetSeamModeToEdgeMatched();
       }));
-  for (int height = vtkCurvedSeamlessMap::NONE; height <= vtkCurvedSeamlessMap::CURVATURE; ++height)
+  for (int height = CSS::NONE; height <= CSS::CURVATURE; ++height)
   {
     const auto domes = [height](int f)
     {
@@ -669,7 +668,7 @@ TEST(Progress, OfTheHull)
 TEST(Progress, OfTheHullByWindingNumbers)
 {
   using Hull = vtkGenusZeroHull;
-  const auto byWindingNumbers = [](Hull* hull) { hull->SetIndicatorToWindingNumbers(); };
+  const auto byWindingNumbers = [](Hull* hull) { hull->SetMethodToWindingNumbers(); };
   vtkNew<vtkPolyData> cloud; // without triangles, so that normals must be found
   cloud->SetPoints(Head(60)->GetPoints());
   ExpectEven("GenusZeroHull head, winding numbers", Of<Hull>(cloud, byWindingNumbers));

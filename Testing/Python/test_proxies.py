@@ -14,7 +14,6 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 FOLDER = os.path.join(SOURCE, "Wrapping", "ParaView")
-AUTOMATIC = {"NumberOfNeurons": 0}  # what stands for the number that the class then says
 LEFT_OUT = {"Controller"}  # ParaView's own processes, which is the default
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
 
@@ -127,10 +126,6 @@ class TestProxies(unittest.TestCase):
                 self.assertIsNone(default)
                 continue
             value = getattr(proxy.object, "Get" + name)()
-            if name in AUTOMATIC:
-                getattr(proxy.object, "Set" + name)(AUTOMATIC[name])
-                self.assertEqual(getattr(proxy.object, "Get" + name)(), value)
-                value = AUTOMATIC[name]
             with self.subTest(name):
                 if element.tag == "StringVectorProperty":
                     self.assertEqual(default or "", value or "")

@@ -78,7 +78,7 @@ class TestPyVista(unittest.TestCase):
 
     def test_smooths_and_maps(self):
         mesh = ellipsoid()
-        surface = smooth(mesh, frequency=20, sampling="Directions", polished="Off")
+        surface = smooth(mesh, frequency=20, sampling="Directions", vertex_shift=0)
         self.expect_mapped(surface, 10 * 20**2 + 2)
         self.assertLess(off_surface(surface), 0.01)
         mapped = conformal_map(mesh)
@@ -143,7 +143,7 @@ class TestPyVista(unittest.TestCase):
             paint(conformal_map(ellipsoid()), np.zeros((4, 4)))
 
         with self.assertRaisesRegex(ValueError, "lattice is geodesic, but can be .*Geodesic"):
-            learn(ellipsoid(), lattice="geodesic")
+            learn(ellipsoid(), mesh_type="geodesic")
         for nothing in (None, "scan.ply", pyvista.MultiBlock()):
             with self.assertRaisesRegex(TypeError, "expected a data set of PyVista or an array"):
                 learn(nothing)

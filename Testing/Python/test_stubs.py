@@ -72,8 +72,8 @@ class TestStubs(unittest.TestCase):
                                  constants)
 
     def test_names_types(self):
-        self.assertEqual(self.types("vtkConformalSOM", "SetFrequency"), ["int", "None"])
-        self.assertEqual(self.types("vtkConformalSOM", "GetFrequency"), ["int"])
+        self.assertEqual(self.types("vtkConformalSOM", "SetNumberOfNeurons"), ["int", "None"])
+        self.assertEqual(self.types("vtkConformalSOM", "GetNumberOfNeurons"), ["int"])
         self.assertEqual(self.types("vtkConformalSOM", "SetStartData"),
                          ["Optional[vtkmodules.vtkCommonDataModel.vtkPolyData]", "None"])
         self.assertEqual(self.types("vtkConformalSOM", "SetPriorityArrayName"), ["Optional[str]", "None"])
@@ -94,9 +94,9 @@ class TestStubs(unittest.TestCase):
                             self.assertTrue(argument.annotation or argument.arg == "self")
 
     def test_all_methods_of_a_property_have_its_text(self):
-        meaning = plain(conformalsom.vtkConformalSOM.SetLattice.__doc__.partition("\n\n")[2])
+        meaning = plain(conformalsom.vtkConformalSOM.SetMeshType.__doc__.partition("\n\n")[2])
         self.assertIn("GEODESIC", meaning)
-        for name in "SetLattice", "GetLattice", "SetLatticeToAdaptive", "GetLatticeMaxValue":
+        for name in "SetMeshType", "GetMeshType", "SetMeshTypeToAdaptive", "GetMeshTypeMaxValue":
             self.assertEqual(plain(ast.get_docstring(self.method("vtkConformalSOM", name))), meaning)
         meaning = plain(conformalsom.vtkSphericalTextureMap.SetSplitSeam.__doc__.partition("\n\n")[2])
         self.assertEqual(plain(ast.get_docstring(self.method("vtkSphericalTextureMap", "SplitSeamOn"))), meaning)
