@@ -177,7 +177,7 @@ vtkSmartPointer<vtkPolyData> LearnedMesh(const std::string& name)
   }
   vtkNew<vtkGlobalConformalMap> map;
   map->SetInputConnection(network->GetOutputPort());
-  map->SetAreaBalance(0.5);
+  map->SetAreaBalance(1.0);
   map->Update();
   return map->GetOutput();
 }

@@ -89,11 +89,11 @@ FILTERS = {
         vtkAdaptiveSphere, surface(6), picture(), NumberOfPoints=2000, Density=3),
     "distortion": lambda: with_inputs(vtkConformalDistortion, surface()),
     "learning": lambda: with_inputs(
-        vtkConformalSOM, cloud(), Frequency=3, PriorityArrayName="Weights",
+        vtkConformalSOM, cloud(), NumberOfNeurons=92, PriorityArrayName="Weights",
         GenerateErrorScalars=True, StartingShape=1),
-    "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), Frequency=3),
+    "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), NumberOfNeurons=92),
     "learning online": lambda: with_inputs(
-        vtkConformalSOM, cloud(), Frequency=3, TrainingMode=0, NumberOfEpochs=1),
+        vtkConformalSOM, cloud(), NumberOfNeurons=92, TrainingMode=1, NumberOfEpochs=1),
     "curved surface": lambda: with_inputs(
         vtkCurvedSeamlessSurface, surface(6), Frequency=30, VertexShift=0),
     "curved surface, network": lambda: with_inputs(
