@@ -17,7 +17,8 @@ import toy_bear
 PACKAGE = os.path.dirname(os.path.abspath(conformalsom.__file__))
 PYTHON = os.path.dirname(os.path.abspath(toy_bear.__file__))
 MODULES = "vtkFiltersConformal", "vtkIOSurface"
-CLASSES = {name: class_ for name, class_ in vars(conformalsom).items() if inspect.isclass(class_)}
+CLASSES = {name: class_ for module in MODULES for name, class_ in vars(getattr(conformalsom, module)).items()
+           if inspect.isclass(class_)}
 INHERITED = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType"}
 
 
@@ -143,7 +144,7 @@ class TestChecker(unittest.TestCase):
                 ("painted.SplitSeamOn()", "painted.SetSplitSeam()", 'Too few arguments for "SetSplitSeam"'),
                 ("vtkConformalSOM,", "vtkConformalSom,", 'has no attribute "vtkConformalSom"'),
                 ("painted.SplitSeamOn()", "painted.GetViewUp().x", 'has no attribute "x"'),
-                ("painted.SplitSeamOn()", "mesh.GetFrequency().lower()", '"int" has no attribute "lower"')):
+                ("painted.SplitSeamOn()", "mesh.GetNumberOfNeurons().lower()", '"int" has no attribute "lower"')):
             with self.subTest(new):
                 path = os.path.join(self.temporary.name, "mistaken.py")
                 self.assertIn(old, right)

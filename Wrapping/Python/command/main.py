@@ -61,8 +61,8 @@ def size(text):
 class Renamed(argparse.Action):
     """Option of an earlier version: the error names the new one."""
 
-    def __init__(self, *args, new, **kwargs):
-        super().__init__(*args, nargs="?", **kwargs)
+    def __init__(self, option_strings, dest, new, **kwargs):
+        super().__init__(option_strings, dest, nargs="?", **kwargs)
         self.new = new
 
     def __call__(self, parser, namespace, values, option_string=None):
