@@ -2,11 +2,13 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "Texture/PictureDensity.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkSphereImageConversions.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -39,18 +41,17 @@ struct Surface : conformal::MappedMesh
 Surface ToSurface(vtkPolyData* input)
 {
   Surface surface;
-  surface.Triangles = vtkConformalConversions::ToTriangles(input, surface.CellIds);
+  surface.Triangles = glue::ToTriangles(input, surface.CellIds);
   if (surface.Triangles.rows() == 0)
   {
     throw std::invalid_argument("the surface has no triangles");
   }
-  surface.Positions = vtkConformalConversions::ToPoints(
-    input->GetPoints(), vtkConformalConversions::FrameOf({ input }));
+  surface.Positions = glue::ToPoints(input->GetPoints(), glue::FrameOf({ input }));
   if (!surface.Positions.allFinite())
   {
     throw std::invalid_argument("some points of the surface are not finite");
   }
-  surface.SpherePositions = vtkConformalConversions::ToSpherePositions(input);
+  surface.SpherePositions = glue::ToSpherePositions(input);
   return surface;
 }
 
@@ -132,7 +133,7 @@ conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* imag
   layout.Projection = conformal::SphereProjection::LongitudeLatitude;
   if (surface->GetFieldData()->HasArray("TextureProjection"))
   {
-    layout = vtkConformalConversions::ToSphereImage(surface->GetFieldData());
+    layout = glue::ToSphereImage(surface->GetFieldData());
   }
   return conformal::pictureDensity(std::move(picture), layout);
 }
@@ -182,23 +183,22 @@ int vtkAdaptiveSphere::RequestUpdateExtent(
 int vtkAdaptiveSphere::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto image = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[1]));
+  const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto image = glue::Held(vtkImageData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int density = this->Density;
   const std::string arrayName = this->DensityArrayName;
   conformal::AdaptiveSphereOptions options;
   options.NumberOfPoints = this->NumberOfPoints;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (input->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
-      using namespace vtkConformalConversions;
+      using namespace glue;
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const auto wanted = static_cast<double>(options.NumberOfPoints);
       const double pixels =

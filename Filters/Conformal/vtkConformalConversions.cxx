@@ -1,7 +1,9 @@
-#include "vtkConformalConversions.h"
+#include "Glue/Arrays.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 
-#include "vtkCompatibility.h"
-#include "vtkInputChecks.h"
+#include "Glue/Checks.h"
+#include "Glue/Compatibility.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -35,11 +37,10 @@ namespace
 // Its vectors, which are one for each point since the input was checked.
 void ReadSpherePositions(vtkDataArray* array, conformal::Points& positions)
 {
-  if (!vtkConformalConversions::ToVectors(array, positions))
+  if (!glue::ToVectors(array, positions))
   {
-    throw std::invalid_argument(std::string("the point array ") +
-      vtkConformalConversions::SpherePositionName() + " has " +
-      std::to_string(array->GetNumberOfComponents()) + " components instead of 3");
+    throw std::invalid_argument(std::string("the point array ") + glue::SpherePositionName() +
+      " has " + std::to_string(array->GetNumberOfComponents()) + " components instead of 3");
   }
 }
 
@@ -70,7 +71,7 @@ void RequireFinite(const double* values, conformal::Index size, const std::strin
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 conformal::Run SMPRun()
@@ -116,7 +117,7 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
       state->Last = now;
       self->UpdateProgress(state->Reached);
     }
-    return !vtkCompatibility::IsAbortWanted(self);
+    return !glue::IsAbortWanted(self);
   };
 }
 
@@ -153,7 +154,7 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
   return RunRequest(self,
     [&]()
     {
-      vtkInputChecks::RequireConsistentInputs(self);
+      glue::RequireConsistentInputs(self);
       core();
       RunOf(self).report(1.0); // the last time that a request to stop is noticed
     });

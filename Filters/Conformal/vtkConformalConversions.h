@@ -23,7 +23,7 @@ class vtkPoints;
 class vtkPointSet;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 /// Name of the point array that carries a map to the sphere: 3 doubles, unit length.
 inline const char* SpherePositionName()

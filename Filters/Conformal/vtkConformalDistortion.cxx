@@ -1,9 +1,11 @@
 #include "vtkConformalDistortion.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Measure/Distortion.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -42,30 +44,27 @@ std::vector<double> OfCells(vtkIdType numberOfCells, const std::vector<vtkIdType
 int vtkConformalDistortion::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (input->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; nothing was measured");
+        glue::WarnOfEmptyInput(this, "the surface is empty; nothing was measured");
         return;
       }
       // For each triangle.
-      conformal::Steps steps(
-        vtkConformalConversions::RunOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
+      conformal::Steps steps(glue::RunOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
       steps.next();
       std::vector<vtkIdType> cellIds;
       conformal::Points copy;
-      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);
       steps.next();
-      const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
-      const conformal::Distortion distortion =
-        conformal::measureDistortion(vtkConformalConversions::ViewPoints(input->GetPoints(),
-                                       vtkConformalConversions::FrameOf({ input }), copy),
-          triangles, map, steps.next());
+      const conformal::Points map = glue::ToSpherePositions(input);
+      const conformal::Distortion distortion = conformal::measureDistortion(
+        glue::ViewPoints(input->GetPoints(), glue::FrameOf({ input }), copy), triangles, map,
+        steps.next());
 
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(input);
@@ -73,7 +72,7 @@ int vtkConformalDistortion::RequestData(
                                   const char* name, const std::vector<double>& values, double none)
       {
         steps.next();
-        vtkConformalConversions::AddNumbers(
+        glue::AddNumbers(
           result->GetCellData(), name, OfCells(input->GetNumberOfCells(), cellIds, values, none));
       };
       addCellArray("AngleDistortion", distortion.AngleDistortion, 0.0);
@@ -81,7 +80,7 @@ int vtkConformalDistortion::RequestData(
       addCellArray("QuasiConformalError", distortion.QuasiConformalError, 1.0);
 
       vtkFieldData* data = result->GetFieldData();
-      using vtkConformalConversions::AddNumber;
+      using glue::AddNumber;
       AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
       AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
       AddNumber(data, "AreaDistortionDeviation", distortion.AreaDistortionDeviation);

@@ -1,14 +1,16 @@
 #include "vtkConformalSOM.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/CloudNormals.h"
+#include "Glue/CloudWarnings.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
 #include "Learn/ConformalSOM.h"
 #include "Measure/Distortion.h"
 #include "Surface/VertexShift.h"
-#include "vtkCloudNormals.h"
-#include "vtkCloudWarnings.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -68,7 +70,7 @@ conformal::NumberView ViewPriorities(
   {
     throw std::invalid_argument("the input has no point array \"" + name + "\" with 1 component");
   }
-  return vtkConformalConversions::ViewNumbers(array, copy);
+  return glue::ViewNumbers(array, copy);
 }
 
 // How many priorities are no use as weights, on all processes.
@@ -104,12 +106,11 @@ bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
 // not to be used. StartingShape Automatic takes them if they are a surface of all samples.
 conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool must,
   const conformal::TrainingSamples& samples, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes, const conformal::Run& run)
+  glue::Processes& processes, const conformal::Run& run)
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
   const conformal::Reduce reduce = processes.reduce();
-  std::int64_t counts[] = { input->GetNumberOfPoints() > 0,
-    vtkConformalConversions::HasTriangles(surface) };
+  std::int64_t counts[] = { input->GetNumberOfPoints() > 0, glue::HasTriangles(surface) };
   reduce.sum(counts, 2);
   const bool inPieces = counts[0] > 1;
   if (must && (counts[1] == 0 || inPieces))
@@ -124,20 +125,19 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
                                        "learning does not start from them, as it may on one");
   }
   conformal::MappedMesh own;
-  if (vtkConformalConversions::HasTriangles(surface) && !inPieces)
+  if (glue::HasTriangles(surface) && !inPieces)
   {
     if (must)
     {
-      static_cast<conformal::Mesh&>(own) = vtkConformalConversions::Outward(
-        vtkConformalConversions::ToClosedMesh(self, surface, frame, run));
+      static_cast<conformal::Mesh&>(own) =
+        glue::Outward(glue::ToClosedMesh(self, surface, frame, run));
     }
     else if (samples.dimension() == 3 && surface->GetNumberOfPoints() == samples.totalSize())
     {
-      static_cast<conformal::Mesh&>(own) =
-        vtkConformalConversions::ToMeshIfClosed(surface, frame, run);
+      static_cast<conformal::Mesh&>(own) = glue::ToMeshIfClosed(surface, frame, run);
     }
   }
-  return vtkConformalConversions::GatherMesh(reduce, own);
+  return glue::GatherMesh(reduce, own);
 }
 
 // What the points have that their user should know.
@@ -150,7 +150,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
   if (samples.numberOfNonFinite() > 0)
   {
-    vtkConformalConversions::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
+    glue::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
   }
   if (samples.empty())
   {
@@ -210,7 +210,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   if (result.FromHull && result.Hull == conformal::HullMethod::WindingNumbers &&
     samples.oriented() && !result.NormalsUsed)
   {
-    vtkConformalConversions::WarnOfUnusedNormals(self);
+    glue::WarnOfUnusedNormals(self);
   }
   if (result.Noise > muchNoise)
   {
@@ -235,11 +235,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   }
   if (result.Noise <= muchNoise && result.CutFraction > 0.0)
   {
-    vtkConformalConversions::WarnOfCutHandles(self, result.CutFraction);
+    glue::WarnOfCutHandles(self, result.CutFraction);
   }
   if (result.NumberOfSamplesOutside > size / 1000)
   {
-    vtkConformalConversions::WarnOfPointsApart(self, result.NumberOfSamplesOutside, size);
+    glue::WarnOfPointsApart(self, result.NumberOfSamplesOutside, size);
   }
   if (result.UnsupportedFraction > 0.002)
   {
@@ -265,7 +265,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   const conformal::ConformalSOMResult& result, double vertexShift,
   const conformal::CoordinateFrame& frame)
 {
-  using vtkConformalConversions::AddNumber;
+  using glue::AddNumber;
   AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
   AddNumber(data, "UncoveredFraction", result.Quality.UncoveredFraction);
@@ -273,9 +273,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "FoldedFraction", result.Quality.FoldedFraction);
   AddNumber(data, "AreaRatio", result.AreaRatio);
   AddNumber(data, "UndersampledFraction", result.Quality.UndersampledFraction);
-  vtkConformalConversions::AddLengths(
-    data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
-  vtkConformalConversions::AddLengths(
+  glue::AddLengths(data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
+  glue::AddLengths(
     data, "LayerDistance", { result.Quality.LayerDistance * samples.scale() }, frame);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.FromHull));
   AddNumber(data, "StartedFromMesh", static_cast<long long>(result.FromMesh));
@@ -342,7 +341,7 @@ int vtkConformalSOM::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkConformalSOM::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  glue::RequestOwnPieces(this, this->Controller, inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
@@ -350,21 +349,19 @@ int vtkConformalSOM::RequestUpdateExtent(
 int vtkConformalSOM::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[0]));
-  const auto start = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto input = glue::Held(vtkPointSet::GetData(inputVector[0]));
+  const auto start = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   const conformal::ConformalSOMOptions options = OptionsOf(this);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool measuresErrors = this->GenerateErrorScalars, inPieces = this->DistributeOutput;
-  return vtkConformalConversions::RunCore(this, this->Controller,
-    [&](vtkConformalConversions::Processes& processes)
+  return glue::RunCore(this, this->Controller,
+    [&](glue::Processes& processes)
     {
-      const conformal::CoordinateFrame frame =
-        vtkConformalConversions::FrameOf({ input }, processes.reduce());
+      const conformal::CoordinateFrame frame = glue::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
-      const conformal::PointView points =
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy);
+      const conformal::PointView points = glue::ViewPoints(input->GetPoints(), frame, copy);
       std::vector<double> priorityCopy;
       const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
@@ -374,15 +371,15 @@ int vtkConformalSOM::RequestData(
       // the vertex shift, the output.
       conformal::Steps steps(
         processes.run(), { 0.01, 0.01, 0.02, 0.9, measuresErrors ? 0.02 : 0.0, 0.02, 0.01 });
-      conformal::TrainingSamples samples(points, priorities,
-        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
+      conformal::TrainingSamples samples(
+        points, priorities, glue::GhostTest(input), processes.reduce(), steps.next());
       steps.next();
-      vtkConformalConversions::CloudNormals normals;
+      glue::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
         options.HullMethod != conformal::HullMethod::Distance)
       {
         const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
-        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), needed, normals);
+        glue::FindNormals(input, frame, processes.reduce(), needed, normals);
       }
       if (normals.Known)
       {
@@ -400,7 +397,7 @@ int vtkConformalSOM::RequestData(
       const conformal::Run meshing = steps.next();
       if (start)
       {
-        mesh = vtkConformalConversions::ToSharedMesh(this, start, frame, processes);
+        mesh = glue::ToSharedMesh(this, start, frame, processes);
       }
       else if (MayStartFromMesh(options))
       {
@@ -415,21 +412,20 @@ int vtkConformalSOM::RequestData(
         WarnAbout(this, result, samples);
       }
       const vtkNew<vtkPolyData> surface;
-      vtkConformalConversions::SetSurface(surface, result.Positions, result.Triangles, frame);
-      vtkConformalConversions::AddVectors(surface->GetPointData(),
-        vtkConformalConversions::SpherePositionName(), result.SpherePositions);
-      vtkConformalConversions::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+      glue::SetSurface(surface, result.Positions, result.Triangles, frame);
+      glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
+      glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
       const conformal::Run measuring = steps.next();
       if (measuresErrors)
       {
-        vtkConformalConversions::AddLengths(surface->GetPointData(), "QuantizationError",
+        glue::AddLengths(surface->GetPointData(), "QuantizationError",
           conformal::quantizationErrors(samples, result, measuring), frame);
       }
       const conformal::Run shifting = steps.next();
       const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
       AddFigures(surface->GetFieldData(), samples, result, shift, frame);
       steps.next();
-      vtkConformalConversions::KeepOwnShare(surface, inPieces, processes);
+      glue::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);
       FillHistory(history, processes.isFirst() ? result.History : Records());
     });

@@ -3,12 +3,12 @@
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Cloud/TrainingSamples.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
 #include "Mesh/EvenTriangles.h"
 #include "Mesh/GeodesicSphere.h"
-#include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessSurface.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -24,8 +24,8 @@ namespace
 {
 // The property, or the field array of the mesh. Warn where neither is there, and the mesh is likely
 // to have been fitted.
-double VertexShiftOf(const vtkConformalConversions::CurvedSeamlessProperties& properties,
-  vtkObject* self, vtkPolyData* surface, const vtkConformalConversions::ClosedMesh& mesh)
+double VertexShiftOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
+  vtkPolyData* surface, const glue::ClosedMesh& mesh)
 {
   if (!(properties.VertexShift < 0.0))
   {
@@ -58,7 +58,7 @@ double VertexShiftOf(const vtkConformalConversions::CurvedSeamlessProperties& pr
 conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& pointIds)
 {
   conformal::Points all;
-  if (!vtkConformalConversions::FindSpherePositions(surface, all))
+  if (!glue::FindSpherePositions(surface, all))
   {
     throw std::invalid_argument("the surface has no point array SpherePosition; vtkConformalSOM "
                                 "and vtkGlobalConformalMap write it");
@@ -78,9 +78,9 @@ struct Model : conformal::MappedMesh
 };
 
 // That of the first process that has a surface, on all of them.
-Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& properties, vtkObject* self,
-  vtkPolyData* surface, const conformal::CoordinateFrame& frame,
-  vtkConformalConversions::Processes& processes, const conformal::Run& run)
+Model ModelOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame, glue::Processes& processes,
+  const conformal::Run& run)
 {
   const bool isAlone = processes.size() == 1;
   Model model;
@@ -89,7 +89,7 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
     isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank();
   if (tells)
   {
-    auto mesh = vtkConformalConversions::ToClosedMesh(self, surface, frame, run);
+    auto mesh = glue::ToClosedMesh(self, surface, frame, run);
     model.Options.VertexShift = VertexShiftOf(properties, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Positions = std::move(mesh.Positions);
@@ -97,8 +97,7 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
   }
   if (!isAlone)
   {
-    static_cast<conformal::MappedMesh&>(model) =
-      vtkConformalConversions::GatherMesh(processes.reduce(), model);
+    static_cast<conformal::MappedMesh&>(model) = glue::GatherMesh(processes.reduce(), model);
     const std::vector<double> own(tells ? 1 : 0, model.Options.VertexShift);
     const std::vector<double> shift = conformal::gather(processes.reduce(), own);
     model.Options.VertexShift = shift.empty() ? 0.0 : shift.front();
@@ -107,12 +106,11 @@ Model ModelOf(const vtkConformalConversions::CurvedSeamlessProperties& propertie
 }
 
 conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
-  const conformal::CoordinateFrame& frame, conformal::Points& copy,
-  vtkConformalConversions::Processes& processes, const conformal::Run& run)
+  const conformal::CoordinateFrame& frame, conformal::Points& copy, glue::Processes& processes,
+  const conformal::Run& run)
 {
-  conformal::TrainingSamples samples(
-    vtkConformalConversions::ViewPoints(cloud->GetPoints(), frame, copy), {},
-    vtkConformalConversions::GhostTest(cloud), processes.reduce(), run);
+  conformal::TrainingSamples samples(glue::ViewPoints(cloud->GetPoints(), frame, copy), {},
+    glue::GhostTest(cloud), processes.reduce(), run);
   if (samples.numberOfNonFinite() > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
@@ -122,7 +120,7 @@ conformal::TrainingSamples SamplesOf(vtkObject* self, vtkPointSet* cloud,
 }
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 //------------------------------------------------------------------------------
 CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter)

@@ -12,7 +12,7 @@ class vtkObject;
 class vtkPointSet;
 class vtkPolyData;
 
-namespace vtkConformalConversions
+namespace glue
 {
 class Processes;
 

@@ -1,12 +1,14 @@
 #include "vtkCurvedSeamlessMap.h"
 
 #include "Base/CoordinateFrame.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
 #include "Surface/CurvedSeamlessSurface.h"
-#include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessConversions.h"
 #include "vtkCurvedSeamlessSurface.h"
-#include "vtkInputChecks.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -64,7 +66,7 @@ void Empty(std::initializer_list<vtkDoubleArray*> arrays)
 bool FillOrEmpty(vtkObject* self, vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays,
   const std::function<void()>& fill)
 {
-  return vtkConformalConversions::ReportErrors(self,
+  return glue::ReportErrors(self,
     [&]()
     {
       RequireDifferent(from, arrays);
@@ -87,8 +89,7 @@ void LengthsFromFrame(
 {
   if (array)
   {
-    vtkConformalConversions::LengthsFromFrame(
-      array->GetPointer(0), array->GetNumberOfValues(), frame, what);
+    glue::LengthsFromFrame(array->GetPointer(0), array->GetNumberOfValues(), frame, what);
   }
 }
 
@@ -97,8 +98,7 @@ void AreasFromFrame(
 {
   if (array)
   {
-    vtkConformalConversions::AreasFromFrame(
-      array->GetPointer(0), array->GetNumberOfValues(), frame, what);
+    glue::AreasFromFrame(array->GetPointer(0), array->GetNumberOfValues(), frame, what);
   }
 }
 
@@ -106,8 +106,7 @@ conformal::Points UnitDirections(vtkDataArray* directions)
 {
   conformal::Points copy;
   return conformal::unitVectors(
-    vtkConformalConversions::ViewVectors(directions, "directions", copy), "direction",
-    vtkConformalConversions::SMPRun());
+    glue::ViewVectors(directions, "directions", copy), "direction", glue::SMPRun());
 }
 }
 
@@ -126,7 +125,7 @@ const conformal::CurvedSeamlessSurface& vtkCurvedSeamlessMap::Built() const
 }
 
 //------------------------------------------------------------------------------
-void vtkCurvedSeamlessMap::Take(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map)
+void vtkCurvedSeamlessMap::Take(std::shared_ptr<const glue::BuiltSurface> map)
 {
   this->Map = std::move(map);
 }
@@ -135,10 +134,9 @@ void vtkCurvedSeamlessMap::Take(std::shared_ptr<const vtkConformalConversions::B
 bool vtkCurvedSeamlessMap::Build(
   vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessSurface* settings)
 {
-  const vtkConformalConversions::CurvedSeamlessProperties properties = settings
-    ? vtkConformalConversions::PropertiesOf(settings)
-    : vtkConformalConversions::CurvedSeamlessProperties();
-  return vtkConformalConversions::ReportErrors(this,
+  const glue::CurvedSeamlessProperties properties =
+    settings ? glue::PropertiesOf(settings) : glue::CurvedSeamlessProperties();
+  return glue::ReportErrors(this,
     [&]()
     {
       this->Map.reset();
@@ -146,11 +144,10 @@ bool vtkCurvedSeamlessMap::Build(
       {
         throw std::invalid_argument("the surface is empty; there is nothing to build");
       }
-      vtkInputChecks::RequireConsistentData(surface, "surface");
-      vtkInputChecks::RequireConsistentData(cloud, "cloud");
-      vtkConformalConversions::Processes alone;
-      this->Map =
-        vtkConformalConversions::BuildSurface(properties, this, surface, cloud, {}, alone);
+      glue::RequireConsistentData(surface, "surface");
+      glue::RequireConsistentData(cloud, "cloud");
+      glue::Processes alone;
+      this->Map = glue::BuildSurface(properties, this, surface, cloud, {}, alone);
     });
 }
 
@@ -166,7 +163,7 @@ bool vtkCurvedSeamlessMap::ToSurface(
       conformal::SurfaceSamples samples;
       samples.Positions = Sized(positions, 3, units.rows());
       samples.Normals = Sized(normals, 3, units.rows());
-      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPRun());
+      conformal::evaluate(surface, units, samples, glue::SMPRun());
       LengthsFromFrame(positions, this->Map->Frame, "positions");
     });
 }
@@ -184,7 +181,7 @@ bool vtkCurvedSeamlessMap::Differentiate(vtkDataArray* directions, vtkDoubleArra
       samples.Derivatives = Sized(derivatives, 9, units.rows());
       samples.Metrics = Sized(metrics, 9, units.rows());
       samples.AreaElements = Sized(areaElements, 1, units.rows());
-      conformal::evaluate(surface, units, samples, vtkConformalConversions::SMPRun());
+      conformal::evaluate(surface, units, samples, glue::SMPRun());
       LengthsFromFrame(derivatives, this->Map->Frame, "derivatives");
       AreasFromFrame(metrics, this->Map->Frame, "metrics");
       AreasFromFrame(areaElements, this->Map->Frame, "area elements");
@@ -204,7 +201,7 @@ bool vtkCurvedSeamlessMap::ToSphere(
       }
       const conformal::CurvedSeamlessSurface& surface = this->Built();
       conformal::Points inFrame;
-      if (!vtkConformalConversions::ToVectors(points, inFrame))
+      if (!glue::ToVectors(points, inFrame))
       {
         throw std::invalid_argument("points must be an array of 3 components");
       }
@@ -213,7 +210,7 @@ bool vtkCurvedSeamlessMap::ToSphere(
         inFrame.row(i) = this->Map->Frame.toFrameFromAfar(inFrame.row(i));
       }
       conformal::invert(surface, inFrame, Sized(directions, 3, inFrame.rows()),
-        Sized(closestPoints, 3, inFrame.rows()), vtkConformalConversions::SMPRun());
+        Sized(closestPoints, 3, inFrame.rows()), glue::SMPRun());
       LengthsFromFrame(closestPoints, this->Map->Frame, "closest points");
     });
 }
@@ -230,9 +227,8 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
   jumps[0] = jumps[1] = 0.0;
   if (this->Map && this->Map->Surface.differentiable())
   {
-    const conformal::NormalJumps measured =
-      conformal::measureNormalJumps(this->Map->Surface.curvedTriangles(),
-        this->Map->Surface.neighbors(), vtkConformalConversions::SMPRun());
+    const conformal::NormalJumps measured = conformal::measureNormalJumps(
+      this->Map->Surface.curvedTriangles(), this->Map->Surface.neighbors(), glue::SMPRun());
     jumps[0] = measured.Mean;
     jumps[1] = measured.Maximum;
   }

@@ -50,7 +50,7 @@ namespace conformal
 class CurvedSeamlessSurface;
 }
 
-namespace vtkConformalConversions
+namespace glue
 {
 struct BuiltSurface;
 }
@@ -118,7 +118,7 @@ public:
   /**
    * The map as a filter of this module has built it; none for null.
    */
-  void Take(std::shared_ptr<const vtkConformalConversions::BuiltSurface> map);
+  void Take(std::shared_ptr<const glue::BuiltSurface> map);
 #endif
 
 protected:
@@ -131,7 +131,7 @@ private:
 
   const conformal::CurvedSeamlessSurface& Built() const;
 
-  std::shared_ptr<const vtkConformalConversions::BuiltSurface> Map;
+  std::shared_ptr<const glue::BuiltSurface> Map;
 };
 
 #endif

@@ -2,16 +2,18 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/TriangleSubdivision.h"
 #include "Mesh/VertexNormals.h"
 #include "Sphere/Resampling.h"
 #include "Surface/CurvedSeamlessSurface.h"
-#include "vtkConformalConversions.h"
 #include "vtkCurvedSeamlessConversions.h"
 #include "vtkCurvedSeamlessMap.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -67,10 +69,10 @@ conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal:
     return conformal::makeGeodesicSphere(frequency, run);
   }
   conformal::Mesh dense;
-  dense.Triangles = vtkConformalConversions::ToTriangles(sphere);
-  if (!vtkConformalConversions::FindSpherePositions(sphere, dense.Positions))
+  dense.Triangles = glue::ToTriangles(sphere);
+  if (!glue::FindSpherePositions(sphere, dense.Positions))
   {
-    dense.Positions = vtkConformalConversions::ToPoints(sphere->GetPoints(), {}); // of any length
+    dense.Positions = glue::ToPoints(sphere->GetPoints(), {}); // of any length
   }
   return dense;
 }
@@ -123,7 +125,7 @@ bool IsWoundInward(
 
 void FillGaps(VectorMap normals, const VectorMap& directions)
 {
-  conformal::forBlocks(vtkConformalConversions::SMPRun(), normals.rows(), BlockSize,
+  conformal::forBlocks(glue::SMPRun(), normals.rows(), BlockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       for (conformal::Index i = begin; i < end; ++i)
@@ -162,8 +164,8 @@ std::vector<double> SupportAt(
     const double value = support->GetComponent(i, 0);
     values(i, 0) = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
   }
-  const conformal::Points fine = conformal::resample(
-    network.sphere(), values, network.triangles(), directions, vtkConformalConversions::SMPRun());
+  const conformal::Points fine =
+    conformal::resample(network.sphere(), values, network.triangles(), directions, glue::SMPRun());
   for (conformal::Index i = 0; i < fine.rows(); ++i)
   {
     shares[i] = std::clamp(fine(i, 0), 0.0, 1.0);
@@ -179,7 +181,7 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
   cells->SetName("Degenerate");
   cells->SetNumberOfValues(size);
   unsigned char* degenerate = cells->GetPointer(0);
-  conformal::forBlocks(vtkConformalConversions::SMPRun(), size, BlockSize,
+  conformal::forBlocks(glue::SMPRun(), size, BlockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       for (conformal::Index r = begin; r < end; ++r)
@@ -230,7 +232,7 @@ int vtkCurvedSeamlessSurface::RequestUpdateExtent(
 {
   if (this->DomeHeight == FITTED)
   {
-    vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+    glue::RequestOwnPieces(this, this->Controller, inputs);
   }
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
@@ -239,25 +241,24 @@ int vtkCurvedSeamlessSurface::RequestUpdateExtent(
 int vtkCurvedSeamlessSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto sphere = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
-  const auto cloud = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[2]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto sphere = glue::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto cloud = glue::Held(vtkPointSet::GetData(inputVector[2]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency, sampling = this->Sampling,
             subdivisions = this->Subdivisions;
   // Observers may change properties meanwhile.
-  const vtkConformalConversions::CurvedSeamlessProperties properties =
-    vtkConformalConversions::PropertiesOf(this);
+  const glue::CurvedSeamlessProperties properties = glue::PropertiesOf(this);
   const bool fits = properties.Options.DomeHeight == conformal::DomeHeight::Fitted;
-  return vtkConformalConversions::RunCore(this, fits ? this->Controller : nullptr,
-    [&](vtkConformalConversions::Processes& processes)
+  return glue::RunCore(this, fits ? this->Controller : nullptr,
+    [&](glue::Processes& processes)
     {
       const bool takesSphere = sphere && sampling != NETWORK;
       const int owner = processes.firstWith(
         surface->GetNumberOfPoints() > 0 && !(takesSphere && sphere->GetNumberOfPoints() == 0));
       if (owner < 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this,
           surface->GetNumberOfPoints() == 0
             ? "the surface is empty; the output is empty"
             : "the sphere on input port 1 is empty; the output is empty");
@@ -269,8 +270,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       conformal::Steps steps(
         processes.run(), { fits ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9, domes ? 0.15 : 0.01, 0.03 });
       this->Map->Take(nullptr);
-      const auto map = vtkConformalConversions::BuildSurface(
-        properties, this, surface, cloud, steps.next(), processes);
+      const auto map =
+        glue::BuildSurface(properties, this, surface, cloud, steps.next(), processes);
       const int cuts =
         SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
       // What is large is let go as soon as the output has it.
@@ -284,18 +285,18 @@ int vtkCurvedSeamlessSurface::RequestData(
       }
       steps.next();
       const vtkNew<vtkPolyData> result;
-      vtkConformalConversions::SetTriangles(result, dense.Triangles);
+      glue::SetTriangles(result, dense.Triangles);
       steps.next();
       const vtkNew<vtkDoubleArray> directions =
-        Vectors(vtkConformalConversions::SpherePositionName(), dense.Positions.rows());
+        Vectors(glue::SpherePositionName(), dense.Positions.rows());
       if (cuts > 0)
       {
         ViewOf(directions) = dense.Positions; // to the bit, so that vertices are found as such
       }
       else
       {
-        conformal::copyUnitVectors(dense.Positions, "direction", directions->GetPointer(0),
-          vtkConformalConversions::SMPRun());
+        conformal::copyUnitVectors(
+          dense.Positions, "direction", directions->GetPointer(0), glue::SMPRun());
       }
       dense.Positions.resize(0, 3);
 
@@ -312,7 +313,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       if (IsWoundInward(ViewOf(positions), dense.Triangles, ViewOf(normals)))
       {
         dense.Triangles.col(1).swap(dense.Triangles.col(2));
-        vtkConformalConversions::SetTriangles(result, dense.Triangles);
+        glue::SetTriangles(result, dense.Triangles);
       }
       if (domes)
       {
@@ -320,7 +321,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       }
       steps.next();
       FillGaps(ViewOf(normals), ViewOf(directions));
-      vtkConformalConversions::LengthsFromFrame(
+      glue::LengthsFromFrame(
         positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
 
       vtkNew<vtkPoints> points;
@@ -330,7 +331,7 @@ int vtkCurvedSeamlessSurface::RequestData(
       result->GetPointData()->SetNormals(normals);
       if (processes.firstWith(isOwner && HasSupport(surface, map->Surface)) >= 0)
       {
-        vtkConformalConversions::AddNumbers(result->GetPointData(), SupportName,
+        glue::AddNumbers(result->GetPointData(), SupportName,
           SupportAt(ViewOf(directions), surface, map->Surface));
       }
       result->GetCellData()->AddArray(DegenerateCells(dense.Triangles.rows(),
@@ -340,7 +341,7 @@ int vtkCurvedSeamlessSurface::RequestData(
           return cuts > 0 ? map->Surface.degenerate()[r / (conformal::Index(cuts) * cuts)]
                           : degenerate[ids[0]] | degenerate[ids[1]] | degenerate[ids[2]];
         }));
-      vtkConformalConversions::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
+      glue::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
         static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
       output->ShallowCopy(result);
       this->Map->Take(map);

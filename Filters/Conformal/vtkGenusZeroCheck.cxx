@@ -1,9 +1,11 @@
 #include "vtkGenusZeroCheck.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -23,7 +25,7 @@ namespace
 {
 void AddCount(vtkFieldData* data, const char* name, conformal::Index value)
 {
-  vtkConformalConversions::AddNumber(data, name, static_cast<long long>(value));
+  glue::AddNumber(data, name, static_cast<long long>(value));
 }
 
 // The ids, and their number under its own name.
@@ -70,19 +72,17 @@ void AddLines(vtkFieldData* data, const char* name, const std::vector<std::strin
 int vtkGenusZeroCheck::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
-      conformal::Steps steps(
-        vtkConformalConversions::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
+      conformal::Steps steps(glue::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
       steps.next();
       std::vector<vtkIdType> cellIds;
-      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);
       steps.next();
-      const conformal::Points points = vtkConformalConversions::ToPoints(
-        input->GetPoints(), vtkConformalConversions::FrameOf({ input }));
+      const conformal::Points points = glue::ToPoints(input->GetPoints(), glue::FrameOf({ input }));
       const conformal::GenusZeroReport report =
         conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
 

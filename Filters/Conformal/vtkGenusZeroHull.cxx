@@ -1,11 +1,13 @@
 #include "vtkGenusZeroHull.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/CloudNormals.h"
+#include "Glue/CloudWarnings.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
 #include "Hull/GenusZeroHull.h"
-#include "vtkCloudNormals.h"
-#include "vtkCloudWarnings.h"
-#include "vtkConformalConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -38,7 +40,7 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
 {
   if (samples.numberOfNonFinite() > 0)
   {
-    vtkConformalConversions::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
+    glue::WarnOfNonFinitePoints(self, samples.numberOfNonFinite());
   }
   if (samples.empty())
   {
@@ -66,32 +68,30 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
   if (samples.oriented() && hull.Method == conformal::HullMethod::WindingNumbers &&
     !hull.NormalsUsed)
   {
-    vtkConformalConversions::WarnOfUnusedNormals(self);
+    glue::WarnOfUnusedNormals(self);
   }
   if (conformal::hasHandles(hull))
   {
-    vtkConformalConversions::WarnOfCutHandles(self, conformal::cutFraction(hull));
+    glue::WarnOfCutHandles(self, conformal::cutFraction(hull));
   }
   // Closed scans lose up to one point of a thousand where their points are far apart.
   const conformal::Index noticeable = samples.totalSize() / 200;
   if (hull.NumberOfSamplesOutside > noticeable)
   {
-    vtkConformalConversions::WarnOfPointsApart(
-      self, hull.NumberOfSamplesOutside, samples.totalSize());
+    glue::WarnOfPointsApart(self, hull.NumberOfSamplesOutside, samples.totalSize());
   }
   if (hull.NumberOfSamplesInside > noticeable)
   {
-    vtkConformalConversions::WarnOfPointsInside(
-      self, hull.NumberOfSamplesInside, samples.totalSize());
+    glue::WarnOfPointsInside(self, hull.NumberOfSamplesInside, samples.totalSize());
   }
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   const conformal::GenusZeroHullResult& hull, const conformal::CoordinateFrame& frame)
 {
-  using vtkConformalConversions::AddNumber;
+  using glue::AddNumber;
   const auto addLength = [&](const char* name, double length)
-  { vtkConformalConversions::AddLengths(data, name, { length * samples.scale() }, frame); };
+  { glue::AddLengths(data, name, { length * samples.scale() }, frame); };
   AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
   AddNumber(data, "Method", static_cast<long long>(hull.Method));
   AddNumber(data, "NormalsUsed", static_cast<long long>(hull.NormalsUsed));
@@ -131,7 +131,7 @@ int vtkGenusZeroHull::FillInputPortInformation(int, vtkInformation* info)
 int vtkGenusZeroHull::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  glue::RequestOwnPieces(this, this->Controller, inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
@@ -139,7 +139,7 @@ int vtkGenusZeroHull::RequestUpdateExtent(
 int vtkGenusZeroHull::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[0]));
+  const auto input = glue::Held(vtkPointSet::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
   conformal::GenusZeroHullOptions options;
@@ -150,8 +150,8 @@ int vtkGenusZeroHull::RequestData(
   options.SmoothingPasses = this->SmoothingPasses;
   const bool inPieces = this->DistributeOutput;
 
-  return vtkConformalConversions::RunCore(this, this->Controller,
-    [&](vtkConformalConversions::Processes& processes)
+  return glue::RunCore(this, this->Controller,
+    [&](glue::Processes& processes)
     {
       // Reading, the hull, the output.
       const auto size = static_cast<double>(input->GetNumberOfPoints());
@@ -160,16 +160,14 @@ int vtkGenusZeroHull::RequestData(
       const bool winding = options.Method == conformal::HullMethod::WindingNumbers;
       const bool mayWind = options.Method != conformal::HullMethod::Distance;
       conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
-      const conformal::CoordinateFrame frame =
-        vtkConformalConversions::FrameOf({ input }, processes.reduce());
+      const conformal::CoordinateFrame frame = glue::FrameOf({ input }, processes.reduce());
       conformal::Points copy;
-      conformal::TrainingSamples samples(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), {},
-        vtkConformalConversions::GhostTest(input), processes.reduce(), steps.next());
-      vtkConformalConversions::CloudNormals normals;
+      conformal::TrainingSamples samples(glue::ViewPoints(input->GetPoints(), frame, copy), {},
+        glue::GhostTest(input), processes.reduce(), steps.next());
+      glue::CloudNormals normals;
       if (mayWind)
       {
-        vtkConformalConversions::FindNormals(input, frame, processes.reduce(), winding, normals);
+        glue::FindNormals(input, frame, processes.reduce(), winding, normals);
       }
       if (normals.Known)
       {
@@ -191,10 +189,9 @@ int vtkGenusZeroHull::RequestData(
       if (!samples.empty())
       {
         steps.next();
-        vtkConformalConversions::SetSurface(
-          output, Restore(samples, hull.Positions), hull.Triangles, frame);
+        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, frame);
         AddFigures(output->GetFieldData(), samples, hull, frame);
-        vtkConformalConversions::KeepOwnShare(output, inPieces, processes);
+        glue::KeepOwnShare(output, inPieces, processes);
       }
     });
 }

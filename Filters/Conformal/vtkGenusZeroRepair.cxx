@@ -1,11 +1,13 @@
 #include "vtkGenusZeroRepair.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/CarriedArrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Hull/GenusZeroRepair.h"
 #include "Register/ResampleWeights.h"
-#include "vtkCarriedArrays.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -69,7 +71,7 @@ void CarryArrays(
     weights.add(parts);
   }
   vtkNew<vtkPointData> added;
-  vtkConformalConversions::CarryPointArrays(self, { surface }, weights, added);
+  glue::CarryPointArrays(self, { surface }, weights, added);
   const auto kept = static_cast<vtkIdType>(repaired.PointIds.size() - repaired.Parents.size());
   for (int i = 0; i < added->GetNumberOfArrays(); ++i)
   {
@@ -106,7 +108,7 @@ void SetRepaired(vtkObject* self, vtkPolyData* surface, const std::vector<vtkIdT
   }
   else
   {
-    vtkConformalConversions::SetSurface(output, repaired.Positions, repaired.Triangles, frame);
+    glue::SetSurface(output, repaired.Positions, repaired.Triangles, frame);
     output->GetFieldData()->PassData(surface->GetFieldData());
     CarryArrays(self, surface, repaired, output);
     for (const int triangle : repaired.TriangleIds)
@@ -148,11 +150,11 @@ void SetLoops(const Repaired& repaired, const conformal::CoordinateFrame& frame,
     areas.push_back(loop.AreaFraction);
     first += count;
   }
-  vtkConformalConversions::SetPoints(loops, points, frame);
+  glue::SetPoints(loops, points, frame);
   loops->SetLines(lines);
   loops->GetCellData()->AddArray(types);
-  vtkConformalConversions::AddLengths(loops->GetCellData(), "LoopLength", lengths, frame);
-  vtkConformalConversions::AddNumbers(loops->GetCellData(), "LoopAreaFraction", areas);
+  glue::AddLengths(loops->GetCellData(), "LoopLength", lengths, frame);
+  glue::AddNumbers(loops->GetCellData(), "LoopAreaFraction", areas);
 }
 
 // Field data of numbers, and a report with a line for each that is not 0.
@@ -166,7 +168,7 @@ public:
 
   void Add(const char* name, conformal::Index value, const std::string& words)
   {
-    vtkConformalConversions::AddNumber(this->Data, name, static_cast<long long>(value));
+    glue::AddNumber(this->Data, name, static_cast<long long>(value));
     if (value > 0 && !words.empty())
     {
       this->Lines->InsertNextValue(std::to_string(value) + " " + words);
@@ -213,7 +215,7 @@ void AddFigures(vtkFieldData* data, const Repaired& repaired, conformal::Index n
   report.Add("IsGenusZero", repaired.IsGenusZero, "");
   report.Close(repaired.IsGenusZero ? "the result is a closed surface of genus zero"
                                     : "the result is not closed");
-  using vtkConformalConversions::AddNumber;
+  using glue::AddNumber;
   AddNumber(data, "EulerNumber", static_cast<long long>(repaired.EulerNumber));
   AddNumber(data, "RemovedAreaFraction", gluing.AreaRemoved);
   AddNumber(data, "UntouchedFraction",
@@ -261,30 +263,27 @@ vtkGenusZeroRepair::vtkGenusZeroRepair()
 int vtkGenusZeroRepair::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* loops = vtkPolyData::GetData(outputVector, 1);
   conformal::GenusZeroRepairOptions options;
   options.MaximumHoleArea = this->MaximumHoleArea;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
-      conformal::Steps steps(
-        vtkConformalConversions::RunOf(this), { 40.0, 1000.0, 60.0 }); // for each triangle
+      conformal::Steps steps(glue::RunOf(this), { 40.0, 1000.0, 60.0 }); // for each triangle
       steps.next();
-      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface });
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       std::vector<vtkIdType> cellIds;
-      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(surface, cellIds);
+      const conformal::Triangles triangles = glue::ToTriangles(surface, cellIds);
       conformal::Points copy;
       const Repaired repaired = conformal::repairGenusZero(
-        vtkConformalConversions::ViewPoints(surface->GetPoints(), frame, copy), triangles, options,
-        steps.next());
+        glue::ViewPoints(surface->GetPoints(), frame, copy), triangles, options, steps.next());
       steps.next();
       WarnOfRepairs(this, repaired);
       SetLoops(repaired, frame, loops);

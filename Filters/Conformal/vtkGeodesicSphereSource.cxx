@@ -1,8 +1,10 @@
 #include "vtkGeodesicSphereSource.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "Mesh/GeodesicSphere.h"
-#include "vtkConformalConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -26,24 +28,22 @@ int vtkGeodesicSphereSource::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       // For each vertex: the mesh, then points, triangles and two arrays of the output.
-      conformal::Steps steps(
-        vtkConformalConversions::RunOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
+      conformal::Steps steps(glue::RunOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
       const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;
-      vtkConformalConversions::SetPoints(result, sphere.Positions, {});
+      glue::SetPoints(result, sphere.Positions, {});
       steps.next();
-      vtkConformalConversions::SetTriangles(result, sphere.Triangles);
+      glue::SetTriangles(result, sphere.Triangles);
       steps.next();
       vtkPointData* pointData = result->GetPointData();
-      vtkConformalConversions::AddVectors(
-        pointData, vtkConformalConversions::SpherePositionName(), sphere.Positions);
+      glue::AddVectors(pointData, glue::SpherePositionName(), sphere.Positions);
       steps.next();
-      vtkConformalConversions::AddVectors(pointData, "Normals", sphere.Positions);
+      glue::AddVectors(pointData, "Normals", sphere.Positions);
       pointData->SetActiveNormals("Normals");
       output->ShallowCopy(result);
     });

@@ -1,9 +1,11 @@
 #include "vtkGlobalConformalMap.h"
 
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
 #include "SphereMap/GlobalConformalMap.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -18,7 +20,7 @@ namespace
 {
 void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& map)
 {
-  using vtkConformalConversions::AddNumber;
+  using glue::AddNumber;
   AddNumber(data, "Energy", map.Energy);
   AddNumber(data, "NumberOfIterations", static_cast<long long>(map.NumberOfIterations));
   AddNumber(data, "Converged", static_cast<long long>(map.Converged));
@@ -58,37 +60,35 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
 int vtkGlobalConformalMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::GlobalConformalMapOptions options;
   options.Method = static_cast<conformal::GlobalConformalMethod>(this->Method);
   options.AreaBalance = this->AreaBalance;
   options.MaximumNumberOfIterations = this->MaximumNumberOfIterations;
   options.Tolerance = this->Tolerance;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the output is empty");
         return;
       }
-      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ surface });
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       // Closing the mesh, mapping it, the output.
       const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
       const auto size = static_cast<double>(numberOfPoints);
-      conformal::Steps steps(vtkConformalConversions::RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
           40.0 * size });
-      const auto mesh = vtkConformalConversions::ToClosedMesh(this, surface, frame, steps.next());
-      const conformal::Mesh outward = vtkConformalConversions::Outward(mesh);
+      const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
+      const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::GlobalConformalMapResult map =
         conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
-      vtkConformalConversions::PassClosedMesh(surface, mesh, frame, output);
-      vtkConformalConversions::AddVectors(
-        output->GetPointData(), vtkConformalConversions::SpherePositionName(), map.Positions);
+      glue::PassClosedMesh(surface, mesh, frame, output);
+      glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
       AddFigures(output->GetFieldData(), map);
       WarnOf(this, map);
     });

@@ -1,11 +1,12 @@
 #include "vtkSphericalTextureBlend.h"
 
 #include "Base/Steps.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Texture/SphereViewChoice.h"
 #include "Texture/SphericalTextureBlend.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkSphereImageConversions.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -50,7 +51,7 @@ double Mixed(vtkDataArray* pixels, const conformal::PixelMix& mix, int component
 
 conformal::BlendSink Painter(vtkDataArray* front, vtkDataArray* back, vtkDataArray* pixels)
 {
-  const bool isWhole = vtkConformalConversions::HoldsWholeNumbers(pixels);
+  const bool isWhole = glue::HoldsWholeNumbers(pixels);
   return [=](conformal::Index first, const std::vector<conformal::BlendedPixel>& blended)
   {
     for (std::size_t i = 0; i < blended.size(); ++i)
@@ -109,12 +110,8 @@ int vtkSphericalTextureBlend::FillInputPortInformation(int port, vtkInformation*
 int vtkSphericalTextureBlend::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  return vtkConformalConversions::RunRequest(this,
-    [&]()
-    {
-      vtkConformalConversions::SetImageInformation(
-        outputVector->GetInformationObject(0), this->ImageSize);
-    });
+  return glue::RunRequest(this,
+    [&]() { glue::SetImageInformation(outputVector->GetInformationObject(0), this->ImageSize); });
 }
 
 //------------------------------------------------------------------------------
@@ -136,19 +133,19 @@ int vtkSphericalTextureBlend::RequestUpdateExtent(
 int vtkSphericalTextureBlend::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto front = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[1]));
-  const auto back = vtkConformalConversions::Held(vtkImageData::GetData(inputVector[2]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto front = glue::Held(vtkImageData::GetData(inputVector[1]));
+  const auto back = glue::Held(vtkImageData::GetData(inputVector[2]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (surface->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
+        glue::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
         return;
       }
-      using namespace vtkConformalConversions;
+      using namespace glue;
       if (PixelsOf(front)->GetNumberOfComponents() != PixelsOf(back)->GetNumberOfComponents())
       {
         throw std::invalid_argument("the pictures must have the same number of components");

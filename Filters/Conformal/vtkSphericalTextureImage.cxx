@@ -1,11 +1,12 @@
 #include "vtkSphericalTextureImage.h"
 
 #include "Base/Steps.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Texture/SphericalTextureImage.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
-#include "vtkSphereImageConversions.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -32,7 +33,7 @@ namespace
 {
 // This process's part of an array that a part without points does not have.
 vtkSmartPointer<vtkDataArray> OwnPart(
-  vtkPointSet* source, const std::string& name, vtkConformalConversions::Processes& processes)
+  vtkPointSet* source, const std::string& name, glue::Processes& processes)
 {
   const bool hasPoints = source->GetNumberOfPoints() > 0;
   const int first = processes.firstWith(hasPoints);
@@ -50,7 +51,7 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   std::string shape;
   if (hasPoints)
   {
-    own = vtkConformalConversions::ArrayToBake(source, name);
+    own = glue::ArrayToBake(source, name);
     shape = shapeOf(own);
   }
   const std::string expected = processes.textOf(first, shape);
@@ -151,12 +152,8 @@ int vtkSphericalTextureImage::FillInputPortInformation(int port, vtkInformation*
 int vtkSphericalTextureImage::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  return vtkConformalConversions::RunRequest(this,
-    [&]()
-    {
-      vtkConformalConversions::SetImageInformation(
-        outputVector->GetInformationObject(0), this->ImageSize);
-    });
+  return glue::RunRequest(this,
+    [&]() { glue::SetImageInformation(outputVector->GetInformationObject(0), this->ImageSize); });
 }
 
 //------------------------------------------------------------------------------
@@ -165,7 +162,7 @@ int vtkSphericalTextureImage::RequestUpdateExtent(
 {
   if (this->GetNumberOfInputConnections(1) > 0)
   {
-    vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+    glue::RequestOwnPieces(this, this->Controller, inputs);
   }
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
@@ -174,14 +171,14 @@ int vtkSphericalTextureImage::RequestUpdateExtent(
 int vtkSphericalTextureImage::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto surface = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto source = vtkConformalConversions::Held(vtkPointSet::GetData(inputVector[1]));
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto source = glue::Held(vtkPointSet::GetData(inputVector[1]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const std::string arrayName = this->ArrayName;
-  return vtkConformalConversions::RunCore(this, source ? this->Controller : nullptr,
-    [&](vtkConformalConversions::Processes& processes)
+  return glue::RunCore(this, source ? this->Controller : nullptr,
+    [&](glue::Processes& processes)
     {
-      using namespace vtkConformalConversions;
+      using namespace glue;
       const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0);
       if (owner < 0)
       {

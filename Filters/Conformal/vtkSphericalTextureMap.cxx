@@ -1,10 +1,11 @@
 #include "vtkSphericalTextureMap.h"
 
 #include "Base/Steps.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Texture/SphericalTexture.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkSphereImageConversions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -99,7 +100,7 @@ void AddSplitPoints(
       data->InterpolatePoint(input->GetPointData(), i, ids, weights.data());
     }
   }
-  Normalize(data->GetArray(vtkConformalConversions::SpherePositionName()), kept);
+  Normalize(data->GetArray(glue::SpherePositionName()), kept);
   Normalize(data->GetNormals(), kept);
   output->SetPoints(points);
   data->AddArray(originalIds);
@@ -132,7 +133,7 @@ void AddSplitTriangles(vtkPolyData* output, vtkPolyData* input,
 int vtkSphericalTextureMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::SphericalTextureOptions options;
   options.ViewDirection = conformal::Vector3(this->ViewDirection);
@@ -146,30 +147,28 @@ int vtkSphericalTextureMap::RequestData(
   options.Wrap = static_cast<conformal::TextureWrap>(this->Wrap);
   options.SplitSeam = this->SplitSeam;
   options.Margin = this->Margin;
-  return vtkConformalConversions::RunCore(this,
+  return glue::RunCore(this,
     [&]()
     {
       if (input->GetNumberOfPoints() == 0)
       {
-        vtkConformalConversions::WarnOfEmptyInput(
-          this, "the surface is empty; there are no texture coordinates");
+        glue::WarnOfEmptyInput(this, "the surface is empty; there are no texture coordinates");
         return;
       }
-      const conformal::CoordinateFrame frame = vtkConformalConversions::FrameOf({ input });
+      const conformal::CoordinateFrame frame = glue::FrameOf({ input });
       options.ViewPoint = frame.toFrameFromAfar(viewPoint);
       // For each vertex.
-      conformal::Steps steps(vtkConformalConversions::RunOf(this),
+      conformal::Steps steps(glue::RunOf(this),
         { 35.0, 17.0, (options.UseViewPoint ? 1360.0 : 210.0) + (options.SplitSeam ? 350.0 : 0.0),
           options.SplitSeam ? 110.0 : 3.0 });
       steps.next();
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;
-      const conformal::Triangles triangles = vtkConformalConversions::ToTriangles(input, cellIds);
+      const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);
       steps.next();
-      const conformal::Points map = vtkConformalConversions::ToSpherePositions(input);
+      const conformal::Points map = glue::ToSpherePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
-        vtkConformalConversions::ViewPoints(input->GetPoints(), frame, copy), triangles, map,
-        options, steps.next());
+        glue::ViewPoints(input->GetPoints(), frame, copy), triangles, map, options, steps.next());
       steps.next();
       if (options.SplitSeam)
       {
@@ -182,7 +181,7 @@ int vtkSphericalTextureMap::RequestData(
         output->ShallowCopy(input);
       }
       AddTextureArrays(output, texture);
-      vtkConformalConversions::AddSphereImage(output->GetFieldData(), texture.Image);
+      glue::AddSphereImage(output->GetFieldData(), texture.Image);
     });
 }
 

@@ -2,10 +2,12 @@
 
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Processes.h"
+#include "Glue/Run.h"
 #include "Measure/SurfaceMismatch.h"
-#include "vtkConformalConversions.h"
-#include "vtkMeshConversions.h"
-#include "vtkProcessConversions.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -27,7 +29,7 @@ void PassWithDistances(
   vtkPolyData* input, vtkPolyData* output, const std::vector<double>& distances)
 {
   output->ShallowCopy(input);
-  vtkConformalConversions::AddNumbers(output->GetPointData(), "Distance", distances);
+  glue::AddNumbers(output->GetPointData(), "Distance", distances);
   output->GetPointData()->SetActiveScalars("Distance");
 }
 }
@@ -62,7 +64,7 @@ void vtkSurfaceMismatch::SetReferenceData(vtkPolyData* reference)
 int vtkSurfaceMismatch::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkConformalConversions::RequestOwnPieces(this, this->Controller, inputs);
+  glue::RequestOwnPieces(this, this->Controller, inputs);
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
@@ -70,8 +72,8 @@ int vtkSurfaceMismatch::RequestUpdateExtent(
 int vtkSurfaceMismatch::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto model = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[0]));
-  const auto reference = vtkConformalConversions::Held(vtkPolyData::GetData(inputVector[1]));
+  const auto model = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
 
@@ -79,21 +81,20 @@ int vtkSurfaceMismatch::RequestData(
   options.LengthUnit = static_cast<conformal::MismatchUnit>(this->LengthUnit);
   options.NumberOfSamples = this->NumberOfSamples;
   options.RandomSeed = this->RandomSeed;
-  return vtkConformalConversions::RunCore(this, this->Controller,
-    [&](vtkConformalConversions::Processes& processes)
+  return glue::RunCore(this, this->Controller,
+    [&](glue::Processes& processes)
     {
       const bool hasModel = processes.firstWith(model->GetNumberOfPoints() > 0) >= 0;
       const bool hasReference = processes.firstWith(reference->GetNumberOfPoints() > 0) >= 0;
       if (!hasModel || !hasReference)
       {
-        vtkConformalConversions::WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this,
           hasModel ? "the reference is empty; nothing was measured"
                    : "the model is empty; nothing was measured");
         return;
       }
       const conformal::Reduce reduce = processes.reduce();
-      const conformal::CoordinateFrame frame =
-        vtkConformalConversions::FrameOf({ model, reference }, reduce);
+      const conformal::CoordinateFrame frame = glue::FrameOf({ model, reference }, reduce);
       options.CoordinateUnit = frame.Unit;
       const auto modelSize = static_cast<double>(model->GetNumberOfPoints());
       const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
@@ -102,22 +103,19 @@ int vtkSurfaceMismatch::RequestData(
         { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
       steps.next();
       conformal::Points modelCopy, referenceCopy;
-      conformal::PointView modelPoints =
-        vtkConformalConversions::ViewPoints(model->GetPoints(), frame, modelCopy);
-      conformal::Triangles modelTriangles = vtkConformalConversions::ToTriangles(model);
+      conformal::PointView modelPoints = glue::ViewPoints(model->GetPoints(), frame, modelCopy);
+      conformal::Triangles modelTriangles = glue::ToTriangles(model);
       vtkIdType firstOwn = 0;
       if (processes.size() > 1)
       {
         firstOwn = conformal::shareOf(reduce, modelPoints.size()).Before;
         modelTriangles = conformal::gatherTriangles(reduce, modelTriangles, modelPoints.size());
-        modelCopy = conformal::gatherRows(
-          reduce, vtkConformalConversions::ToPoints(model->GetPoints(), frame));
+        modelCopy = conformal::gatherRows(reduce, glue::ToPoints(model->GetPoints(), frame));
         modelPoints = modelCopy;
       }
       const conformal::PointView referencePoints =
-        vtkConformalConversions::ViewPoints(reference->GetPoints(), frame, referenceCopy);
-      const conformal::Triangles referenceTriangles =
-        vtkConformalConversions::ToTriangles(reference);
+        glue::ViewPoints(reference->GetPoints(), frame, referenceCopy);
+      const conformal::Triangles referenceTriangles = glue::ToTriangles(reference);
       const conformal::SurfaceMismatch mismatch = conformal::measureSurfaceMismatch(modelPoints,
         modelTriangles, referencePoints, referenceTriangles, options, reduce, steps.next());
 
@@ -126,7 +124,7 @@ int vtkSurfaceMismatch::RequestData(
       PassWithDistances(model, output, { own, own + model->GetNumberOfPoints() });
       PassWithDistances(reference, referenceOutput, mismatch.ReferenceDistances);
       vtkFieldData* data = output->GetFieldData();
-      using vtkConformalConversions::AddNumber;
+      using glue::AddNumber;
       AddNumber(data, "MeanSquarePointToSurface", mismatch.MeanSquarePointToSurface);
       AddNumber(data, "MeanSquarePointToVertex", mismatch.MeanSquarePointToVertex);
       AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);

@@ -2,8 +2,8 @@
 
 #include "Bytes/ByteReader.h"
 #include "SPHARM/SPHARMCoefficients.h"
-#include "vtkCompatibility.h"
-#include "vtkHarmonicTables.h"
+#include "Glue/Compatibility.h"
+#include "Glue/HarmonicTables.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkErrorCode.h"
@@ -40,7 +40,7 @@ void ReadTable(
   const conformal::NamedArray& read = result.Data.PointArrays.front();
   const auto size = static_cast<conformal::Index>(read.numberOfTuples());
   const vtkNew<vtkTable> table;
-  vtkHarmonicTables::ToTable(
+  glue::ToTable(
     { Eigen::Map<const Tuples>(reinterpret_cast<const double*>(read.Values.data()), size, 3), {} },
     table);
   output->ShallowCopy(table);
@@ -89,7 +89,7 @@ int vtkSPHARMCoefficientReader::RequestData(
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
-        return !vtkCompatibility::IsAbortWanted(this);
+        return !glue::IsAbortWanted(this);
       });
     this->SetErrorCode(vtkErrorCode::NoError);
     return 1;

@@ -1,7 +1,7 @@
 #include "vtkSPHARMCoefficientWriter.h"
 
 #include "SPHARM/SPHARMCoefficients.h"
-#include "vtkHarmonicTables.h"
+#include "Glue/HarmonicTables.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkInformation.h"
@@ -24,7 +24,7 @@ void vtkSPHARMCoefficientWriter::WriteFiles(const std::function<bool(double)>& p
 {
   const std::string path = this->FileName; // observers of the progress may set another
   const conformal::Points coordinates =
-    vtkHarmonicTables::FromTable(vtkTable::SafeDownCast(this->GetInput(0)))
+    glue::FromTable(vtkTable::SafeDownCast(this->GetInput(0)))
       .Coefficients.leftCols(3);
   conformal::NamedArray array =
     conformal::makeArray("Coefficients", conformal::ScalarType::Float64, 3);

@@ -3,7 +3,7 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
-#include "vtkCompatibility.h"
+#include "Glue/Compatibility.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkCallbackCommand.h"
@@ -273,7 +273,7 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(
         [this](double fraction)
         {
           this->UpdateProgress(fraction);
-          return !vtkCompatibility::IsAbortWanted(this);
+          return !glue::IsAbortWanted(this);
         });
     }
     catch (const std::invalid_argument& e)

@@ -2,8 +2,8 @@
 
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
-#include "vtkCompatibility.h"
-#include "vtkInputChecks.h"
+#include "Glue/Compatibility.h"
+#include "Glue/Checks.h"
 #include "vtkSurfaceConversions.h"
 
 #include "vtkErrorCode.h"
@@ -53,16 +53,16 @@ void vtkSurfaceFileWriter::WriteData()
     {
       throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
-    vtkInputChecks::RequireConsistentInputs(this);
+    glue::RequireConsistentInputs(this);
     if (auto* surface = vtkPolyData::SafeDownCast(this->GetInput(0)))
     {
-      vtkInputChecks::RequireCellIds(surface);
+      glue::RequireCellIds(surface);
     }
     this->WriteFiles(
       [this](double fraction)
       {
         this->UpdateProgress(fraction);
-        return !vtkCompatibility::IsAbortWanted(this);
+        return !glue::IsAbortWanted(this);
       });
     this->SetErrorCode(vtkErrorCode::NoError);
   }

@@ -1,4 +1,4 @@
-#include "vtkInputChecks.h"
+#include "Glue/Checks.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
@@ -75,7 +75,7 @@ std::string Refusal(const std::function<void()>& check)
 
 std::string Refusal(vtkDataObject* data)
 {
-  return Refusal([&]() { vtkInputChecks::RequireConsistentData(data, "it"); });
+  return Refusal([&]() { glue::RequireConsistentData(data, "it"); });
 }
 }
 
@@ -189,7 +189,7 @@ TEST(InputChecks, CellsNamePointsThatAreThere)
 {
   const vtkNew<vtkPolyData> surface = Square();
   const auto refusal = [&]()
-  { return Refusal([&]() { vtkInputChecks::RequireCellIds(surface); }); };
+  { return Refusal([&]() { glue::RequireCellIds(surface); }); };
   EXPECT_EQ(refusal(), "");
   vtkNew<vtkCellArray> strips;
   const vtkIdType ids[] = { 0, 1, 2, 4 }, negative[] = { 0, -1 };
@@ -212,7 +212,7 @@ TEST(InputChecks, LooksAtEveryConnection)
   bad->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("Bad", 1, 3));
   vtkNew<vtkAppendPolyData> append;
   const auto refusal = [&]()
-  { return Refusal([&]() { vtkInputChecks::RequireConsistentInputs(append); }); };
+  { return Refusal([&]() { glue::RequireConsistentInputs(append); }); };
   EXPECT_EQ(refusal(), "");
   append->AddInputData(good);
   EXPECT_EQ(refusal(), "");
@@ -220,5 +220,5 @@ TEST(InputChecks, LooksAtEveryConnection)
   EXPECT_NE(
     refusal().find("input port 0: the point array \"Bad\" has 3 tuples"), std::string::npos);
   vtkNew<vtkSphereSource> source;
-  EXPECT_EQ(Refusal([&]() { vtkInputChecks::RequireConsistentInputs(source); }), "");
+  EXPECT_EQ(Refusal([&]() { glue::RequireConsistentInputs(source); }), "");
 }

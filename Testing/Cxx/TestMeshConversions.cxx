@@ -1,5 +1,5 @@
 // What every filter that needs a closed surface does with a surface that is not quite one.
-#include "vtkMeshConversions.h"
+#include "Glue/Meshes.h"
 
 #include "FilterContract.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -19,9 +19,9 @@
 #include <limits>
 #include <stdexcept>
 
-using vtkConformalConversions::ClosedMesh;
-using vtkConformalConversions::ToClosedMesh;
-using vtkConformalConversions::ToTriangles;
+using glue::ClosedMesh;
+using glue::ToClosedMesh;
+using glue::ToTriangles;
 
 namespace
 {

@@ -1,4 +1,4 @@
-#include "vtkSphereImageConversions.h"
+#include "Glue/SphereImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -14,8 +14,8 @@
 #include <limits>
 #include <stdexcept>
 
-using vtkConformalConversions::AddSphereImage;
-using vtkConformalConversions::ToSphereImage;
+using glue::AddSphereImage;
+using glue::ToSphereImage;
 
 namespace
 {
@@ -134,6 +134,6 @@ TEST(SphereImageConversions, ImagesHaveCountablePixels)
   for (const auto& size : { std::pair(0, 1), std::pair(1, -1), std::pair(1 << 16, 1 << 16) })
   {
     const int pixels[2] = { size.first, size.second };
-    EXPECT_THROW(vtkConformalConversions::SetImageInformation(info, pixels), std::invalid_argument);
+    EXPECT_THROW(glue::SetImageInformation(info, pixels), std::invalid_argument);
   }
 }

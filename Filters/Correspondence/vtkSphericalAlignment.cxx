@@ -1,0 +1,177 @@
+#include "vtkSphericalAlignment.h"
+
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Linear/EdgeWeights.h"
+#include "Measure/SphericalAlignment.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkSphericalAlignment);
+
+namespace
+{
+// Places on the sphere and what they correspond to.
+struct Pairs
+{
+  conformal::Points From, To;
+  Eigen::VectorXd Weights;
+};
+
+Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landmarks,
+  const conformal::Points& map, const conformal::Points& reference)
+{
+  const auto size = static_cast<conformal::Index>(landmarks.size());
+  Pairs pairs = { conformal::Points(size, 3), conformal::Points(size, 3),
+    Eigen::VectorXd::Ones(size) };
+  for (conformal::Index i = 0; i < size; ++i)
+  {
+    const auto [id, referenceId] = landmarks[i];
+    if (id < 0 || id >= map.rows() || referenceId < 0 || referenceId >= reference.rows())
+    {
+      throw std::invalid_argument("landmark " + std::to_string(i) + " names the points " +
+        std::to_string(id) + " and " + std::to_string(referenceId) + " of " +
+        std::to_string(map.rows()) + " and " + std::to_string(reference.rows()));
+    }
+    pairs.From.row(i) = map.row(id);
+    pairs.To.row(i) = reference.row(referenceId);
+  }
+  return pairs;
+}
+
+Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPolyData* reference,
+  const conformal::Run& run)
+{
+  const conformal::CoordinateFrame frame = glue::FrameOf({ surface, reference });
+  const auto size = static_cast<double>(surface->GetNumberOfPoints());
+  const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
+  // Conversions, then what is expected of carryMap().
+  conformal::Steps steps(
+    run, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
+  steps.next();
+  conformal::MappedMesh other;
+  other.Positions = glue::ToPoints(reference->GetPoints(), frame);
+  other.Triangles = glue::ToTriangles(reference);
+  other.SpherePositions = glue::ToSpherePositions(reference);
+  steps.next();
+  const conformal::Points points = glue::ToPoints(surface->GetPoints(), frame);
+  const conformal::Triangles triangles = glue::ToTriangles(surface);
+  if (triangles.rows() == 0 || other.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument(
+      "without landmarks both surfaces must have triangles; add landmarks or triangles");
+  }
+  if (!points.allFinite() || !other.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points are not finite");
+  }
+  return { map, conformal::carryMap(points, other, steps.next()),
+    conformal::vertexAreas(points, triangles) };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalAlignment::vtkSphericalAlignment()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::SetReferenceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::AddLandmark(vtkIdType pointId, vtkIdType referencePointId)
+{
+  this->Landmarks.emplace_back(pointId, referencePointId);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::RemoveAllLandmarks()
+{
+  if (!this->Landmarks.empty())
+  {
+    this->Landmarks.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalAlignment::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = glue::Held(vtkPolyData::GetData(inputVector[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const auto landmarks = this->Landmarks;
+  const auto kind = static_cast<conformal::AlignmentKind>(this->Transform);
+  return glue::RunCore(this,
+    [&]()
+    {
+      if (surface->GetNumberOfPoints() == 0 || reference->GetNumberOfPoints() == 0)
+      {
+        glue::WarnOfEmptyInput(this,
+          surface->GetNumberOfPoints() == 0 ? "the surface is empty; nothing was aligned"
+                                            : "the reference is empty; nothing was aligned");
+        return;
+      }
+      glue::RequireCellIds(surface); // which landmarks need not, but the output has
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
+      const bool hasLandmarks = !landmarks.empty();
+      conformal::Steps steps(glue::RunOf(this),
+        { 20.0 * size, hasLandmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
+          hasLandmarks ? 0.0 : (kind == conformal::AlignmentKind::Moebius ? 1700.0 : 20.0) * size,
+          10.0 * size, 40.0 * size });
+      steps.next();
+      conformal::Points map = glue::ToSpherePositions(surface);
+      const conformal::Run pairing = steps.next();
+      const Pairs pairs = hasLandmarks
+        ? PairsOfLandmarks(landmarks, map, glue::ToSpherePositions(reference))
+        : PairsOfSurfaces(surface, map, reference, pairing);
+      const conformal::SphericalAlignmentResult result =
+        conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights, kind, steps.next());
+      steps.next();
+      result.Transform.applyTo(map);
+
+      steps.next();
+      output->ShallowCopy(surface);
+      glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map);
+      vtkFieldData* data = output->GetFieldData();
+      glue::AddNumber(data, "AlignmentError", result.Error);
+      glue::AddTuple(data, "AlignmentCenter", result.Transform.Center.data(), 3);
+      const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = result.Transform.Rotation;
+      glue::AddTuple(data, "AlignmentRotation", rows.data(), 9);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalAlignment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const transforms[] = { "Rotation", "Moebius" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Transform: " << transforms[this->Transform] << "\n";
+  os << indent << "NumberOfLandmarks: " << this->Landmarks.size() << "\n";
+}

@@ -1,0 +1,268 @@
+#include "vtkSphericalRegistration.h"
+
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/RegisteredSurfaces.h"
+#include "Glue/Run.h"
+#include "Register/SphericalRegistration.h"
+
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSphericalRegistration);
+
+namespace
+{
+int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
+{
+  if (id < 0 || id >= static_cast<vtkIdType>(vertices.size()) || vertices[id] < 0)
+  {
+    throw std::invalid_argument("a landmark names the point " + std::to_string(id) + " of the " +
+      which + " surface, which has " + std::to_string(vertices.size()) +
+      " points; a landmark must be a point of one of its triangles");
+  }
+  return vertices[id];
+}
+
+int NearestVertex(
+  vtkPolyData* data, const glue::SurfaceToRegister& surface, const double position[3])
+{
+  int nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < surface.PointIds.size(); ++v)
+  {
+    double p[3];
+    data->GetPoint(surface.PointIds[v], p);
+    const double distance = std::hypot(p[0] - position[0], p[1] - position[1], p[2] - position[2]);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = static_cast<int>(v);
+    }
+  }
+  return nearest;
+}
+
+void AddTargets(vtkPointData* data, const conformal::Points& places,
+  const glue::SurfaceToRegister& fixed, vtkPolyData* fixedData, const conformal::Run& run)
+{
+  std::vector<vtkIdType> cellIds;
+  const conformal::Triangles cells = glue::ToTriangles(fixedData, cellIds);
+  const conformal::MappedMesh& mesh = fixed.Core.Surface;
+  // Cells are known by their points, since triangles were perhaps turned or left out.
+  std::vector<std::pair<std::array<vtkIdType, 3>, vtkIdType>> known(cellIds.size());
+  for (std::size_t r = 0; r < cellIds.size(); ++r)
+  {
+    std::array<vtkIdType, 3> ids = { cells(r, 0), cells(r, 1), cells(r, 2) };
+    std::sort(ids.begin(), ids.end());
+    known[r] = { ids, cellIds[r] };
+  }
+  std::sort(known.begin(), known.end());
+  const conformal::SphereGrid grid({ mesh.SpherePositions, mesh.Triangles }, run);
+  vtkNew<vtkIdTypeArray> targetCells, targetPoints;
+  targetCells->SetName("TargetCellId");
+  targetCells->SetNumberOfValues(places.rows());
+  targetPoints->SetName("TargetPointIds");
+  targetPoints->SetNumberOfComponents(3);
+  targetPoints->SetNumberOfTuples(places.rows());
+  conformal::Points weights(places.rows(), 3);
+  for (conformal::Index i = 0; i < places.rows(); ++i)
+  {
+    const conformal::SphereWeights at = grid.weightsAt(places.row(i));
+    std::array<vtkIdType, 3> ids{};
+    for (int k = 0; k < 3; ++k)
+    {
+      ids[k] = fixed.PointIds[at.Ids[k]];
+      targetPoints->SetComponent(i, k, static_cast<double>(ids[k]));
+    }
+    weights.row(i) = at.Weights;
+    std::sort(ids.begin(), ids.end());
+    const auto found = std::lower_bound(
+      known.begin(), known.end(), std::make_pair(ids, std::numeric_limits<vtkIdType>::min()));
+    targetCells->SetValue(i, found != known.end() && found->first == ids ? found->second : -1);
+  }
+  data->AddArray(targetCells);
+  data->AddArray(targetPoints);
+  glue::AddVectors(data, "TargetBarycentric", weights);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalRegistration::vtkSphericalRegistration()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::SetFixedConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::SetFixedData(vtkPolyData* fixed)
+{
+  this->SetInputData(1, fixed);
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::AddLandmark(vtkIdType pointId, vtkIdType fixedPointId)
+{
+  this->Landmarks.emplace_back(pointId, fixedPointId);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::RemoveAllLandmarks()
+{
+  if (!this->Landmarks.empty())
+  {
+    this->Landmarks.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::AddLandmarkPosition(
+  double x, double y, double z, double fixedX, double fixedY, double fixedZ)
+{
+  this->Positions.push_back({ x, y, z, fixedX, fixedY, fixedZ });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::RemoveAllLandmarkPositions()
+{
+  if (!this->Positions.empty())
+  {
+    this->Positions.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::AddFeature(const char* name, double weight)
+{
+  this->Features.emplace_back(name ? name : "", weight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::RemoveAllFeatures()
+{
+  if (!this->Features.empty())
+  {
+    this->Features.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalRegistration::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto moving = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto fixed = glue::Held(vtkPolyData::GetData(inputVector[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const auto landmarks = this->Landmarks;
+  const auto positions = this->Positions;
+  const auto features = this->Features;
+  conformal::SphericalRegistrationOptions options;
+  options.Space = static_cast<conformal::SpaceOfTransforms>(this->SpaceOfTransforms);
+  options.ShapeWeight = this->ShapeWeight;
+  options.StretchWeight = this->StretchWeight;
+  options.Frequency = this->Frequency;
+  return glue::RunCore(this,
+    [&]()
+    {
+      using namespace glue;
+      if (moving->GetNumberOfPoints() == 0 || fixed->GetNumberOfPoints() == 0)
+      {
+        WarnOfEmptyInput(this,
+          moving->GetNumberOfPoints() == 0 ? "the moving surface is empty; nothing was registered"
+                                           : "the fixed surface is empty; nothing was registered");
+        return;
+      }
+      const std::vector<double> weights = WeightsOf(features);
+      const auto size = static_cast<double>(moving->GetNumberOfPoints());
+      const auto fixedSize = static_cast<double>(fixed->GetNumberOfPoints());
+      const double fine = options.Frequency * options.Frequency;
+      conformal::Steps steps(RunOf(this),
+        { 800.0 * size, 800.0 * fixedSize, 1.6e9 + 2e6 * fine + 4e3 * (size + fixedSize),
+          1000.0 * size + 1000.0 * fixedSize });
+      const SurfaceToRegister from =
+        ToSurfaceToRegister(this, moving, features, FrameOf({ moving }), steps.next());
+      const SurfaceToRegister to =
+        ToSurfaceToRegister(this, fixed, features, FrameOf({ fixed }), steps.next());
+      std::vector<std::pair<int, int>> pairs;
+      const std::vector<int> vertices = from.vertices(), fixedVertices = to.vertices();
+      for (const auto& [id, fixedId] : landmarks)
+      {
+        pairs.emplace_back(
+          VertexAt(vertices, id, "moving"), VertexAt(fixedVertices, fixedId, "fixed"));
+      }
+      for (const auto& position : positions)
+      {
+        for (const double x : position)
+        {
+          if (!std::isfinite(x))
+          {
+            throw std::invalid_argument("the position of a landmark is not finite");
+          }
+        }
+        pairs.emplace_back(NearestVertex(moving, from, position.data()),
+          NearestVertex(fixed, to, position.data() + 3));
+      }
+      std::set<int> used;
+      for (const auto& pair : pairs)
+      {
+        if (!used.insert(pair.first).second)
+        {
+          throw std::invalid_argument("the point " + std::to_string(from.PointIds[pair.first]) +
+            " of the moving surface is in two landmarks");
+        }
+      }
+      const conformal::SphericalRegistrationResult result =
+        conformal::registerSpheres(from.Core, to.Core, pairs, weights, options, steps.next());
+      const conformal::Run locating = steps.next();
+      const conformal::Points places = PlacesOfAll(from, result.SpherePositions);
+      const vtkNew<vtkPolyData> registered;
+      registered->ShallowCopy(moving);
+      SetRegistration(registered, places, result);
+      AddTargets(registered->GetPointData(), places, to, fixed, locating);
+      if (result.NumberOfUnmetLandmarks > 0)
+      {
+        vtkWarningMacro(<< result.NumberOfUnmetLandmarks << " of " << pairs.size()
+                        << " landmarks cannot be met without folding the map; the largest distance "
+                           "left is "
+                        << result.LandmarkError << " on the unit sphere");
+      }
+      output->ShallowCopy(registered);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalRegistration::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const spaces[] = { "Rotation", "Moebius", "Diffeomorphic" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SpaceOfTransforms: " << spaces[this->SpaceOfTransforms] << "\n";
+  os << indent << "ShapeWeight: " << this->ShapeWeight << "\n";
+  os << indent << "StretchWeight: " << this->StretchWeight << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "NumberOfLandmarks: " << this->Landmarks.size() << "\n";
+  os << indent << "NumberOfLandmarkPositions: " << this->Positions.size() << "\n";
+  os << indent << "NumberOfFeatures: " << this->Features.size() << "\n";
+}

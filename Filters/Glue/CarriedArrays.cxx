@@ -1,0 +1,197 @@
+#include "Glue/CarriedArrays.h"
+
+#include "Base/Steps.h"
+#include "Glue/Points.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace
+{
+using Arrays = std::vector<vtkDataArray*>; // of one name, one of each surface
+
+bool IsCarried(vtkPointData* data, vtkDataArray* array)
+{
+  const std::string name = array && array->GetName() ? array->GetName() : "";
+  return !name.empty() && name != glue::SpherePositionName() &&
+    name != vtkDataSetAttributes::GhostArrayName() && array != data->GetNormals() &&
+    array != data->GetTCoords() && array != data->GetGlobalIds() &&
+    array != data->GetPedigreeIds() && array->GetNumberOfComponents() > 0;
+}
+
+bool IsOfIntegers(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+bool IsLabels(vtkDataArray* array)
+{
+  return array->GetNumberOfComponents() == 1 && IsOfIntegers(array);
+}
+
+// The arrays that all have, and a list of the names of those that do not fit.
+std::vector<Arrays> CommonArrays(const std::vector<vtkPolyData*>& surfaces, std::string& misfits)
+{
+  std::vector<Arrays> common;
+  vtkPointData* first = surfaces.front()->GetPointData();
+  for (int i = 0; i < first->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = first->GetArray(i);
+    if (!IsCarried(first, array))
+    {
+      continue;
+    }
+    Arrays arrays;
+    for (vtkPolyData* surface : surfaces)
+    {
+      vtkDataArray* other = surface->GetPointData()->GetArray(array->GetName());
+      if (IsCarried(surface->GetPointData(), other))
+      {
+        arrays.push_back(other);
+      }
+    }
+    const bool fits = std::all_of(arrays.begin(), arrays.end(),
+      [=](vtkDataArray* other)
+      { return other->GetNumberOfComponents() == array->GetNumberOfComponents(); });
+    if (arrays.size() == surfaces.size() && fits)
+    {
+      common.push_back(arrays);
+    }
+    else if (!fits)
+    {
+      misfits += (misfits.empty() ? "\"" : ", \"") + std::string(array->GetName()) + "\"";
+    }
+  }
+  return common;
+}
+
+std::vector<double> AllNumbersOf(const Arrays& arrays)
+{
+  std::vector<double> numbers;
+  for (vtkDataArray* array : arrays)
+  {
+    const int components = array->GetNumberOfComponents();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        numbers.push_back(array->GetComponent(i, c));
+      }
+    }
+  }
+  return numbers;
+}
+
+void SetLabels(vtkDataArray* output, const Arrays& arrays, const std::vector<int>& ids)
+{
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const auto place = static_cast<vtkIdType>(i);
+    vtkIdType id = ids[i];
+    std::size_t surface = 0;
+    while (id >= arrays[surface]->GetNumberOfTuples())
+    {
+      id -= arrays[surface++]->GetNumberOfTuples();
+    }
+    if (id < 0)
+    {
+      output->SetComponent(place, 0, 0.0);
+    }
+    else if (arrays[surface]->GetDataType() == output->GetDataType())
+    {
+      output->SetTuple(place, id, arrays[surface]); // all digits of large integers
+    }
+    else
+    {
+      output->SetComponent(place, 0, arrays[surface]->GetComponent(id, 0));
+    }
+  }
+}
+
+void SetNumbers(vtkDataArray* output, const std::vector<double>& numbers)
+{
+  const bool isRounded = IsOfIntegers(output);
+  const int components = output->GetNumberOfComponents();
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+  {
+    const auto place = static_cast<vtkIdType>(k);
+    output->SetComponent(place / components, static_cast<int>(place % components),
+      isRounded ? std::round(numbers[k]) : numbers[k]);
+  }
+}
+}
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+int NumberOfCarriedComponents(vtkPolyData* surface)
+{
+  int count = 0;
+  vtkPointData* data = surface->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    count += IsCarried(data, array) ? array->GetNumberOfComponents() : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
+  const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run)
+{
+  std::string misfits;
+  const std::vector<Arrays> common = CommonArrays(surfaces, misfits);
+  std::vector<double> work;
+  for (const Arrays& arrays : common)
+  {
+    work.push_back(static_cast<double>(arrays.front()->GetNumberOfComponents()));
+  }
+  conformal::Steps steps(run, work);
+  conformal::Index missing = 0;
+  for (const Arrays& arrays : common)
+  {
+    vtkDataArray* first = arrays.front();
+    const conformal::Run carrying = steps.next();
+    const auto carried = vtkSmartPointer<vtkDataArray>::Take(first->NewInstance());
+    carried->SetName(first->GetName());
+    carried->SetNumberOfComponents(first->GetNumberOfComponents());
+    carried->CopyComponentNames(first);
+    carried->SetLookupTable(first->GetLookupTable());
+    carried->SetNumberOfTuples(weights.size());
+    if (std::all_of(arrays.begin(), arrays.end(), IsLabels))
+    {
+      SetLabels(
+        carried, arrays, conformal::heaviestLabels(weights, AllNumbersOf(arrays), carrying));
+    }
+    else
+    {
+      const conformal::ResampledNumbers numbers = conformal::resampleNumbers(
+        weights, AllNumbersOf(arrays), first->GetNumberOfComponents(), carrying);
+      SetNumbers(carried, numbers.Values);
+      missing += numbers.NumberOfMissing;
+    }
+    output->AddArray(carried);
+  }
+  if (!misfits.empty())
+  {
+    vtkWarningWithObjectMacro(self, << "the point arrays " << misfits
+                                    << " were left out: they have not as many components on all "
+                                       "surfaces");
+  }
+  if (missing > 0)
+  {
+    vtkWarningWithObjectMacro(self, << missing
+                                    << " values of point arrays are 0: there are no finite numbers "
+                                       "to make them of");
+  }
+}
+}

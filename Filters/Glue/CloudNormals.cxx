@@ -1,0 +1,64 @@
+#include "Glue/CloudNormals.h"
+
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/VertexNormals.h"
+
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace glue
+{
+namespace
+{
+std::int64_t CountUsed(const conformal::Triangles& triangles, vtkIdType numberOfPoints)
+{
+  std::vector<bool> used(numberOfPoints, false);
+  for (conformal::Index i = 0; i < triangles.size(); ++i)
+  {
+    used[triangles.data()[i]] = true;
+  }
+  return std::count(used.begin(), used.end(), true);
+}
+}
+
+//------------------------------------------------------------------------------
+void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+  const conformal::Reduce& reduce, bool needed, CloudNormals& normals)
+{
+  vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
+  vtkDataArray* array = input->GetPointData()->GetNormals();
+  const vtkIdType size = input->GetNumberOfPoints();
+  conformal::Triangles triangles;
+  if (HasTriangles(surface) && (needed || HasCellIds(surface)))
+  {
+    triangles = ToTriangles(surface);
+  }
+  const bool hasArray = array && array->GetNumberOfComponents() == 3;
+  std::int64_t counts[] = { size, CountUsed(triangles, size), size > 0 && !hasArray };
+  reduce.sum(counts, 3);
+  const bool byTriangles = 2 * counts[1] > counts[0];
+  normals.Known = counts[0] > 0 && (byTriangles || counts[2] == 0);
+  if (size == 0 || !normals.Known)
+  {
+    return;
+  }
+  if (!byTriangles)
+  {
+    normals.View = ViewVectors(array, "normals", normals.Copy);
+    return;
+  }
+  conformal::orientConsistently(triangles);
+  conformal::Points points = ToPoints(input->GetPoints(), frame);
+  // One that is not finite is left out later; it must not spoil the others' unit.
+  points = points.array().isFinite().select(points, 0.0);
+  normals.Copy = conformal::vertexNormals(points, triangles);
+  normals.View = normals.Copy;
+}
+}

@@ -1,0 +1,46 @@
+#include "Glue/CloudWarnings.h"
+
+#include "vtkObject.h"
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count)
+{
+  vtkWarningWithObjectMacro(self, << count << " points are not finite and left out");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfCutHandles(vtkObject* self, double cutFraction)
+{
+  vtkWarningWithObjectMacro(
+    self, << "the hull of the points had handles, which were cut open; the cuts are "
+          << 100.0 * cutFraction
+          << " % of its area. The object is not of genus zero, or parts of it touch");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfUnusedNormals(vtkObject* self)
+{
+  vtkWarningWithObjectMacro(self,
+    << "the normals of the points do not agree on what is inside and are not used; others are "
+       "found from the points. If the normals are right but for their signs, orient them first");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total)
+{
+  vtkWarningWithObjectMacro(
+    self, << count << " of " << total
+          << " points lie apart from the object and are left out: outliers, or separate parts");
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total)
+{
+  vtkWarningWithObjectMacro(self,
+    << count << " of " << total
+    << " points lie inside the hull, apart from its surface, and are left out: inner parts, or "
+       "outliers");
+}
+}

@@ -1,0 +1,120 @@
+#include "Glue/MappedSurfaces.h"
+
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+void AcceptSurfaces(vtkInformation* portInformation)
+{
+  portInformation->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  // The composite type first, else the executive hands blocks over one by one.
+  portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkPolyData*> Surfaces::pointers() const
+{
+  return { this->Held.begin(), this->Held.end() };
+}
+
+//------------------------------------------------------------------------------
+double Surfaces::numberOfPoints() const
+{
+  double size = 0.0;
+  for (const auto& surface : this->Held)
+  {
+    size += static_cast<double>(surface->GetNumberOfPoints());
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces)
+{
+  const auto add = [&](vtkDataObject* data, const std::string& name)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(data);
+    if (!surface)
+    {
+      throw std::invalid_argument(
+        "a block is a " + std::string(data->GetClassName()) + " instead of a vtkPolyData");
+    }
+    surfaces.Held.push_back(Held(surface));
+    surfaces.Names.push_back(name);
+    surfaces.Times.push_back(surface->GetMTime());
+  };
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkDataObject* data = vtkDataObject::GetData(inputs, i);
+    auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+    if (!blocks)
+    {
+      add(data, "");
+      continue;
+    }
+    const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+    {
+      const bool hasName =
+        each->HasCurrentMetaData() && each->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
+      add(each->GetCurrentDataObject(),
+        hasName ? each->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : "");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<conformal::MappedMesh> ToMappedMeshes(
+  const Surfaces& surfaces, conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  if (surfaces.numberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw std::length_error("the surfaces have more points together than fit into an int");
+  }
+  std::vector<vtkPointSet*> sets(surfaces.Held.begin(), surfaces.Held.end());
+  frame = FrameOf(sets);
+  std::vector<conformal::MappedMesh> meshes;
+  for (vtkPolyData* surface : surfaces.pointers())
+  {
+    const std::string name = "surface " + std::to_string(meshes.size()) + ": ";
+    try
+    {
+      conformal::MappedMesh mesh;
+      mesh.Triangles = ToTriangles(surface);
+      mesh.Positions = ToPoints(surface->GetPoints(), frame);
+      if (mesh.Triangles.rows() == 0)
+      {
+        throw std::invalid_argument("the surface has no triangles");
+      }
+      if (!mesh.Positions.allFinite())
+      {
+        throw std::invalid_argument("some points of the surface are not finite");
+      }
+      mesh.SpherePositions = ToSpherePositions(surface);
+      meshes.push_back(std::move(mesh));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::invalid_argument(name + error.what());
+    }
+    run.report(static_cast<double>(meshes.size()) / static_cast<double>(sets.size()));
+  }
+  return meshes;
+}
+}

@@ -1,0 +1,374 @@
+#include "Glue/Meshes.h"
+
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Compatibility.h"
+#include "Glue/Points.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/PolygonTriangulation.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkObject.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolygon.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+// Collects triangles with the cell they come from.
+class TriangleCollector
+{
+public:
+  TriangleCollector(vtkPoints* points, std::vector<vtkIdType>& cellIds)
+    : Points(points)
+    , CellIds(cellIds)
+  {
+  }
+
+  void AddPolygons(vtkCellArray* polygons, vtkIdType firstCellId)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+    {
+      polygons->GetCellAtId(i, size, ids);
+      if (size == 3)
+      {
+        this->Add(ids[0], ids[1], ids[2], firstCellId + i);
+      }
+      else if (size > 3)
+      {
+        this->AddPolygon(size, ids, firstCellId + i);
+      }
+    }
+  }
+
+  void AddStrips(vtkCellArray* strips, vtkIdType firstCellId)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
+    {
+      strips->GetCellAtId(i, size, ids);
+      for (vtkIdType k = 0; k + 2 < size; ++k)
+      {
+        const vtkIdType a = ids[k], b = ids[k + 1 + k % 2], c = ids[k + 2 - k % 2];
+        if (a != b && b != c && c != a)
+        {
+          this->Add(a, b, c, firstCellId + i);
+        }
+      }
+    }
+  }
+
+  conformal::Triangles GetTriangles() const
+  {
+    return Eigen::Map<const conformal::Triangles>(
+      this->Corners.data(), static_cast<conformal::Index>(this->CellIds.size()), 3);
+  }
+
+private:
+  // Ears are cut; where that fails, as it may on crossing or flat polygons, a fan has the same
+  // border and keeps a closed surface closed.
+  void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
+  {
+    const conformal::Triangles ears = size > ManyCorners
+      ? conformal::triangulatePolygon(this->CornersInFrame(size, ids))
+      : this->EarsOfFew(size, ids);
+    for (vtkIdType k = 0; k < size - 2; ++k)
+    {
+      if (ears.rows() == size - 2)
+      {
+        this->Add(ids[ears(k, 0)], ids[ears(k, 1)], ids[ears(k, 2)], cellId);
+      }
+      else
+      {
+        this->Add(ids[0], ids[k + 1], ids[k + 2], cellId);
+      }
+    }
+  }
+
+  // VTK's, which chooses ears of a good shape, takes time that grows with the square.
+  conformal::Triangles EarsOfFew(vtkIdType size, const vtkIdType* ids)
+  {
+    this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
+    const conformal::Points corners = this->CornersInFrame(size, ids);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      this->Polygon->GetPoints()->SetPoint(k, corners.row(k).data());
+    }
+    const vtkIdType count =
+      glue::Triangulate(this->Polygon, this->Ears) != 0 ? this->Ears->GetNumberOfIds() : 0;
+    conformal::Triangles ears(count / 3, 3);
+    std::copy_n(this->Ears->begin(), ears.size(), ears.data());
+    return ears;
+  }
+
+  conformal::Points CornersInFrame(vtkIdType size, const vtkIdType* ids) const
+  {
+    conformal::Points corners(size, 3);
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      this->Points->GetPoint(ids[k], corners.row(k).data());
+    }
+    corners /= conformal::frameOf({ corners }).Unit;
+    return corners;
+  }
+
+  void Add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cellId)
+  {
+    for (vtkIdType id : { a, b, c })
+    {
+      this->Corners.push_back(static_cast<int>(id));
+    }
+    this->CellIds.push_back(cellId);
+  }
+
+  static constexpr vtkIdType ManyCorners = 500;
+
+  vtkPoints* Points;
+  std::vector<vtkIdType>& CellIds;
+  std::vector<int> Corners;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+};
+
+std::string Sentence(const conformal::GenusZeroReport& report)
+{
+  std::string text;
+  for (const std::string& line : conformal::describe(report))
+  {
+    text += (text.empty() ? "" : "; ") + line;
+  }
+  return text;
+}
+
+struct Repairs
+{
+  conformal::Index Merged = 0, Repeated = 0, Turned = 0, Isolated = 0;
+};
+
+// Repair what can be without a loss; the rest of the mesh is made only if it is of genus zero then.
+Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
+  conformal::GenusZeroReport& report, const conformal::Run& run = {})
+{
+  Repairs done;
+  conformal::Triangles& triangles = mesh.Triangles;
+  report = conformal::checkGenusZero(triangles, points.rows(), points, run);
+  if (!report.BoundaryEdges.empty())
+  {
+    done.Merged = conformal::mergeCoincidentBoundaryPoints(triangles, points, report);
+  }
+  done.Repeated = conformal::dropRepeatedVertices(triangles);
+  if (done.Merged + done.Repeated > 0)
+  {
+    report = conformal::checkGenusZero(triangles, points.rows(), points);
+  }
+  if (!report.isGenusZero())
+  {
+    return done;
+  }
+  if (!report.InconsistentEdges.empty())
+  {
+    done.Turned = conformal::orientConsistently(triangles);
+  }
+  mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
+  const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
+  mesh.PointIds.assign(kept.begin(), kept.end());
+  mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    mesh.Positions.row(v) = points.row(kept[v]);
+  }
+  // Points that were merged away are of no triangle either, but are counted already.
+  done.Isolated = points.rows() - mesh.Positions.rows() - done.Merged;
+  return done;
+}
+}
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds)
+{
+  constexpr vtkIdType most = std::numeric_limits<int>::max();
+  if (surface->GetNumberOfPoints() > most)
+  {
+    throw std::length_error("the surface has more than " + std::to_string(most) + " points");
+  }
+  glue::RequireCellIds(surface);
+  cellIds.clear();
+  TriangleCollector collector(surface->GetPoints(), cellIds);
+  const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  collector.AddPolygons(surface->GetPolys(), firstPolygon);
+  collector.AddStrips(surface->GetStrips(), firstPolygon + surface->GetNumberOfPolys());
+  if (static_cast<vtkIdType>(cellIds.size()) > most / 3)
+  {
+    throw std::length_error("the surface has more than " + std::to_string(most / 3) + " triangles");
+  }
+  return collector.GetTriangles();
+}
+
+//------------------------------------------------------------------------------
+conformal::Triangles ToTriangles(vtkPolyData* surface)
+{
+  std::vector<vtkIdType> cellIds;
+  return ToTriangles(surface, cellIds);
+}
+
+//------------------------------------------------------------------------------
+bool HasTriangles(vtkPolyData* surface)
+{
+  return surface && surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool HasCellIds(vtkPolyData* surface)
+{
+  try
+  {
+    glue::RequireCellIds(surface);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  conformal::Steps steps(run, { 32.0, 5.0, 330.0 }); // for each triangle
+  steps.next();
+  ClosedMesh mesh;
+  mesh.Triangles = ToTriangles(surface);
+  steps.next();
+  const conformal::Points points = ToPoints(surface->GetPoints(), frame);
+  if (!points.allFinite())
+  {
+    const auto bad = points.rows() - points.array().isFinite().rowwise().all().count();
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.rows()) +
+      " points of the surface are not finite");
+  }
+
+  conformal::GenusZeroReport report;
+  const Repairs done = Repair(points, mesh, report, steps.next());
+  if (!report.isGenusZero())
+  {
+    throw std::invalid_argument(
+      "the surface must be closed, manifold, in one piece and of genus zero, but it is " +
+      Sentence(report) + ". vtkGenusZeroCheck lists all of it.");
+  }
+  if (done.Merged > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << done.Merged << " coincident points of open edges were merged");
+  }
+  if (done.Repeated > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << done.Repeated << " triangles with a repeated point were dropped");
+  }
+  if (done.Turned > 0)
+  {
+    vtkWarningWithObjectMacro(self, << done.Turned
+                                    << " triangles were reversed to agree in orientation with "
+                                       "their neighbors");
+  }
+  if (done.Isolated > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << done.Isolated << " points that belong to no triangle were dropped");
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+conformal::Mesh Outward(const ClosedMesh& mesh)
+{
+  conformal::Mesh outward = mesh;
+  if (mesh.InsideOut)
+  {
+    outward.Triangles.col(1).swap(outward.Triangles.col(2));
+  }
+  return outward;
+}
+
+//------------------------------------------------------------------------------
+void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
+  const conformal::CoordinateFrame& frame, vtkPolyData* output)
+{
+  const conformal::Triangles before = ToTriangles(surface);
+  if (mesh.Positions.rows() == surface->GetNumberOfPoints() &&
+    before.rows() == mesh.Triangles.rows() && before == mesh.Triangles)
+  {
+    output->ShallowCopy(surface);
+    return;
+  }
+  SetSurface(output, mesh.Positions, mesh.Triangles, frame);
+  vtkPointData* from = surface->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  const auto size = static_cast<vtkIdType>(mesh.PointIds.size());
+  to->CopyAllocate(from, size);
+  for (vtkIdType v = 0; v < size; ++v)
+  {
+    to->CopyData(from, mesh.PointIds[v], v);
+  }
+  output->GetFieldData()->PassData(surface->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+conformal::Mesh ToMeshIfClosed(
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  if (!HasCellIds(surface))
+  {
+    return {};
+  }
+  ClosedMesh mesh;
+  mesh.Triangles = ToTriangles(surface);
+  const conformal::Points points = ToPoints(surface->GetPoints(), frame);
+  conformal::GenusZeroReport report;
+  if (!points.allFinite() || Repair(points, mesh, report, run).Isolated > 0 ||
+    !report.isGenusZero())
+  {
+    return {};
+  }
+  return Outward(mesh);
+}
+
+//------------------------------------------------------------------------------
+conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  const ClosedMesh closed = ToClosedMesh(self, surface, FrameOf({ surface }), run);
+  const conformal::Points map = ToSpherePositions(surface);
+  conformal::MappedMesh mesh;
+  mesh.Positions.resize(closed.Positions.rows(), 3);
+  mesh.Triangles = closed.Triangles;
+  if (closed.InsideOut)
+  {
+    mesh.Triangles.col(1).swap(mesh.Triangles.col(2));
+  }
+  mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
+  conformal::Points copy;
+  const conformal::PointView points = ViewPoints(surface->GetPoints(), frame, copy);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    mesh.Positions.row(v) = points[closed.PointIds[v]];
+    mesh.SpherePositions.row(v) = map.row(closed.PointIds[v]);
+  }
+  return mesh;
+}
+}

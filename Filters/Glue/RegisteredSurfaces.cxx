@@ -1,0 +1,138 @@
+#include "Glue/RegisteredSurfaces.h"
+
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace glue
+{
+namespace
+{
+conformal::Rows FeaturesOf(
+  vtkPolyData* surface, const FeatureList& features, const std::vector<vtkIdType>& ids)
+{
+  conformal::Rows result(
+    static_cast<conformal::Index>(ids.size()), static_cast<conformal::Index>(features.size()));
+  for (std::size_t k = 0; k < features.size(); ++k)
+  {
+    const std::string& name = features[k].first;
+    vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      throw std::invalid_argument(
+        "every surface must have the feature \"" + name + "\" as a point array of 1 component");
+    }
+    for (std::size_t v = 0; v < ids.size(); ++v)
+    {
+      result(v, k) = array->GetComponent(ids[v], 0);
+    }
+    if (!result.col(k).allFinite())
+    {
+      throw std::invalid_argument("some values of the feature \"" + name + "\" are not finite");
+    }
+    // Squares of what is left must not overflow.
+    const double largest = result.col(k).cwiseAbs().maxCoeff();
+    if (largest > 0.0)
+    {
+      result.col(k) /= largest;
+    }
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> SurfaceToRegister::vertices() const
+{
+  std::vector<int> vertices(this->Map.rows(), -1);
+  for (std::size_t v = 0; v < this->PointIds.size(); ++v)
+  {
+    vertices[this->PointIds[v]] = static_cast<int>(v);
+  }
+  return vertices;
+}
+
+//------------------------------------------------------------------------------
+SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
+  const FeatureList& features, const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  ClosedMesh closed = ToClosedMesh(self, surface, frame, run);
+  if (closed.InsideOut)
+  {
+    closed.Triangles.col(1).swap(closed.Triangles.col(2));
+  }
+  SurfaceToRegister result;
+  result.Map = ToSpherePositions(surface);
+  conformal::MappedMesh& mesh = result.Core.Surface;
+  mesh.Positions = closed.Positions;
+  mesh.Triangles = closed.Triangles;
+  mesh.SpherePositions.resize(mesh.Positions.rows(), 3);
+  for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    mesh.SpherePositions.row(v) = result.Map.row(closed.PointIds[v]);
+  }
+  result.Core.Features = FeaturesOf(surface, features, closed.PointIds);
+  result.PointIds = std::move(closed.PointIds);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> WeightsOf(const FeatureList& features)
+{
+  std::vector<double> weights;
+  for (const auto& [name, weight] : features)
+  {
+    if (!std::isfinite(weight) || weight < 0.0)
+    {
+      throw std::invalid_argument("the weight of the feature \"" + name + "\" is " +
+        std::to_string(weight) + ", but must be finite and at least 0");
+    }
+    weights.push_back(weight);
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::Points& moved)
+{
+  conformal::Points places = moving.Map;
+  if (static_cast<conformal::Index>(moving.PointIds.size()) < places.rows())
+  {
+    const conformal::MappedMesh& mesh = moving.Core.Surface;
+    places = conformal::sampleAt(
+      conformal::SphereGrid({ mesh.SpherePositions, mesh.Triangles }), moved, moving.Map);
+    places.rowwise().normalize();
+  }
+  for (std::size_t v = 0; v < moving.PointIds.size(); ++v)
+  {
+    places.row(moving.PointIds[v]) = moved.row(static_cast<conformal::Index>(v));
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
+  const conformal::SphericalRegistrationResult& result)
+{
+  AddVectors(surface->GetPointData(), SpherePositionName(), places);
+  vtkFieldData* data = surface->GetFieldData();
+  AddNumber(data, "RegistrationStretch", result.Stretch);
+  AddNumber(data, "LandmarkError", result.LandmarkError);
+  const vtkNew<vtkDoubleArray> agreement;
+  agreement->SetName("FeatureAgreement");
+  agreement->SetNumberOfComponents(2);
+  agreement->InsertNextTuple2(result.AgreementBefore, result.AgreementAfter);
+  data->AddArray(agreement);
+  AddNumber(data, "NumberOfFolds", static_cast<long long>(result.NumberOfFolds));
+}
+}

@@ -1,0 +1,198 @@
+#include "Glue/SphereImages.h"
+
+#include "Glue/Arrays.h"
+#include "Texture/SphericalTexture.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+const double* NumbersOf(vtkFieldData* data, const char* name, int components)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != 1)
+  {
+    throw std::invalid_argument(
+      std::string("the surface has no field data ") + name + " of vtkSphericalTextureMap");
+  }
+  const double* numbers = array->GetTuple(0);
+  for (int i = 0; i < components; ++i)
+  {
+    if (!std::isfinite(numbers[i]))
+    {
+      throw std::invalid_argument(std::string("the field data ") + name + " are not finite");
+    }
+  }
+  return numbers;
+}
+
+// Of unit length and at right angles, as far as that survives single precision or six digits. Maps
+// that mirror the sphere have left-handed axes.
+void CheckAxes(const conformal::SphereView& view)
+{
+  constexpr double tolerance = 1e-5;
+  Eigen::Matrix3d axes;
+  axes << view.Right, view.Up, view.Pole;
+  const Eigen::Matrix3d off = axes.transpose() * axes - Eigen::Matrix3d::Identity();
+  if (!(off.cwiseAbs().maxCoeff() <= tolerance))
+  {
+    throw std::invalid_argument(
+      "the field data SpherePole, SphereUp and SphereRight are not orthogonal unit "
+      "vectors; run vtkSphericalTextureMap again");
+  }
+}
+
+double NumberIn(vtkFieldData* data, const char* name, double least, double largest)
+{
+  const double number = *NumbersOf(data, name, 1);
+  if (number < least || number > largest)
+  {
+    throw std::invalid_argument(std::string("the field data ") + name + " are out of range");
+  }
+  return number;
+}
+}
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image)
+{
+  AddVectors(data, "SpherePole", image.View.Pole.transpose());
+  AddVectors(data, "SphereUp", image.View.Up.transpose());
+  AddVectors(data, "SphereRight", image.View.Right.transpose());
+  AddNumber(data, "TextureProjection", static_cast<long long>(image.Projection));
+  AddNumber(data, "TextureFieldOfView", image.FieldOfView);
+  vtkNew<vtkDoubleArray> scale;
+  scale->SetName("TextureScale");
+  scale->SetNumberOfComponents(2);
+  scale->InsertNextTuple(image.Scale.data());
+  data->AddArray(scale);
+  AddNumber(data, "TextureMargin", image.Margin);
+}
+
+//------------------------------------------------------------------------------
+conformal::SphereImage ToSphereImage(vtkFieldData* data)
+{
+  conformal::SphereImage image;
+  image.View.Pole = conformal::Vector3(NumbersOf(data, "SpherePole", 3));
+  image.View.Up = conformal::Vector3(NumbersOf(data, "SphereUp", 3));
+  image.View.Right = conformal::Vector3(NumbersOf(data, "SphereRight", 3));
+  CheckAxes(image.View);
+  const double projection = NumberIn(
+    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap));
+  if (projection != std::floor(projection))
+  {
+    throw std::invalid_argument("the field data TextureProjection must be a whole number");
+  }
+  image.Projection = static_cast<conformal::SphereProjection>(static_cast<int>(projection));
+  image.FieldOfView = NumberIn(
+    data, "TextureFieldOfView", conformal::MinimumFieldOfView, conformal::MaximumFieldOfView);
+  image.Scale = conformal::Vector2(NumbersOf(data, "TextureScale", 2));
+  if (image.Scale.minCoeff() < conformal::MinimumScale ||
+    image.Scale.maxCoeff() > conformal::MaximumScale)
+  {
+    throw std::invalid_argument("the field data TextureScale are out of range");
+  }
+  image.Margin = NumberIn(data, "TextureMargin", 0.0, conformal::MaximumMargin);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void SetImageInformation(vtkInformation* info, const int size[2])
+{
+  SetImageInformation(info, size, 0.0, 0.0, 1.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void SetImageInformation(
+  vtkInformation* info, const int size[2], double x, double y, double width, double height)
+{
+  if (size[0] < 1 || size[1] < 1 || size[1] > std::numeric_limits<int>::max() / size[0])
+  {
+    throw std::invalid_argument(
+      "ImageSize must be at least (1, 1), with at most 2147483647 pixels");
+  }
+  const int extent[6] = { 0, size[0] - 1, 0, size[1] - 1, 0, 0 };
+  const double spacing[3] = { width / size[0], height / size[1], 1.0 };
+  const double origin[3] = { x + 0.5 * width / size[0], y + 0.5 * height / size[1], 0.0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like)
+{
+  image->SetExtent(info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()));
+  image->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  image->SetSpacing(info->Get(vtkDataObject::SPACING()));
+  const auto pixels = vtkSmartPointer<vtkDataArray>::Take(like->NewInstance());
+  pixels->SetName(like->GetName());
+  pixels->SetNumberOfComponents(like->GetNumberOfComponents());
+  pixels->SetNumberOfTuples(image->GetNumberOfPoints());
+  image->GetPointData()->SetScalars(pixels);
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
+bool HoldsWholeNumbers(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name)
+{
+  vtkDataArray* array = name.empty() ? data->GetPointData()->GetScalars()
+                                     : data->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::invalid_argument(name.empty()
+        ? "the source has no active scalars to bake; set ArrayName"
+        : "no point array " + name + " to bake");
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+conformal::PixelSink PixelPainter(
+  vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
+{
+  const bool isWhole = HoldsWholeNumbers(values);
+  return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const conformal::SurfacePlace& place = places[i];
+      const vtkIdType pixel = first + static_cast<vtkIdType>(i);
+      const bool isHole = place.Ids[0] < 0;
+      holes->SetValue(pixel, isHole);
+      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+      {
+        double sum = 0.0;
+        for (int k = 0; k < 3 && !isHole; ++k)
+        {
+          sum += place.Weights[k] * values->GetComponent(place.Ids[k], c);
+        }
+        pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
+      }
+    }
+  };
+}
+}

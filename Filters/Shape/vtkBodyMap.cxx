@@ -1,0 +1,267 @@
+#include "vtkBodyMap.h"
+
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Sphere/SphereCoverage.h"
+#include "Texture/BodyCoordinates.h"
+#include "Texture/BodyRelief.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkBodyMap);
+
+namespace
+{
+void AddPoint(vtkFieldData* data, const char* name, const conformal::Vector3& point,
+  const conformal::CoordinateFrame& frame)
+{
+  conformal::Points row = point.transpose();
+  glue::LengthsFromFrame(row.data(), 3, frame, name);
+  glue::AddVectors(data, name, row);
+}
+
+void AddAngles(vtkPointData* data, const conformal::Points& map)
+{
+  std::vector<double> longitudes(map.rows()), latitudes(map.rows());
+  for (conformal::Index i = 0; i < map.rows(); ++i)
+  {
+    const conformal::Vector2 degrees = conformal::toLongitudeLatitude(map.row(i));
+    longitudes[i] = degrees[0];
+    latitudes[i] = degrees[1];
+  }
+  glue::AddNumbers(data, "Longitude", longitudes);
+  glue::AddNumbers(data, "Latitude", latitudes);
+}
+
+void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoid,
+  const conformal::CoordinateFrame& frame)
+{
+  const conformal::ReferenceEllipsoid reference =
+    isEllipsoid ? conformal::referenceEllipsoid(body) : conformal::referenceSphere(body);
+  const conformal::BodyRelief relief = conformal::measureRelief(body, reference);
+  glue::AddLengths(output->GetPointData(), "Height", relief.Heights, frame);
+  glue::AddNumbers(output->GetPointData(), "Slope", relief.Slopes);
+  AddPoint(output->GetFieldData(), "ReferenceCenter", reference.Center, frame);
+  AddPoint(output->GetFieldData(), "ReferenceRadii", reference.Radii, frame);
+  vtkNew<vtkDoubleArray> axes;
+  axes->SetName("ReferenceAxes");
+  axes->SetNumberOfComponents(9);
+  axes->InsertNextTuple(reference.Axes.data()); // by columns, which the axes are
+  output->GetFieldData()->AddArray(axes);
+}
+
+void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLine>& lines,
+  const conformal::CoordinateFrame& frame)
+{
+  conformal::Index size = 0;
+  for (const conformal::GraticuleLine& line : lines)
+  {
+    size += line.Positions.rows();
+  }
+  conformal::Points points(size, 3);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIdTypeArray> isMeridian;
+  isMeridian->SetName("IsMeridian");
+  std::vector<double> degrees;
+  conformal::Index first = 0;
+  for (const conformal::GraticuleLine& line : lines)
+  {
+    const conformal::Index count = line.Positions.rows();
+    if (count < 2)
+    {
+      continue; // the map has a hole there
+    }
+    points.middleRows(first, count) = line.Positions;
+    cells->InsertNextCell(static_cast<int>(count));
+    for (conformal::Index i = 0; i < count; ++i)
+    {
+      cells->InsertCellPoint(first + i);
+    }
+    first += count;
+    isMeridian->InsertNextValue(line.IsMeridian);
+    degrees.push_back(line.Degrees);
+  }
+  points.conservativeResize(first, 3);
+  glue::SetPoints(output, points, frame);
+  output->SetLines(cells);
+  output->GetCellData()->AddArray(isMeridian);
+  glue::AddNumbers(output->GetCellData(), "Degrees", degrees);
+}
+
+// One place on the sphere should belong to one point.
+conformal::SphereCoverage CoverageOf(const conformal::MappedMesh& body)
+{
+  conformal::Triangles triangles = body.Triangles;
+  if (conformal::signedVolume(body.Positions, triangles) < 0.0)
+  {
+    triangles.col(1).swap(triangles.col(2));
+  }
+  return conformal::measureSphereCoverage(body.SpherePositions, triangles);
+}
+
+conformal::Points DirectionsOf(vtkPolyData* places)
+{
+  conformal::Points directions(places->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < directions.rows(); ++i)
+  {
+    double p[3];
+    places->GetPoint(i, p);
+    if (!(std::abs(p[0]) <= 1e9 && std::abs(p[1]) <= 90.0))
+    {
+      throw std::invalid_argument("place " + std::to_string(i) +
+        " must have a finite longitude as x and a latitude in [-90, 90] as y, in degrees");
+    }
+    directions.row(i) = conformal::toDirection({ p[0], p[1] });
+  }
+  return directions;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkBodyMap::vtkBodyMap()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkBodyMap::SetPlacesConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkBodyMap::SetPlacesData(vtkPolyData* places)
+{
+  this->SetInputData(1, places);
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMap::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto places = glue::Held(vtkPolyData::GetData(inputVector[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* graticule = vtkPolyData::GetData(outputVector, 1);
+  vtkPolyData* placed = vtkPolyData::GetData(outputVector, 2);
+  const conformal::Vector3 center(this->Center), marker(this->MarkerPoint);
+  conformal::BodyCoordinatesOptions options;
+  options.RotationAxis = conformal::Vector3(this->RotationAxis);
+  options.UseMarkerPoint = this->UseMarkerPoint;
+  const bool isEllipsoid = this->Reference == ELLIPSOID;
+  const double spacing = this->GraticuleSpacing;
+  return glue::RunCore(this,
+    [&]()
+    {
+      using namespace glue;
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        WarnOfEmptyInput(this, "the surface is empty; the output is empty");
+        return;
+      }
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const auto numberOfPlaces = places ? static_cast<double>(places->GetNumberOfPoints()) : 0.0;
+      // Reading, coordinates, relief, graticule, places.
+      conformal::Steps steps(RunOf(this),
+        { 110.0 * size, 800.0 * size, 330.0 * size, 450.0 * size + 1.5e8 / spacing,
+          places ? 600.0 * size + 500.0 * numberOfPlaces : 0.0 });
+      steps.next();
+      const conformal::CoordinateFrame frame = FrameOf({ surface });
+      conformal::MappedMesh body;
+      body.Triangles = ToTriangles(surface);
+      body.Positions = ToPoints(surface->GetPoints(), frame);
+      body.SpherePositions = ToSpherePositions(surface);
+      if (!center.allFinite() || !marker.allFinite())
+      {
+        throw std::invalid_argument("Center and MarkerPoint must be finite");
+      }
+      options.Center = frame.toFrameFromAfar(center);
+      options.MarkerPoint = frame.toFrameFromAfar(marker);
+      const conformal::BodyCoordinates coordinates =
+        conformal::findBodyCoordinates(body, options, steps.next());
+      body.SpherePositions = coordinates.SpherePositions;
+      const conformal::SphereCoverage coverage = CoverageOf(body);
+      if (coverage.NumberOfFolds > 0 || coverage.Degree > 1)
+      {
+        vtkWarningMacro(
+          << "the map to the sphere covers it " << coverage.Degree << " times with "
+          << coverage.NumberOfFolds
+          << " folded triangles: some longitudes and latitudes belong to several points");
+      }
+
+      steps.next();
+      vtkNew<vtkPolyData> result;
+      result->ShallowCopy(surface);
+      AddVectors(result->GetPointData(), SpherePositionName(), coordinates.SpherePositions);
+      AddAngles(result->GetPointData(), coordinates.SpherePositions);
+      AddRelief(result, body, isEllipsoid, frame);
+      AddPoint(result->GetFieldData(), "BodyNorthPole", coordinates.NorthPole, frame);
+      AddPoint(result->GetFieldData(), "BodySouthPole", coordinates.SouthPole, frame);
+      AddPoint(result->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
+      const std::vector<conformal::GraticuleLine> lines =
+        conformal::makeGraticule(body, spacing, steps.next());
+      const conformal::Run placing = steps.next();
+      if (places)
+      {
+        glue::RequireCellIds(places);
+        const conformal::Points points =
+          conformal::placeOnBody(body, DirectionsOf(places), placing);
+        if (!points.allFinite())
+        {
+          throw std::invalid_argument("some places lie where the map of the surface has a hole");
+        }
+        placed->ShallowCopy(places);
+        SetPoints(placed, points, frame);
+      }
+      SetGraticule(graticule, lines, frame);
+      graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
+      output->ShallowCopy(result);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkBodyMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto print = [&](const char* name, const double values[3]) {
+    os << indent << name << ": (" << values[0] << ", " << values[1] << ", " << values[2] << ")\n";
+  };
+  this->Superclass::PrintSelf(os, indent);
+  print("Center", this->Center);
+  print("RotationAxis", this->RotationAxis);
+  os << indent << "UseMarkerPoint: " << (this->UseMarkerPoint ? "On" : "Off") << "\n";
+  print("MarkerPoint", this->MarkerPoint);
+  os << indent << "Reference: " << (this->Reference == SPHERE ? "Sphere" : "Ellipsoid") << "\n";
+  os << indent << "GraticuleSpacing: " << this->GraticuleSpacing << "\n";
+}

@@ -1,0 +1,167 @@
+#include "vtkBodyMapImage.h"
+
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Glue/SphereImages.h"
+#include "Texture/MapImage.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkBodyMapImage);
+
+namespace
+{
+void AddMarks(vtkImageData* image, const char* name, const std::vector<unsigned char>& marks)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(marks.size()));
+  std::copy(marks.begin(), marks.end(), array->GetPointer(0));
+  image->GetPointData()->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMapImage::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMapImage::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return glue::RunRequest(this,
+    [&]()
+    {
+      const conformal::Vector2 half =
+        conformal::halfSizeOfMap(static_cast<conformal::MapProjection>(this->Projection));
+      glue::SetImageInformation(outputVector->GetInformationObject(0), this->ImageSize, -half[0],
+        -half[1], 2.0 * half[0], 2.0 * half[1]);
+    });
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMapImage::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector*)
+{
+  return 1; // all of the surface, whatever part of the image is asked for
+}
+
+//------------------------------------------------------------------------------
+int vtkBodyMapImage::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  const std::string arrayName = this->ArrayName;
+  conformal::MapImage map;
+  map.Projection = static_cast<conformal::MapProjection>(this->Projection);
+  map.CentralLongitude = this->CentralLongitude;
+  const double spacing = this->GraticuleSpacing >= 1.0 ? this->GraticuleSpacing : 0.0;
+  const bool withPositions = this->GeneratePositions;
+  return glue::RunCore(this,
+    [&]()
+    {
+      using namespace glue;
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        WarnOfEmptyInput(this, "the surface is empty; the image is empty");
+        return;
+      }
+      if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
+      {
+        throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
+      }
+      vtkDataArray* values = ArrayToBake(surface, arrayName);
+      for (const char* ours : { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition" })
+      {
+        if (values->GetName() && std::string(values->GetName()) == ours)
+        {
+          throw std::invalid_argument("the point array " + std::string(ours) +
+            " has the name of an array that the image gets; rename it");
+        }
+      }
+      vtkNew<vtkImageData> result;
+      vtkDataArray* pixels = AllocatePixels(result, outputVector->GetInformationObject(0), values);
+      map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
+      vtkNew<vtkUnsignedCharArray> holes;
+      holes->SetName("OutsideSurface");
+      holes->SetNumberOfValues(result->GetNumberOfPoints());
+
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
+      conformal::Steps steps(RunOf(this),
+        { 100.0 * size, 900.0 * size + 600.0 * numberOfPixels, 300.0 * numberOfPixels });
+      steps.next();
+      const conformal::CoordinateFrame frame = FrameOf({ surface });
+      conformal::MappedMesh body;
+      body.Triangles = ToTriangles(surface);
+      body.Positions = ToPoints(surface->GetPoints(), frame);
+      body.SpherePositions = ToSpherePositions(surface);
+      conformal::Points positions(withPositions ? map.Grid.size() : 0, 3);
+      const conformal::PixelSink painter = PixelPainter(values, pixels, holes);
+      conformal::paintMap(
+        body, map,
+        [&](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
+        {
+          painter(first, places);
+          for (std::size_t i = 0; withPositions && i < places.size(); ++i)
+          {
+            conformal::Vector3 position = conformal::Vector3::Zero();
+            for (int k = 0; k < 3 && places[i].Ids[0] >= 0; ++k)
+            {
+              position += places[i].Weights[k] * body.Positions.row(places[i].Ids[k]).transpose();
+            }
+            positions.row(first + static_cast<conformal::Index>(i)) = position;
+          }
+        },
+        steps.next());
+      const conformal::Run marking = steps.next();
+      result->GetPointData()->AddArray(holes);
+      const conformal::MapMarks marks = conformal::markMap(map, spacing, marking);
+      AddMarks(result, "OutsideMap", marks.OutsideMap);
+      if (spacing > 0.0)
+      {
+        AddMarks(result, "Graticule", marks.Graticule);
+      }
+      if (withPositions)
+      {
+        LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
+        AddVectors(result->GetPointData(), "BodyPosition", positions);
+      }
+      output->ShallowCopy(result);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkBodyMapImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
+    "PeirceQuincuncial" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "Projection: " << projections[this->Projection] << "\n";
+  os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
+  os << indent << "GraticuleSpacing: " << this->GraticuleSpacing << "\n";
+  os << indent << "GeneratePositions: " << (this->GeneratePositions ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,420 @@
+#include "vtkSurfaceHarmonics.h"
+
+#include "Base/CoordinateFrame.h"
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/HarmonicTables.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Harmonics/HarmonicAlignment.h"
+#include "Harmonics/HarmonicFit.h"
+#include "Harmonics/HarmonicSurface.h"
+#include "Harmonics/SphericalHarmonics.h"
+#include "Linear/EdgeWeights.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+vtkStandardNewMacro(vtkSurfaceHarmonics);
+
+namespace
+{
+// A chosen array; its first column comes behind the coordinates and the arrays before.
+struct ChosenArray
+{
+  std::string Name;
+  int Components = 0;
+  conformal::Index First = 0;
+};
+
+std::vector<ChosenArray> ArraysOf(vtkPolyData* surface, const std::vector<std::string>& names)
+{
+  std::vector<ChosenArray> arrays;
+  conformal::Index first = 3;
+  for (const std::string& name : names)
+  {
+    vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+    if (!array || array->GetNumberOfComponents() < 1)
+    {
+      throw std::invalid_argument("the surface has no point array \"" + name + "\" of numbers");
+    }
+    for (const char* column : { "Degree", "Order", "X", "Y", "Z" })
+    {
+      if (name == column)
+      {
+        throw std::invalid_argument(
+          "the point array \"" + name + "\" has the name of a column of the table; rename it");
+      }
+    }
+    arrays.push_back({ name, array->GetNumberOfComponents(), first });
+    first += array->GetNumberOfComponents();
+  }
+  return arrays;
+}
+
+// The coordinates in the frame, then the arrays.
+conformal::Columns ValuesOf(
+  vtkPolyData* surface, const conformal::Points& positions, const std::vector<ChosenArray>& arrays)
+{
+  const conformal::Index columns =
+    arrays.empty() ? 3 : arrays.back().First + arrays.back().Components;
+  conformal::Columns values(positions.rows(), columns);
+  values.leftCols(3) = positions;
+  for (const ChosenArray& chosen : arrays)
+  {
+    vtkDataArray* array = surface->GetPointData()->GetArray(chosen.Name.c_str());
+    for (int c = 0; c < chosen.Components; ++c)
+    {
+      for (conformal::Index i = 0; i < values.rows(); ++i)
+      {
+        values(i, chosen.First + c) = array->GetComponent(i, c);
+      }
+    }
+    if (!values.middleCols(chosen.First, chosen.Components).allFinite())
+    {
+      throw std::invalid_argument(
+        "the point array \"" + chosen.Name + "\" has values that are not finite");
+    }
+  }
+  return values;
+}
+
+conformal::MappedMesh MeshOf(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  conformal::MappedMesh mesh;
+  mesh.SpherePositions = glue::ToSpherePositions(surface);
+  mesh.Triangles = glue::ToTriangles(surface);
+  mesh.Positions = glue::ToPoints(surface->GetPoints(), frame);
+  if (mesh.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  if (!mesh.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points of the surface are not finite");
+  }
+  return mesh;
+}
+
+// The coordinates of a reference in a frame.
+conformal::Columns ReferenceOf(vtkTable* table, const conformal::CoordinateFrame& frame)
+{
+  conformal::Points coordinates = glue::FromTable(table).Coefficients.leftCols(3);
+  for (conformal::Index i = 0; i < coordinates.rows(); ++i)
+  {
+    coordinates.row(i) = frame.toFrameFromAfar(coordinates.row(i));
+  }
+  return coordinates;
+}
+
+conformal::HarmonicAlignment AlignmentOf(const conformal::Columns& coefficients,
+  vtkTable* reference, int kind, const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  const bool movesSurface = kind == vtkSurfaceHarmonics::MAP_AND_SURFACE;
+  const conformal::Columns coordinates = coefficients.leftCols(3);
+  if (reference)
+  {
+    return conformal::alignToReference(
+      coordinates, ReferenceOf(reference, frame), movesSurface, run);
+  }
+  conformal::HarmonicAlignment alignment = conformal::alignToEllipsoid(coordinates);
+  if (!movesSurface)
+  {
+    alignment.SurfaceRotation.setIdentity();
+    alignment.Center.setZero();
+  }
+  return alignment;
+}
+
+// Places on the surface that the alignment has moved.
+conformal::Points Moved(
+  const conformal::Points& positions, const conformal::HarmonicAlignment& alignment)
+{
+  return (positions.rowwise() - alignment.Center.transpose()) *
+    alignment.SurfaceRotation.transpose();
+}
+
+conformal::Columns AlignedCoefficients(const conformal::Columns& coefficients,
+  const conformal::HarmonicAlignment& alignment, const conformal::Run& run)
+{
+  conformal::Columns aligned = conformal::rotateHarmonics(coefficients, alignment.MapRotation, run);
+  aligned.row(0).head(3) -= std::sqrt(4.0 * conformal::Pi) * alignment.Center.transpose();
+  aligned.leftCols(3) = (aligned.leftCols(3) * alignment.SurfaceRotation.transpose()).eval();
+  return aligned;
+}
+
+void AddTable(vtkTable* table, const conformal::Columns& coefficients,
+  const std::vector<ChosenArray>& arrays, const conformal::CoordinateFrame& frame)
+{
+  glue::Harmonics harmonics = { coefficients, {} };
+  glue::LengthsFromFrame(
+    harmonics.Coefficients.data(), 3 * coefficients.rows(), frame, "a coefficient");
+  for (const ChosenArray& chosen : arrays)
+  {
+    for (int c = 0; c < chosen.Components; ++c)
+    {
+      harmonics.Names.push_back(
+        chosen.Name + (chosen.Components > 1 ? "_" + std::to_string(c) : ""));
+    }
+  }
+  if (!coefficients.allFinite())
+  {
+    throw std::overflow_error("values of the arrays are too large for their harmonics");
+  }
+  glue::ToTable(harmonics, table);
+}
+
+// The columns of an array, with its name.
+void AddRebuilt(vtkPointData* data, const ChosenArray& chosen, const conformal::Columns& values)
+{
+  if (!values.allFinite())
+  {
+    throw std::overflow_error(
+      "values of the array \"" + chosen.Name + "\" are too large for their harmonics");
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(chosen.Name.c_str());
+  array->SetNumberOfComponents(chosen.Components);
+  array->SetNumberOfTuples(values.rows());
+  for (int c = 0; c < chosen.Components; ++c)
+  {
+    for (conformal::Index i = 0; i < values.rows(); ++i)
+    {
+      array->SetComponent(i, c, values(i, c));
+    }
+  }
+  data->AddArray(array);
+}
+
+std::vector<double> PowerOf(const conformal::Columns& coefficients)
+{
+  const Eigen::VectorXd power = conformal::powerPerDegree(coefficients) / (4.0 * conformal::Pi);
+  return { power.begin(), power.end() };
+}
+
+// Whatever is said of the harmonics before they were aligned.
+void AddSummary(vtkFieldData* data, const conformal::Columns& coefficients,
+  const std::vector<ChosenArray>& arrays, const conformal::CoordinateFrame& frame)
+{
+  std::vector<double> power = PowerOf(coefficients.leftCols(3));
+  std::vector<double> spectrum(power.size(), 0.0);
+  for (std::size_t l = 1; l < power.size() && power[1] > 0.0; ++l)
+  {
+    spectrum[l] = std::sqrt(power[l] / power[1]);
+  }
+  glue::AreasFromFrame(
+    power.data(), static_cast<conformal::Index>(power.size()), frame, "HarmonicPower");
+  glue::AddNumbers(data, "HarmonicPower", power);
+  glue::AddNumbers(data, "ShapeSpectrum", spectrum);
+  for (const ChosenArray& chosen : arrays)
+  {
+    glue::AddNumbers(data, ("HarmonicPower_" + chosen.Name).c_str(),
+      PowerOf(coefficients.middleCols(chosen.First, chosen.Components)));
+  }
+}
+
+void AddAlignment(vtkFieldData* data, const conformal::HarmonicAlignment& alignment,
+  const conformal::CoordinateFrame& frame)
+{
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const RowMajor map = alignment.MapRotation, surface = alignment.SurfaceRotation;
+  conformal::Vector3 center = alignment.Center;
+  glue::LengthsFromFrame(center.data(), 3, frame, "SurfaceCenter");
+  glue::AddTuple(data, "MapRotation", map.data(), 9);
+  glue::AddTuple(data, "SurfaceRotation", surface.data(), 9);
+  glue::AddTuple(data, "SurfaceCenter", center.data(), 3);
+}
+
+double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal::Points& rebuilt)
+{
+  const Eigen::VectorXd areas = conformal::vertexAreas(mesh.Positions, mesh.Triangles);
+  const Eigen::VectorXd squares = (rebuilt - mesh.Positions).rowwise().squaredNorm();
+  return std::sqrt(squares.dot(areas) / areas.sum());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceHarmonics::vtkSurfaceHarmonics()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceHarmonics::AddPointArray(const char* name)
+{
+  const std::string added = name ? name : "";
+  const bool isThere =
+    std::find(this->PointArrays.begin(), this->PointArrays.end(), added) != this->PointArrays.end();
+  if (!added.empty() && !isThere)
+  {
+    this->PointArrays.push_back(added);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceHarmonics::RemoveAllPointArrays()
+{
+  if (!this->PointArrays.empty())
+  {
+    this->PointArrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceHarmonics::SetReferenceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceHarmonics::SetReferenceData(vtkTable* reference)
+{
+  this->SetInputData(1, reference);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkSurfaceHarmonics::GetCoefficients()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceHarmonics::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceHarmonics::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceHarmonics::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto reference = glue::Held(vtkTable::GetData(inputVector[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* tableOutput = vtkTable::GetData(outputVector, 1);
+  const int degree = this->Degree, kept = std::min(this->ReconstructionDegree, degree);
+  const int kind = this->Alignment, frequency = this->Frequency;
+  const bool isGeodesic = this->Lattice == GEODESIC;
+  const std::vector<std::string> names = this->PointArrays;
+  return glue::RunCore(this,
+    [&]()
+    {
+      using namespace glue;
+      if (surface->GetNumberOfPoints() == 0)
+      {
+        WarnOfEmptyInput(this, "the surface is empty; it has no harmonics");
+        return;
+      }
+      glue::RequireCellIds(surface);
+      const std::vector<ChosenArray> arrays = ArraysOf(surface, names);
+      const auto size = static_cast<double>(surface->GetNumberOfPoints());
+      const double columns =
+        arrays.empty() ? 3.0 : static_cast<double>(arrays.back().First + arrays.back().Components);
+      const bool isAligned = kind != NONE;
+      const double sphere = isGeodesic ? 10.0 * frequency * frequency : 0.0;
+      conformal::Steps steps(RunOf(this),
+        { (200.0 + 10.0 * columns) * size, conformal::workOfHarmonicFit(size, columns, degree),
+          isAligned && reference ? 2e8 : 0.0,
+          isAligned ? conformal::workOfHarmonicRotation(columns, degree) : 0.0,
+          conformal::workOfEvaluation(size, columns, kept),
+          isGeodesic ? 31.0 * sphere + conformal::workOfEvaluation(sphere, columns, kept) : 0.0,
+          30.0 * columns * (size + sphere) });
+      steps.next();
+      const conformal::CoordinateFrame frame = FrameOf({ surface });
+      const conformal::MappedMesh mesh = MeshOf(surface, frame);
+      const conformal::Columns values = ValuesOf(surface, mesh.Positions, arrays);
+      const conformal::Columns coefficients =
+        conformal::fitHarmonics(mesh, values, degree, steps.next());
+
+      const conformal::Run aligning = steps.next(), rotating = steps.next();
+      conformal::HarmonicAlignment alignment;
+      conformal::Columns aligned = coefficients;
+      if (isAligned)
+      {
+        alignment = AlignmentOf(coefficients, reference, kind, frame, aligning);
+        aligned = AlignedCoefficients(coefficients, alignment, rotating);
+      }
+      const conformal::Columns rebuilt = conformal::evaluateHarmonics(
+        conformal::upToDegree(coefficients, kept), mesh.SpherePositions, steps.next());
+      const conformal::Points places = rebuilt.leftCols(3);
+
+      const vtkNew<vtkPolyData> result;
+      const conformal::Run sampling = steps.next();
+      if (isGeodesic)
+      {
+        const conformal::HarmonicSurface made =
+          conformal::makeHarmonicSurface(conformal::upToDegree(aligned, kept), frequency, sampling);
+        steps.next();
+        SetSurface(result, made.Positions, made.Triangles, frame);
+        AddVectors(result->GetPointData(), SpherePositionName(), made.SpherePositions);
+        for (const ChosenArray& chosen : arrays)
+        {
+          AddRebuilt(result->GetPointData(), chosen,
+            made.Values.middleCols(chosen.First - 3, chosen.Components));
+        }
+      }
+      else
+      {
+        steps.next();
+        result->ShallowCopy(surface);
+        result->GetPointData()->SetNormals(nullptr);
+        SetPoints(result, Moved(places, alignment), frame);
+        AddVectors(result->GetPointData(), SpherePositionName(),
+          mesh.SpherePositions * alignment.MapRotation.transpose());
+        for (const ChosenArray& chosen : arrays)
+        {
+          AddRebuilt(
+            result->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
+        }
+      }
+      vtkFieldData* data = result->GetFieldData();
+      AddLengths(data, "RootMeanSquareDistance", { RootMeanSquareDistance(mesh, places) }, frame);
+      AddSummary(data, coefficients, arrays, frame);
+      AddAlignment(data, alignment, frame);
+      const vtkNew<vtkTable> table;
+      AddTable(table, aligned, arrays, frame);
+      output->ShallowCopy(result);
+      tableOutput->ShallowCopy(table);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceHarmonics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const lattices[] = { "Input", "Geodesic" };
+  static const char* const alignments[] = { "None", "Map", "MapAndSurface" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "ReconstructionDegree: " << this->ReconstructionDegree << "\n";
+  os << indent << "Lattice: " << lattices[this->Lattice] << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "Alignment: " << alignments[this->Alignment] << "\n";
+  os << indent << "NumberOfPointArrays: " << this->PointArrays.size() << "\n";
+}
