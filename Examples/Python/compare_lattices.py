@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import (
-    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSurfaceMismatch)
+    vtkConformalDistortion, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkGlobalConformalMap, vtkSurfaceMismatch)
 from conformalsom.command import scan_files
 
 from helpers import builtin_figure, clouds
@@ -50,12 +50,14 @@ def learned(cloud, lattice, frequency):
     """The mesh in its conformal map, and the seconds it took."""
     network = vtkConformalSOM()
     network.SetInputData(cloud)
-    getattr(network, "SetLatticeTo" + lattice)()
-    network.SetFrequency(frequency)
-    network.SetSphereMapToConformal()
+    getattr(network, "SetMeshTypeTo" + lattice)()
+    network.SetNumberOfNeurons(10 * frequency**2 + 2)
     begin = time.perf_counter()
     network.Update()
-    return network.GetOutput(), time.perf_counter() - begin
+    conformal = vtkGlobalConformalMap()
+    conformal.SetInputConnection(network.GetOutputPort())
+    conformal.Update()
+    return conformal.GetOutput(), time.perf_counter() - begin
 
 
 def mean_angle_and_obtuse(mesh):

@@ -58,14 +58,14 @@ def mean_square_distance(cloud, surface):
     return mismatch.GetOutput().GetFieldData().GetArray("MeanSquarePointToSurface").GetValue(0)
 
 
-def compared(cloud, frequency=36, surface_frequency=80, lattice="Geodesic", judges=None):
+def compared(cloud, frequency=36, surface_frequency=80, mesh_type="Geodesic", judges=None):
     """For each surface by name: its number of points, p2s, and mean jump of normals or None. p2s is of
     other points than those learned where there are judges."""
     judges = judges or cloud
     network = vtkConformalSOM()
     network.SetInputData(only_points_of(cloud))
-    getattr(network, "SetLatticeTo" + lattice)()
-    network.SetFrequency(frequency)
+    getattr(network, "SetMeshTypeTo" + mesh_type)()
+    network.SetNumberOfNeurons(10 * frequency**2 + 2)
     network.Update()
     mesh = network.GetOutput()
     surfaces = {"learned mesh": (mesh, None),

@@ -18,7 +18,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 
 from conformalsom import (
-    vtkConformalDistortion, vtkCurvedSeamlessMap, vtkSphericalTextureMap, vtkSurfaceMismatch)
+    vtkConformalDistortion, vtkCurvedSeamlessMap, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfaceMismatch)
 from conformalsom.command.steps import StepFailed
 
 from helpers import paper_models
@@ -79,7 +79,7 @@ def rows(model):
         Row("online", "X_more", lambda: learned(more, "Online")),
         Row("batch", "X_more", lambda: learned(more)),
         Row("batch, conformal r", "X_more", lambda: learned(more, reference="Conformal")),
-        Row("batch, adaptive", "X_more", lambda: learned(more, lattice="Adaptive"), sampling="Network"),
+        Row("batch, adaptive", "X_more", lambda: learned(more, mesh_type="Adaptive"), sampling="Network"),
         Row("GCM Gu-Yau", "X_few, mesh", lambda: mapped(few, "GuYau"), True, "GCM"),
         Row("GCM robust", "X_few, mesh", lambda: mapped(few)),
     )
@@ -213,10 +213,11 @@ def crack(arcs):
 
 def cracks(mesh, number=400, steps=400):
     """Mean and largest crack between published domes over some edges of a mesh."""
+    published = vtkCurvedSeamlessSurface()
+    published.SetSeamModeToPerTriangle()
+    published.SetDomeHeightToPublished()
     domes = vtkCurvedSeamlessMap()
-    domes.SetSeamModeToPerTriangle()
-    domes.SetDomeHeightToPublished()
-    domes.Build(mesh)
+    published.BuildMap(mesh, None, domes)
     points = vtk_to_numpy(mesh.GetPoints().GetData()).astype(float)
     corners = vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     sphere = vtk_to_numpy(mesh.GetPointData().GetArray("SpherePosition"))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws a figure with limbs: the points, learned on a lattice from a sphere, and learned by default."""
+"""Draws a figure with limbs: the points, learned as a geodesic mesh, and learned by default."""
 import argparse
 import os
 
@@ -19,7 +19,7 @@ def learned(scan, **properties):
     """The mesh of the scan."""
     network = vtkConformalSOM()
     network.SetInputData(scan)
-    network.SetFrequency(24)
+    network.SetNumberOfNeurons(5762)
     for name, value in properties.items():
         getattr(network, "Set" + name)(value)
     network.Update()
@@ -43,9 +43,7 @@ def write(path):
     scan = figure_cloud(30000, figure=dancer)
     camera = pictures.camera_on(scan, VIEW, UP, 0.9)
     meshes = {
-        "Lattice, from a sphere": learned(
-            scan, Lattice=vtkConformalSOM.GEODESIC, StartingShape=vtkConformalSOM.SPHERE),
-        "Lattice, from a hull": learned(scan, Lattice=vtkConformalSOM.GEODESIC),
+        "Geodesic": learned(scan, MeshType=vtkConformalSOM.GEODESIC),
         "Adaptive, the default": learned(scan)}
     scenes = [pictures.scene(pictures.cloud_actor(scan, VIEW), "30,000 points", camera)]
     for label, mesh in meshes.items():
@@ -55,7 +53,7 @@ def write(path):
     near = on_a_limb(camera, scan)
     scenes.append(pictures.scene(pictures.cloud_actor(scan, VIEW), "The end of a limb", near))
     scenes += [pictures.scene(pictures.mesh_actor(mesh), label, near) for label, mesh in meshes.items()]
-    pictures.write_side_by_side(path, scenes, 1800, 1000, rows=2)
+    pictures.write_side_by_side(path, scenes, 1350, 1000, rows=2)
 
 
 def main():

@@ -11,7 +11,6 @@
 #include "Glue/Run.h"
 #include "Learn/ConformalSOM.h"
 #include "Measure/Distortion.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Surface/VertexShift.h"
 
 #include "vtkDoubleArray.h"
@@ -40,27 +39,22 @@ namespace
 conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
 {
   conformal::ConformalSOMOptions options;
-  options.Lattice = static_cast<conformal::Lattice>(self->GetLattice());
-  options.Frequency = self->GetFrequency();
+  options.MeshType = static_cast<conformal::MeshType>(self->GetMeshType());
   options.NumberOfNeurons = self->GetNumberOfNeurons();
-  options.SphereMap = static_cast<conformal::SphereMap>(self->GetSphereMap());
-  options.AreaBalance = self->GetAreaBalance();
   options.TrainingMode = static_cast<conformal::TrainingMode>(self->GetTrainingMode());
-  options.RandomSeed = static_cast<unsigned int>(self->GetRandomSeed());
-  options.ReferencePoint = static_cast<conformal::ReferencePoint>(self->GetReferencePoint());
-  options.NumberOfEpochs = self->GetNumberOfEpochs();
-  options.SamplesPerEpoch = self->GetSamplesPerEpoch();
-  options.InitialNeighborhoodRadius = self->GetInitialNeighborhoodRadius();
-  options.NeighborhoodTimeConstant = self->GetNeighborhoodTimeConstant();
-  options.InitialLearningRate = self->GetInitialLearningRate();
-  options.LearningRateTimeConstant = self->GetLearningRateTimeConstant();
-  options.PassesPerLevel = self->GetPassesPerLevel();
-  options.SamplesPerNeuron = self->GetSamplesPerNeuron();
-  options.NumberOfPolishRounds = self->GetNumberOfPolishRounds();
-  options.Smoothness = self->GetSmoothness();
-  options.AutomaticPriority = self->GetAutomaticPriority();
   options.StartingShape = static_cast<conformal::StartingShape>(self->GetStartingShape());
-  options.HullIndicator = static_cast<conformal::HullIndicator>(self->GetHullIndicator());
+  options.HullMethod = static_cast<conformal::HullMethod>(self->GetHullMethod());
+  options.ReferencePoint = static_cast<conformal::ReferencePoint>(self->GetReferencePoint());
+  options.RandomSeed = static_cast<unsigned int>(self->GetRandomSeed());
+  options.Online.NumberOfEpochs = self->GetNumberOfEpochs();
+  options.Online.SamplesPerEpoch = self->GetSamplesPerEpoch();
+  const double* constants = self->GetOnlineConstants();
+  options.Online.InitialNeighborhoodRadius = constants[0];
+  options.Online.NeighborhoodTimeConstant = constants[1];
+  options.Online.InitialLearningRate = constants[2];
+  options.Online.LearningRateTimeConstant = constants[3];
+  options.Fit.Iterations = self->GetFitIterations();
+  options.Fit.Smoothness = self->GetSmoothness();
   return options;
 }
 
@@ -104,6 +98,7 @@ bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
 {
   using conformal::StartingShape;
   return options.TrainingMode == conformal::TrainingMode::Batch &&
+    options.MeshType != conformal::MeshType::Geodesic &&
     (options.StartingShape == StartingShape::Automatic ||
       options.StartingShape == StartingShape::Mesh);
 }
@@ -173,27 +168,27 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
 }
 
 // What is wrong with the mesh, and what to do about it.
-void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceVerdict& verdict)
+void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
 {
-  using Tolerated = conformal::ToleratedVerdict;
-  if (verdict.UnmetFraction > Tolerated::UnmetFraction)
+  using Tolerated = conformal::ToleratedQuality;
+  if (quality.UncoveredFraction > Tolerated::UncoveredFraction)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * verdict.UnmetFraction
+    vtkWarningWithObjectMacro(self, << 100.0 * quality.UncoveredFraction
                                     << " % of the points lie apart from the mesh: it does not "
                                        "reach parts of the object. Learn with more neurons, or "
-                                       "from another StartingShape or HullIndicator");
+                                       "from another StartingShape or HullMethod");
   }
-  if (verdict.InvertedFraction > Tolerated::InvertedFraction)
+  if (quality.InvertedFraction > Tolerated::InvertedFraction)
   {
-    vtkWarningWithObjectMacro(self, << "at " << 100.0 * verdict.InvertedFraction
+    vtkWarningWithObjectMacro(self, << "at " << 100.0 * quality.InvertedFraction
                                     << " % of the points the mesh faces the wrong way, or two of "
                                        "its sides lie on them: too little of the object is there. "
                                        "Give normals, or add points where there are none");
   }
-  // A geodesic lattice of few neurons has some folds where limbs meet.
-  if (verdict.FoldedFraction > 2.0 * Tolerated::FoldedFraction)
+  // A geodesic mesh of few neurons has some folds where limbs meet.
+  if (quality.FoldedFraction > 2.0 * Tolerated::FoldedFraction)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * verdict.FoldedFraction
+    vtkWarningWithObjectMacro(self, << 100.0 * quality.FoldedFraction
                                     << " % of the mesh's edges are folded: the points are too few "
                                        "or too noisy for it. Learn with fewer neurons or with more "
                                        "Smoothness");
@@ -205,7 +200,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   const conformal::TrainingSamples& samples)
 {
   // Where noise is as large, the hull has handles by chance.
-  constexpr double muchNoise = 0.01, manyUnresolved = 0.05;
+  constexpr double muchNoise = 0.01, manyUndersampled = 0.05;
   const vtkIdType size = samples.totalSize();
   if (result.HullLeaks)
   {
@@ -213,7 +208,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
       self, << "the points have holes too large to distinguish inside from outside; the mesh may "
                "also follow the inner side of the points");
   }
-  if (result.Hulled && result.Indicator == conformal::HullIndicator::WindingNumbers &&
+  if (result.FromHull && result.Hull == conformal::HullMethod::WindingNumbers &&
     samples.oriented() && !result.NormalsUsed)
   {
     glue::WarnOfUnusedNormals(self);
@@ -224,18 +219,18 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                                     << " % of the largest radius, which the mesh does not follow; "
                                        "nor does it follow details that are as small");
   }
-  else if (result.Verdict.UnresolvedFraction > manyUnresolved)
+  else if (result.Quality.UndersampledFraction > manyUndersampled)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * result.Verdict.UnresolvedFraction
+    vtkWarningWithObjectMacro(self, << 100.0 * result.Quality.UndersampledFraction
                                     << " % of the points lie farther than 2 % of the largest "
                                        "radius from the plane of their neighbors: they are too "
                                        "few for the object's details, and the mesh between them "
                                        "is a guess. Add points");
   }
-  if (result.Verdict.LayerDistance > 0.0)
+  if (result.Quality.LayerDistance > 0.0)
   {
     vtkWarningWithObjectMacro(self, << "the points lie on two layers, "
-                                    << 100.0 * result.Verdict.LayerDistance
+                                    << 100.0 * result.Quality.LayerDistance
                                     << " % of the largest radius apart, and the mesh lies between "
                                        "them. Register the scans anew");
   }
@@ -264,30 +259,30 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                "error is "
             << error << ", where 1 is conformal");
   }
-  WarnAbout(self, conformal::withoutLeftOut(result.Verdict, result.NumberOfSamplesOutside, size));
+  WarnAbout(self, conformal::withoutLeftOut(result.Quality, result.NumberOfSamplesOutside, size));
 }
 
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
-  const conformal::ConformalSOMResult& result, bool polished,
+  const conformal::ConformalSOMResult& result, double vertexShift,
   const conformal::CoordinateFrame& frame)
 {
   using glue::AddNumber;
-  AddNumber(data, "CloudDimension", static_cast<long long>(samples.dimension()));
+  AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
-  AddNumber(data, "UnmetFraction", result.Verdict.UnmetFraction);
-  AddNumber(data, "InvertedFraction", result.Verdict.InvertedFraction);
-  AddNumber(data, "FoldedFraction", result.Verdict.FoldedFraction);
+  AddNumber(data, "UncoveredFraction", result.Quality.UncoveredFraction);
+  AddNumber(data, "InvertedFraction", result.Quality.InvertedFraction);
+  AddNumber(data, "FoldedFraction", result.Quality.FoldedFraction);
   AddNumber(data, "AreaRatio", result.AreaRatio);
-  AddNumber(data, "UnresolvedFraction", result.Verdict.UnresolvedFraction);
+  AddNumber(data, "UndersampledFraction", result.Quality.UndersampledFraction);
   glue::AddLengths(data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
   glue::AddLengths(
-    data, "LayerDistance", { result.Verdict.LayerDistance * samples.scale() }, frame);
-  AddNumber(data, "StartedFromHull", static_cast<long long>(result.Hulled));
+    data, "LayerDistance", { result.Quality.LayerDistance * samples.scale() }, frame);
+  AddNumber(data, "StartedFromHull", static_cast<long long>(result.FromHull));
   AddNumber(data, "StartedFromMesh", static_cast<long long>(result.FromMesh));
-  AddNumber(data, "HullIndicator", static_cast<long long>(result.Indicator));
+  AddNumber(data, "HullMethod", static_cast<long long>(result.Hull));
   AddNumber(data, "NormalsUsed", static_cast<long long>(result.NormalsUsed));
   AddNumber(data, "NumberOfStarts", static_cast<long long>(result.NumberOfStarts));
-  AddNumber(data, "Polished", static_cast<long long>(polished));
+  AddNumber(data, "VertexShift", vertexShift);
 }
 
 using Records = std::vector<conformal::TrainingRecord>;
@@ -326,28 +321,6 @@ vtkConformalSOM::~vtkConformalSOM()
 {
   this->SetPriorityArrayName(nullptr);
   this->SetController(nullptr);
-}
-
-//------------------------------------------------------------------------------
-void vtkConformalSOM::SetNumberOfNeurons(int number)
-{
-  constexpr auto minimum = static_cast<int>(conformal::MinimumNeurons);
-  const auto maximum =
-    static_cast<int>(conformal::geodesicSphereSize(this->GetFrequencyMaxValue()));
-  number = number == 0 ? 0 : std::clamp(number, minimum, maximum);
-  if (this->NumberOfNeurons != number)
-  {
-    this->NumberOfNeurons = number;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkConformalSOM::GetNumberOfNeurons()
-{
-  return this->NumberOfNeurons > 0
-    ? this->NumberOfNeurons
-    : static_cast<int>(conformal::geodesicSphereSize(this->Frequency));
 }
 
 //------------------------------------------------------------------------------
@@ -393,30 +366,20 @@ int vtkConformalSOM::RequestData(
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       const conformal::CoordinateFrame frame = cloud.Frame;
-      const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const auto neurons = static_cast<double>(conformal::numberOfNeurons(options));
-      // Reading, normals and mesh of the polygons, learning, errors, the vertex shift, the
-      // output.
-      const bool hasTriangles = glue::HasTriangles(vtkPolyData::SafeDownCast(input));
-      const double polygons = hasTriangles ? size : 0.0;
-      const auto learningFrom = [&](double vertices)
-      { return conformal::workOfConformalSOM(options) + 5000.0 * vertices; };
-      const double ofErrors = measuresErrors ? 450.0 * size : 0.0, ofOutput = 10.0 * neurons;
-      const bool polished =
-        options.TrainingMode != conformal::TrainingMode::Online && options.NumberOfPolishRounds > 0;
-      const double ofShift =
-        polished ? conformal::workOfVertexShift(static_cast<conformal::Index>(neurons)) : 0.0;
-      conformal::Steps steps(processes.run(),
-        { 40.0 * size, 600.0 * polygons, 1000.0 * polygons, learningFrom(polygons), ofErrors,
-          ofShift, ofOutput });
+      const bool isFitted =
+        options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
+      // Shares of the time, measured: reading, normals and mesh of the polygons, learning, errors,
+      // the vertex shift, the output.
+      conformal::Steps steps(
+        processes.run(), { 0.01, 0.01, 0.02, 0.9, measuresErrors ? 0.02 : 0.0, 0.02, 0.01 });
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       glue::CloudNormals normals;
       if (options.TrainingMode != conformal::TrainingMode::Online &&
-        options.HullIndicator != conformal::HullIndicator::Distance)
+        options.HullMethod != conformal::HullMethod::Distance)
       {
-        const bool needed = options.HullIndicator == conformal::HullIndicator::WindingNumbers;
+        const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
         glue::FindNormals(input, frame, processes.reduce(), needed, normals);
       }
       if (normals.Known)
@@ -444,8 +407,6 @@ int vtkConformalSOM::RequestData(
           samples, frame, processes, meshing);
       }
       const bool hasMesh = mesh.Positions.rows() > 0;
-      steps.replan({ learningFrom(start ? 0.0 : static_cast<double>(mesh.Positions.rows())),
-        ofErrors, ofShift, ofOutput });
       const conformal::ConformalSOMResult result =
         conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
       if (processes.isFirst())
@@ -463,12 +424,8 @@ int vtkConformalSOM::RequestData(
           conformal::quantizationErrors(samples, result, measuring), frame);
       }
       const conformal::Run shifting = steps.next();
-      AddFigures(surface->GetFieldData(), samples, result, polished, frame);
-      if (polished)
-      {
-        glue::AddNumber(surface->GetFieldData(), "VertexShift",
-          conformal::vertexShift(result, samples, shifting));
-      }
+      const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
+      AddFigures(surface->GetFieldData(), samples, result, shift, frame);
       steps.next();
       glue::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);
@@ -480,52 +437,27 @@ int vtkConformalSOM::RequestData(
 void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Lattice: "
-     << (this->Lattice == GEODESIC      ? "Geodesic"
-            : this->Lattice == ADAPTIVE ? "Adaptive"
-                                        : "Automatic")
-     << "\n";
-  os << indent << "Frequency: " << this->Frequency << "\n";
-  os << indent << "NumberOfNeurons: " << this->GetNumberOfNeurons() << "\n";
-  os << indent << "SphereMap: "
-     << (this->SphereMap == CONFORMAL_MAP ? "Conformal"
-            : this->SphereMap == BALANCED ? "Balanced"
-                                          : "Lattice")
-     << "\n";
-  os << indent << "AreaBalance: " << this->AreaBalance << "\n";
+  static const char* const meshTypes[] = { "Automatic", "Geodesic", "Adaptive" };
+  static const char* const references[] = { "Automatic", "Conformal", "Winner", "Affine" };
+  static const char* const shapes[] = { "Automatic", "Sphere", "Hull", "Mesh" };
+  static const char* const methods[] = { "Automatic", "Distance", "WindingNumbers" };
+  os << indent << "MeshType: " << meshTypes[this->MeshType] << "\n";
+  os << indent << "NumberOfNeurons: " << this->NumberOfNeurons << "\n";
   os << indent << "TrainingMode: " << (this->TrainingMode == ONLINE ? "Online" : "Batch") << "\n";
   os << indent
      << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")
      << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
-  os << indent << "ReferencePoint: "
-     << (this->ReferencePoint == CONFORMAL   ? "Conformal"
-            : this->ReferencePoint == WINNER ? "Winner"
-            : this->ReferencePoint == AFFINE ? "Affine"
-                                             : "Automatic")
-     << "\n";
+  os << indent << "ReferencePoint: " << references[this->ReferencePoint] << "\n";
   os << indent << "NumberOfEpochs: " << this->NumberOfEpochs << "\n";
   os << indent << "SamplesPerEpoch: " << this->SamplesPerEpoch << "\n";
-  os << indent << "InitialNeighborhoodRadius: " << this->InitialNeighborhoodRadius << "\n";
-  os << indent << "NeighborhoodTimeConstant: " << this->NeighborhoodTimeConstant << "\n";
-  os << indent << "InitialLearningRate: " << this->InitialLearningRate << "\n";
-  os << indent << "LearningRateTimeConstant: " << this->LearningRateTimeConstant << "\n";
-  os << indent << "PassesPerLevel: " << this->PassesPerLevel << "\n";
-  os << indent << "SamplesPerNeuron: " << this->SamplesPerNeuron << "\n";
-  os << indent << "NumberOfPolishRounds: " << this->NumberOfPolishRounds << "\n";
+  os << indent << "OnlineConstants: (" << this->OnlineConstants[0] << ", "
+     << this->OnlineConstants[1] << ", " << this->OnlineConstants[2] << ", "
+     << this->OnlineConstants[3] << ")\n";
+  os << indent << "FitIterations: " << this->FitIterations << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
-  os << indent << "AutomaticPriority: " << (this->AutomaticPriority ? "On" : "Off") << "\n";
-  os << indent << "StartingShape: "
-     << (this->StartingShape == SPHERE    ? "Sphere"
-            : this->StartingShape == HULL ? "Hull"
-            : this->StartingShape == MESH ? "Mesh"
-                                          : "Automatic")
-     << "\n";
-  os << indent << "HullIndicator: "
-     << (this->HullIndicator == AUTOMATIC_INDICATOR  ? "Automatic"
-            : this->HullIndicator == WINDING_NUMBERS ? "WindingNumbers"
-                                                     : "Distance")
-     << "\n";
+  os << indent << "StartingShape: " << shapes[this->StartingShape] << "\n";
+  os << indent << "HullMethod: " << methods[this->HullMethod] << "\n";
   os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

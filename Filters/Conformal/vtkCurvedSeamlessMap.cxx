@@ -3,11 +3,11 @@
 #include "Base/CoordinateFrame.h"
 #include "Glue/Arrays.h"
 #include "Glue/Checks.h"
+#include "Glue/CurvedSurfaces.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
 #include "Surface/CurvedSeamlessSurface.h"
-#include "vtkCurvedSeamlessConversions.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -130,7 +130,14 @@ void vtkCurvedSeamlessMap::Take(std::shared_ptr<const glue::BuiltSurface> map)
 }
 
 //------------------------------------------------------------------------------
-bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
+bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface)
+{
+  return this->Build(glue::CurvedSeamlessProperties(), surface, nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkCurvedSeamlessMap::Build(
+  const glue::CurvedSeamlessProperties& properties, vtkPolyData* surface, vtkPointSet* cloud)
 {
   return glue::ReportErrors(this,
     [&]()
@@ -143,7 +150,7 @@ bool vtkCurvedSeamlessMap::Build(vtkPolyData* surface, vtkPointSet* cloud)
       glue::RequireConsistentData(surface, "surface");
       glue::RequireConsistentData(cloud, "cloud");
       glue::Processes alone;
-      this->Map = glue::BuildSurface(glue::PropertiesOf(this), this, surface, cloud, {}, alone);
+      this->Map = glue::BuildSurface(properties, this, surface, cloud, {}, alone);
     });
 }
 
@@ -233,15 +240,6 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
 //------------------------------------------------------------------------------
 void vtkCurvedSeamlessMap::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const domeHeights[] = { "None", "Published", "Scaled", "Curvature", "Fitted" };
-  static const char* const polishedModes[] = { "Automatic", "Off", "On" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SeamMode: " << (this->SeamMode == PER_TRIANGLE ? "PerTriangle" : "EdgeMatched")
-     << "\n";
-  os << indent << "DomeHeight: " << domeHeights[this->DomeHeight] << "\n";
-  os << indent << "Polished: " << polishedModes[this->Polished] << "\n";
-  os << indent << "VertexShift: " << this->VertexShift << "\n";
-  os << indent << "NumberOfFitRounds: " << this->NumberOfFitRounds << "\n";
-  os << indent << "FitSmoothness: " << this->FitSmoothness << "\n";
   os << indent << "IsBuilt: " << (this->IsBuilt() ? "Yes" : "No") << "\n";
 }

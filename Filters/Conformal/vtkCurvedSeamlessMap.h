@@ -11,8 +11,8 @@
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. The map must cover the sphere exactly once.
- * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
- *   fitted to points by least squares, see the property Polished.
+ * - field array "VertexShift" (1 component, optional, at least 1 tuple): see VertexShift of
+ *   vtkCurvedSeamlessSurface.
  *
  * The arrays of a call must be different ones. Arrays that do not fit the points or cells of the
  * surface or the cloud are an error.
@@ -23,8 +23,9 @@
  *
  * Implementation note: as published the maps of two triangles differ along their common edge, and
  * the domes of the unit sphere rise outwards everywhere, in hollows too. SeamMode PER_TRIANGLE and
- * DomeHeight PUBLISHED do it as published. The defaults are one map that is continuous and one to
- * one across all edges, and domes that follow the surface's own curvature.
+ * DomeHeight PUBLISHED of vtkCurvedSeamlessSurface do it as published. The defaults are one map
+ * that is continuous and one to one across all edges, and domes that follow the surface's own
+ * curvature.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkConformalSOM
@@ -51,6 +52,7 @@ class CurvedSeamlessSurface;
 namespace glue
 {
 struct BuiltSurface;
+struct CurvedSeamlessProperties;
 }
 
 class VTKFILTERSCONFORMAL_EXPORT vtkCurvedSeamlessMap : public vtkObject
@@ -60,110 +62,12 @@ public:
   vtkTypeMacro(vtkCurvedSeamlessMap, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum SeamModes
-  {
-    PER_TRIANGLE = 0,
-    EDGE_MATCHED = 1
-  };
-
-  enum DomeHeights
-  {
-    NONE = 0,
-    PUBLISHED = 1,
-    SCALED = 2,
-    CURVATURE = 3,
-    FITTED = 4
-  };
-
-  enum PolishedModes
-  {
-    AUTOMATIC = 0,
-    OFF = 1,
-    ON = 2
-  };
-
-  ///@{
   /**
-   * How the maps of neighboring triangles meet. EDGE_MATCHED (default): as one map, continuous
-   * across every edge and vertex. PER_TRIANGLE: as published, each for itself, with a jump along
-   * the common edge.
+   * Build the map of a surface with the default properties of vtkCurvedSeamlessSurface. For other
+   * properties call vtkCurvedSeamlessSurface::BuildMap(). Returns false, with an error and without
+   * a map, if the surface has none.
    */
-  vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
-  vtkGetMacro(SeamMode, int);
-  void SetSeamModeToPerTriangle() { this->SetSeamMode(PER_TRIANGLE); }
-  void SetSeamModeToEdgeMatched() { this->SetSeamMode(EDGE_MATCHED); }
-  ///@}
-
-  ///@{
-  /**
-   * What is raised over the flat triangles. NONE: nothing. PUBLISHED: the domes of the unit sphere,
-   * times the model's largest distance from the mean of its points, outwards everywhere. SCALED:
-   * the same in proportion to the model's size around the place. CURVATURE (default): PN triangles
-   * on the mean normals of the vertices, outwards on ridges and inwards in hollows. FITTED: the
-   * same with positions and normals fitted to a cloud of points by least squares.
-   */
-  vtkSetClampMacro(DomeHeight, int, NONE, FITTED);
-  vtkGetMacro(DomeHeight, int);
-  void SetDomeHeightToNone() { this->SetDomeHeight(NONE); }
-  void SetDomeHeightToPublished() { this->SetDomeHeight(PUBLISHED); }
-  void SetDomeHeightToScaled() { this->SetDomeHeight(SCALED); }
-  void SetDomeHeightToCurvature() { this->SetDomeHeight(CURVATURE); }
-  void SetDomeHeightToFitted() { this->SetDomeHeight(FITTED); }
-  ///@}
-
-  ///@{
-  /**
-   * CURVATURE and FITTED: whether the flat triangles of the mesh were fitted to points by least
-   * squares, as vtkConformalSOM does in batch training. If so, the vertices are moved by
-   * VertexShift; if not, the surface goes through them. AUTOMATIC (default) reads the field array
-   * "Polished" of the mesh, which vtkConformalSOM writes. Without this array the mesh is taken as
-   * not polished; there is a warning if it has the connectivity of a geodesic sphere or even
-   * triangles, as the meshes of vtkConformalSOM have, since the array may have been lost, for
-   * instance in a file.
-   */
-  vtkSetClampMacro(Polished, int, AUTOMATIC, ON);
-  vtkGetMacro(Polished, int);
-  void SetPolishedToAutomatic() { this->SetPolished(AUTOMATIC); }
-  void SetPolishedToOff() { this->SetPolished(OFF); }
-  void SetPolishedToOn() { this->SetPolished(ON); }
-  ///@}
-
-  ///@{
-  /**
-   * CURVATURE and FITTED, for a polished mesh: how far its vertices are moved, as a share of what
-   * would keep the volume under the surface. Triangles fitted to points lie in the middle of these,
-   * their vertices outside of ridges; curved triangles through the vertices would lie too far out.
-   * In [0, 2], or negative (default): the number in the field array "VertexShift" of the mesh,
-   * which vtkConformalSOM finds from the points, or 1 where there is none. With 0 the surface goes
-   * through the points of the mesh.
-   */
-  vtkSetClampMacro(VertexShift, double, -1.0, 2.0);
-  vtkGetMacro(VertexShift, double);
-  ///@}
-
-  ///@{
-  /**
-   * FITTED: how often the closest points of the cloud's points are looked up and the surface drawn
-   * to them. In [0, 100]. Default is 6.
-   */
-  vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
-  vtkGetMacro(NumberOfFitRounds, int);
-  ///@}
-
-  ///@{
-  /**
-   * FITTED: weight of a smooth surface against a close one, per point of a vertex. In [0, 1000].
-   * Default is 0.01; more irons out noise.
-   */
-  vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
-  vtkGetMacro(FitSmoothness, double);
-  ///@}
-
-  /**
-   * Make the map of a surface by the properties as they are now. The cloud is used by DomeHeight
-   * FITTED only. Returns false, with an error and without a map, if the surface has none.
-   */
-  bool Build(vtkPolyData* surface, vtkPointSet* cloud = nullptr);
+  bool Build(vtkPolyData* surface);
 
   /**
    * Whether there is a map.
@@ -213,6 +117,12 @@ public:
    * The map as a filter of this module has built it; none for null.
    */
   void Take(std::shared_ptr<const glue::BuiltSurface> map);
+
+  /**
+   * Build the map of a surface with given properties, as Build().
+   */
+  bool Build(
+    const glue::CurvedSeamlessProperties& properties, vtkPolyData* surface, vtkPointSet* cloud);
 #endif
 
 protected:
@@ -225,12 +135,6 @@ private:
 
   const conformal::CurvedSeamlessSurface& Built() const;
 
-  int SeamMode = EDGE_MATCHED;
-  int DomeHeight = CURVATURE;
-  int Polished = AUTOMATIC;
-  double VertexShift = -1.0;
-  int NumberOfFitRounds = 6;
-  double FitSmoothness = 0.01;
   std::shared_ptr<const glue::BuiltSurface> Map;
 };
 

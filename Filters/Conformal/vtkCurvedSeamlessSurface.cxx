@@ -3,6 +3,7 @@
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
+#include "Glue/CurvedSurfaces.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
@@ -12,7 +13,6 @@
 #include "Mesh/VertexNormals.h"
 #include "Sphere/Resampling.h"
 #include "Surface/CurvedSeamlessSurface.h"
-#include "vtkCurvedSeamlessConversions.h"
 #include "vtkCurvedSeamlessMap.h"
 
 #include "vtkCellData.h"
@@ -31,7 +31,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessSurface);
@@ -60,24 +59,6 @@ int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling
   return subdivisions > 0
     ? subdivisions
     : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
-}
-
-// About the points that the surface will have without a sphere on port 1, as far as that can be
-// told before its network is known.
-double ExpectedPoints(double meshSize, int sampling, int subdivisions, int frequency)
-{
-  const double wanted = PointsOfFrequency(frequency);
-  if (sampling == vtkCurvedSeamlessSurface::DIRECTIONS)
-  {
-    return wanted;
-  }
-  const double cuts = subdivisions > 0
-    ? subdivisions
-    : conformal::subdivisionsFor(static_cast<conformal::Index>(meshSize), wanted);
-  const double cut = meshSize * cuts * cuts;
-  return sampling == vtkCurvedSeamlessSurface::NETWORK || subdivisions > 0
-    ? cut
-    : std::sqrt(cut * wanted);
 }
 
 // Directions and triangles in which the surface is wanted.
@@ -210,6 +191,18 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
     });
   return cells;
 }
+
+glue::CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter)
+{
+  glue::CurvedSeamlessProperties properties;
+  conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
+  options.SeamMode = static_cast<conformal::SeamMode>(filter->GetSeamMode());
+  options.DomeHeight = static_cast<conformal::DomeHeight>(filter->GetDomeHeight());
+  options.Fit.NumberOfFitRounds = filter->GetNumberOfFitRounds();
+  options.Fit.FitSmoothness = filter->GetFitSmoothness();
+  properties.VertexShift = filter->GetVertexShift();
+  return properties;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +231,13 @@ void vtkCurvedSeamlessSurface::SetSphereData(vtkPolyData* sphere)
 }
 
 //------------------------------------------------------------------------------
+bool vtkCurvedSeamlessSurface::BuildMap(
+  vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessMap* map)
+{
+  return map->Build(PropertiesOf(this), surface, cloud);
+}
+
+//------------------------------------------------------------------------------
 int vtkCurvedSeamlessSurface::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPointSet" : "vtkPolyData");
@@ -249,7 +249,7 @@ int vtkCurvedSeamlessSurface::FillInputPortInformation(int port, vtkInformation*
 int vtkCurvedSeamlessSurface::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->GetDomeHeight() == vtkCurvedSeamlessMap::FITTED)
+  if (this->DomeHeight == FITTED)
   {
     glue::RequestOwnPieces(this, this->Controller, inputs);
   }
@@ -266,8 +266,8 @@ int vtkCurvedSeamlessSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency, sampling = this->Sampling,
             subdivisions = this->Subdivisions;
-  // Observers may change this->Map meanwhile.
-  const glue::CurvedSeamlessProperties properties = glue::PropertiesOf(this->Map);
+  // Observers may change properties meanwhile.
+  const glue::CurvedSeamlessProperties properties = PropertiesOf(this);
   const bool fits = properties.Options.DomeHeight == conformal::DomeHeight::Fitted;
   return glue::RunCore(this, fits ? this->Controller : nullptr,
     [&](glue::Processes& processes)
@@ -284,34 +284,15 @@ int vtkCurvedSeamlessSurface::RequestData(
         return;
       }
       const bool domes = properties.Options.DomeHeight < conformal::DomeHeight::Curvature;
-      const bool matched = properties.Options.SeamMode == conformal::SeamMode::EdgeMatched;
-      const auto meshSize = static_cast<double>(surface->GetNumberOfPoints());
-      const double cloudSize =
-        fits && cloud ? static_cast<double>(cloud->GetNumberOfPoints()) : 0.0;
-      const double rounds = 1.0 + properties.Options.Fit.NumberOfFitRounds;
-      // The map, as BuildSurface() has it.
-      const double ofMap = (matched ? 5300.0 : 3300.0) * meshSize +
-        (cloudSize > 0.0 ? rounds * (2500.0 * cloudSize + 10000.0 * meshSize) : 0.0);
-      // Then, for each direction, the sphere, its triangles, its directions, the surface, and what
-      // is left.
-      const auto ofDirections = [&](double size) -> std::vector<double>
-      {
-        return { 40.0 * size, 20.0 * size, 30.0 * size, 900.0 * size, (domes ? 150.0 : 10.0) * size,
-          30.0 * size };
-      };
-      const std::vector<double> expected =
-        ofDirections(takesSphere ? static_cast<double>(sphere->GetNumberOfPoints())
-                                 : ExpectedPoints(meshSize, sampling, subdivisions, frequency));
+      // Shares of the time, measured: the map; then the sphere, its triangles, its directions, the
+      // surface, its normals, and what is left.
       conformal::Steps steps(
-        processes.run(), { ofMap, std::accumulate(expected.begin(), expected.end(), 0.0) });
+        processes.run(), { fits ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9, domes ? 0.15 : 0.01, 0.03 });
       this->Map->Take(nullptr);
       const auto map =
         glue::BuildSurface(properties, this, surface, cloud, steps.next(), processes);
       const int cuts =
         SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
-      steps.replan(ofDirections(cuts > 0 ? meshSize * cuts * cuts
-          : takesSphere                  ? static_cast<double>(sphere->GetNumberOfPoints())
-                                         : PointsOfFrequency(frequency)));
       // What is large is let go as soon as the output has it.
       const conformal::Run making = steps.next();
       conformal::Mesh dense;
@@ -399,147 +380,9 @@ void vtkCurvedSeamlessSurface::SetCloudData(vtkPointSet* cloud)
 }
 
 //------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetSeamMode(int mode)
-{
-  this->Map->SetSeamMode(mode);
-}
-
-//------------------------------------------------------------------------------
-int vtkCurvedSeamlessSurface::GetSeamMode()
-{
-  return this->Map->GetSeamMode();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetSeamModeToPerTriangle()
-{
-  this->Map->SetSeamModeToPerTriangle();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetSeamModeToEdgeMatched()
-{
-  this->Map->SetSeamModeToEdgeMatched();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeight(int height)
-{
-  this->Map->SetDomeHeight(height);
-}
-
-//------------------------------------------------------------------------------
-int vtkCurvedSeamlessSurface::GetDomeHeight()
-{
-  return this->Map->GetDomeHeight();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeightToNone()
-{
-  this->Map->SetDomeHeightToNone();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeightToPublished()
-{
-  this->Map->SetDomeHeightToPublished();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeightToScaled()
-{
-  this->Map->SetDomeHeightToScaled();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeightToCurvature()
-{
-  this->Map->SetDomeHeightToCurvature();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetDomeHeightToFitted()
-{
-  this->Map->SetDomeHeightToFitted();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetPolished(int polished)
-{
-  this->Map->SetPolished(polished);
-}
-
-//------------------------------------------------------------------------------
-int vtkCurvedSeamlessSurface::GetPolished()
-{
-  return this->Map->GetPolished();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetPolishedToAutomatic()
-{
-  this->Map->SetPolishedToAutomatic();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetPolishedToOff()
-{
-  this->Map->SetPolishedToOff();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetPolishedToOn()
-{
-  this->Map->SetPolishedToOn();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetVertexShift(double shift)
-{
-  this->Map->SetVertexShift(shift);
-}
-
-//------------------------------------------------------------------------------
-double vtkCurvedSeamlessSurface::GetVertexShift()
-{
-  return this->Map->GetVertexShift();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetNumberOfFitRounds(int rounds)
-{
-  this->Map->SetNumberOfFitRounds(rounds);
-}
-
-//------------------------------------------------------------------------------
-int vtkCurvedSeamlessSurface::GetNumberOfFitRounds()
-{
-  return this->Map->GetNumberOfFitRounds();
-}
-
-//------------------------------------------------------------------------------
-void vtkCurvedSeamlessSurface::SetFitSmoothness(double smoothness)
-{
-  this->Map->SetFitSmoothness(smoothness);
-}
-
-//------------------------------------------------------------------------------
-double vtkCurvedSeamlessSurface::GetFitSmoothness()
-{
-  return this->Map->GetFitSmoothness();
-}
-
-//------------------------------------------------------------------------------
 vtkCurvedSeamlessMap* vtkCurvedSeamlessSurface::GetMap()
 {
   return this->Map;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkCurvedSeamlessSurface::GetMTime()
-{
-  return std::max(this->Superclass::GetMTime(), this->Map->GetMTime());
 }
 
 //------------------------------------------------------------------------------
@@ -550,6 +393,13 @@ void vtkCurvedSeamlessSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sampling: " << samplings[this->Sampling] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "Subdivisions: " << this->Subdivisions << "\n";
+  static const char* const domeHeights[] = { "None", "Published", "Scaled", "Curvature", "Fitted" };
+  os << indent << "SeamMode: " << (this->SeamMode == PER_TRIANGLE ? "PerTriangle" : "EdgeMatched")
+     << "\n";
+  os << indent << "DomeHeight: " << domeHeights[this->DomeHeight] << "\n";
+  os << indent << "VertexShift: " << this->VertexShift << "\n";
+  os << indent << "NumberOfFitRounds: " << this->NumberOfFitRounds << "\n";
+  os << indent << "FitSmoothness: " << this->FitSmoothness << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "Map:\n";
   this->Map->PrintSelf(os, indent.GetNextIndent());

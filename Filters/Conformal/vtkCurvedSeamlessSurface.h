@@ -12,8 +12,8 @@
  * triangles turned to agree with each other, isolated points dropped, each with one warning.
  * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
  *   lies. The map must cover the sphere exactly once.
- * - field array "Polished" (1 component, optional, at least 1 tuple): whether the triangles were
- *   fitted to points by least squares, see the property Polished.
+ * - field array "VertexShift" (1 component, optional, at least 1 tuple): see the property
+ *   VertexShift.
  *
  * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
  * directions of its points, taken from the point array "SpherePosition" (3 components) where there
@@ -45,8 +45,7 @@
  * Implementation note: the published maps slip along the edges of port 0, and the published domes
  * bring the surface no closer to the object. Both are kept, as SeamMode PER_TRIANGLE and DomeHeight
  * PUBLISHED. The defaults make one continuous one-to-one map of them, and domes that follow the
- * surface's own curvature. vtkCurvedSeamlessMap has the properties, and evaluates the surface
- * anywhere.
+ * surface's own curvature. GetMap() evaluates the surface anywhere.
  *
  * @sa
  * vtkCurvedSeamlessMap vtkConformalSOM vtkGeodesicSphereSource vtkGenusZeroCheck
@@ -72,14 +71,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * A mesh of the sphere at whose points the surface is evaluated, and whose triangles it gets:
-   * N^new in the paper, input port 1. Without it Sampling determines the points. Sampling NETWORK
-   * does not use it.
+   * Set the pipeline of the dense mesh of the sphere, N^new in the paper: input port 1.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
   /**
-   * The dense mesh of the sphere without a pipeline.
+   * Set the dense mesh of the sphere without a pipeline.
    */
   void SetSphereData(vtkPolyData* sphere);
 
@@ -90,18 +87,31 @@ public:
     NETWORK = 2
   };
 
+  enum SeamModes
+  {
+    PER_TRIANGLE = 0,
+    EDGE_MATCHED = 1
+  };
+
+  enum DomeHeights
+  {
+    NONE = 0,
+    PUBLISHED = 1,
+    SCALED = 2,
+    CURVATURE = 3,
+    FITTED = 4
+  };
+
   ///@{
   /**
-   * Where the surface gets its points. DIRECTIONS: evenly over the sphere, or at the points of the
-   * mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that are
-   * small on the sphere get theirs. AUTOMATIC (default): DIRECTIONS where input port 1 has a mesh
-   * or the input's mesh lies on the sphere as a geodesic one, NETWORK otherwise.
-   *
-   * DIRECTIONS without a mesh on input port 1 evaluates the surface at the points of a geodesic
-   * sphere of the Frequency. NETWORK cuts every triangle on the sphere into Subdivisions x
-   * Subdivisions: the mesh's own points come first, then those on edges, then those inside
-   * triangles; input port 1 is not used. A mesh lies on the sphere as a geodesic one if
-   * vtkConformalSOM learned it with Lattice GEODESIC and SphereMap LATTICE.
+   * Where the surface is evaluated, and how its points are joined. DIRECTIONS: at the points of the
+   * sphere on port 1, or of a geodesic sphere of the Frequency, which lies evenly on the sphere,
+   * whatever the mesh of port 0 looks like. NETWORK: every triangle of the mesh of port 0 is cut on
+   * the sphere into Subdivisions x Subdivisions, so that each has its points however small it is
+   * there, as the limbs of a conformal map are. The mesh's own points come first, then those on
+   * edges, then those inside triangles; an input on port 1 is not used. AUTOMATIC (default):
+   * DIRECTIONS where port 1 has an input or the mesh lies on the sphere as a geodesic one
+   * (vtkConformalSOM with MeshType GEODESIC), NETWORK otherwise.
    */
   vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
   vtkGetMacro(Sampling, int);
@@ -133,12 +143,12 @@ public:
   ///@}
 
   /**
-   * The points that the surface is fitted to. Only for, and needed by, DomeHeight FITTED.
+   * Set the pipeline of the cloud that DomeHeight FITTED fits the surface to: input port 2.
    */
   void SetCloudConnection(vtkAlgorithmOutput* output);
 
   /**
-   * The same, as data.
+   * Set the cloud that DomeHeight FITTED fits the surface to without a pipeline.
    */
   void SetCloudData(vtkPointSet* cloud);
 
@@ -158,82 +168,65 @@ public:
 
   ///@{
   /**
-   * How the maps of neighboring triangles join. EDGE_MATCHED (default): as one continuous map.
-   * PER_TRIANGLE: as published, each triangle for itself, with a jump along the common edge.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetSeamMode().
+   * How the maps of neighboring triangles meet. EDGE_MATCHED (default): as one map, continuous
+   * across every edge and vertex. PER_TRIANGLE: as published, each for itself, with a jump along
+   * the common edge.
    */
-  void SetSeamMode(int mode);
-  int GetSeamMode();
-  void SetSeamModeToPerTriangle();
-  void SetSeamModeToEdgeMatched();
+  vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
+  vtkGetMacro(SeamMode, int);
+  void SetSeamModeToPerTriangle() { this->SetSeamMode(PER_TRIANGLE); }
+  void SetSeamModeToEdgeMatched() { this->SetSeamMode(EDGE_MATCHED); }
   ///@}
 
   ///@{
   /**
-   * What is raised over the flat triangles. CURVATURE (default): a dome that follows the mesh's own
-   * normals, outwards on ridges and inwards in hollows. FITTED: one that is fitted to the cloud on
-   * input port 2. PUBLISHED and SCALED: the domes of the paper, which rise outwards everywhere.
-   * NONE: nothing.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetDomeHeight().
+   * Surface raised over the flat triangles. NONE: nothing. PUBLISHED: the domes of the unit sphere,
+   * times the model's largest distance from the mean of its points, outwards everywhere. SCALED:
+   * the same in proportion to the model's size around the place. CURVATURE (default): PN triangles
+   * on the mean normals of the vertices, outwards on ridges and inwards in hollows. FITTED: the
+   * same with positions and normals fitted to a cloud of points, on input port 2, by least squares.
    */
-  void SetDomeHeight(int height);
-  int GetDomeHeight();
-  void SetDomeHeightToNone();
-  void SetDomeHeightToPublished();
-  void SetDomeHeightToScaled();
-  void SetDomeHeightToCurvature();
-  void SetDomeHeightToFitted();
+  vtkSetClampMacro(DomeHeight, int, NONE, FITTED);
+  vtkGetMacro(DomeHeight, int);
+  void SetDomeHeightToNone() { this->SetDomeHeight(NONE); }
+  void SetDomeHeightToPublished() { this->SetDomeHeight(PUBLISHED); }
+  void SetDomeHeightToScaled() { this->SetDomeHeight(SCALED); }
+  void SetDomeHeightToCurvature() { this->SetDomeHeight(CURVATURE); }
+  void SetDomeHeightToFitted() { this->SetDomeHeight(FITTED); }
   ///@}
 
   ///@{
   /**
-   * Whether the triangles of the mesh were fitted to points by least squares. AUTOMATIC (default):
-   * by the field array "Polished" that vtkConformalSOM writes. OFF or ON: for a learned mesh that
-   * has lost this array, for instance in a file.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetPolished().
+   * CURVATURE and FITTED, for a mesh whose flat triangles were fitted to points by least squares:
+   * how far its vertices are moved, as a share of what would keep the volume under the surface.
+   * Such triangles lie in the middle of the points, their vertices outside of ridges; curved
+   * triangles through the vertices would lie too far out. In [0, 2], or negative (default): the
+   * number in the field array "VertexShift" of the mesh, which vtkConformalSOM finds from the
+   * points, or 0 where there is none. With 0 the surface goes through the points of the mesh.
+   * Without the array there is a warning if the mesh has the connectivity of a geodesic sphere or
+   * even triangles, as the meshes of vtkConformalSOM have, since the array may have been lost, for
+   * instance in a file; 1 is then about right.
    */
-  void SetPolished(int polished);
-  int GetPolished();
-  void SetPolishedToAutomatic();
-  void SetPolishedToOff();
-  void SetPolishedToOn();
+  vtkSetClampMacro(VertexShift, double, -1.0, 2.0);
+  vtkGetMacro(VertexShift, double);
   ///@}
 
   ///@{
   /**
-   * How far the vertices of a mesh that was fitted to points are moved, as a share of what would
-   * keep its volume, in [0, 2]. 0 makes the surface go through the mesh's points; a negative value,
-   * the default, stands for what vtkConformalSOM found from the points.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetVertexShift().
+   * FITTED: rounds of the fit, each of which finds the closest points of the cloud and draws the
+   * surface to them. In [0, 100]. Default is 6.
    */
-  void SetVertexShift(double shift);
-  double GetVertexShift();
+  vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
+  vtkGetMacro(NumberOfFitRounds, int);
   ///@}
 
   ///@{
   /**
-   * DomeHeight FITTED: how often the closest points are looked up and the surface is drawn to them.
-   * In [0, 100]. Default is 6.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetNumberOfFitRounds().
+   * FITTED: weight of smoothness against closeness, per point of a vertex. In [0, 1000]. Default is
+   * 0.01; larger values smooth noise.
    */
-  void SetNumberOfFitRounds(int rounds);
-  int GetNumberOfFitRounds();
-  ///@}
-
-  ///@{
-  /**
-   * DomeHeight FITTED: weight of a smooth surface against a close one. In [0, 1000]. Default is
-   * 0.01.
-   *
-   * This is a property of the map: vtkCurvedSeamlessMap::SetFitSmoothness().
-   */
-  void SetFitSmoothness(double smoothness);
-  double GetFitSmoothness();
+  vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
+  vtkGetMacro(FitSmoothness, double);
   ///@}
 
   /**
@@ -242,9 +235,11 @@ public:
   vtkCurvedSeamlessMap* GetMap();
 
   /**
-   * Also when a property of the map was changed.
+   * Build the map of a surface with the properties of this filter, without running it. Its inputs
+   * are not used. The cloud may be null; DomeHeight FITTED needs it. Returns false, with an error
+   * of the map, if the surface has no map.
    */
-  vtkMTimeType GetMTime() override;
+  bool BuildMap(vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessMap* map);
 
 protected:
   vtkCurvedSeamlessSurface();
@@ -261,6 +256,11 @@ private:
   int Sampling = AUTOMATIC;
   int Frequency = 80;
   int Subdivisions = 0;
+  int SeamMode = EDGE_MATCHED;
+  int DomeHeight = CURVATURE;
+  double VertexShift = -1.0;
+  int NumberOfFitRounds = 6;
+  double FitSmoothness = 0.01;
   vtkMultiProcessController* Controller = nullptr;
   vtkNew<vtkCurvedSeamlessMap> Map;
 };

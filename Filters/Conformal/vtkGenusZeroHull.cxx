@@ -66,7 +66,7 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
     vtkWarningWithObjectMacro(
       self, << "the points enclose nothing, the hull is a shell around them");
   }
-  if (samples.oriented() && hull.Indicator == conformal::HullIndicator::WindingNumbers &&
+  if (samples.oriented() && hull.Method == conformal::HullMethod::WindingNumbers &&
     !hull.NormalsUsed)
   {
     glue::WarnOfUnusedNormals(self);
@@ -94,8 +94,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   using glue::AddNumber;
   const auto addLength = [&](const char* name, double length)
   { glue::AddLengths(data, name, { length * samples.scale() }, frame); };
-  AddNumber(data, "CloudDimension", static_cast<long long>(samples.dimension()));
-  AddNumber(data, "Indicator", static_cast<long long>(hull.Indicator));
+  AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
+  AddNumber(data, "Method", static_cast<long long>(hull.Method));
   AddNumber(data, "NormalsUsed", static_cast<long long>(hull.NormalsUsed));
   addLength("KernelWidth", hull.Width);
   addLength("GridSpacing", hull.Spacing);
@@ -146,7 +146,7 @@ int vtkGenusZeroHull::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
   conformal::GenusZeroHullOptions options;
-  options.Indicator = static_cast<conformal::HullIndicator>(this->Indicator);
+  options.Method = static_cast<conformal::HullMethod>(this->Method);
   options.Spacing = this->Spacing;
   options.Offset = this->Offset;
   options.Persistence = this->Persistence;
@@ -160,8 +160,8 @@ int vtkGenusZeroHull::RequestData(
       const auto size = static_cast<double>(input->GetNumberOfPoints());
       const double ofHull = conformal::workOfGenusZeroHull(size, options.Spacing);
       const double ofOutput = 0.013 * ofHull;
-      const bool winding = options.Indicator == conformal::HullIndicator::WindingNumbers;
-      const bool mayWind = options.Indicator != conformal::HullIndicator::Distance;
+      const bool winding = options.Method == conformal::HullMethod::WindingNumbers;
+      const bool mayWind = options.Method != conformal::HullMethod::Distance;
       conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
@@ -205,10 +205,10 @@ int vtkGenusZeroHull::RequestData(
 void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Indicator: "
-     << (this->Indicator == AUTOMATIC            ? "Automatic"
-            : this->Indicator == WINDING_NUMBERS ? "WindingNumbers"
-                                                 : "Distance")
+  os << indent << "Method: "
+     << (this->Method == AUTOMATIC            ? "Automatic"
+            : this->Method == WINDING_NUMBERS ? "WindingNumbers"
+                                              : "Distance")
      << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Offset: " << this->Offset << "\n";

@@ -8,15 +8,15 @@
  *
  * Input port 0: vtkPointSet, any points in any order. Points that are not finite are left out with
  * a warning, hidden or duplicate ghost points silently. Cells and normals are used by
- * WINDING_NUMBERS only, see Indicator.
+ * WINDING_NUMBERS only, see Method.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of genus zero around the points, in their
  * coordinates, double precision; triangles are counter-clockwise seen from outside. With
  * DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType), the
  * active global ids. Field data, one value each, lengths in units of the coordinates:
- * - "CloudDimension" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
+ * - "AffineRank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for
  * equal points.
- * - "Indicator" (idtype): what told inside from outside, as the property; DISTANCE also where
+ * - "Method" (idtype): what told inside from outside, as the property; DISTANCE also where
  *   winding numbers cannot tell: points in a plane, fewer than 20, or nothing found inside.
  * - "NormalsUsed" (idtype): 1 if normals were given and told what is outside.
  * - "KernelWidth" (double): the radius over which winding numbers were averaged; wider with noise.
@@ -76,11 +76,11 @@ public:
   vtkTypeMacro(vtkGenusZeroHull, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Indicators
+  enum Methods
   {
-    DISTANCE = 0,
-    WINDING_NUMBERS = 1,
-    AUTOMATIC = 2
+    AUTOMATIC = 0,
+    DISTANCE = 1,
+    WINDING_NUMBERS = 2
   };
 
   ///@{
@@ -96,11 +96,11 @@ public:
    * hole as wide as what is behind it, handles, or many points left out; winding numbers also have
    * to find little noise. That needs about a second of one thread more.
    */
-  vtkSetClampMacro(Indicator, int, DISTANCE, AUTOMATIC);
-  vtkGetMacro(Indicator, int);
-  void SetIndicatorToDistance() { this->SetIndicator(DISTANCE); }
-  void SetIndicatorToWindingNumbers() { this->SetIndicator(WINDING_NUMBERS); }
-  void SetIndicatorToAutomatic() { this->SetIndicator(AUTOMATIC); }
+  vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
+  vtkGetMacro(Method, int);
+  void SetMethodToDistance() { this->SetMethod(DISTANCE); }
+  void SetMethodToWindingNumbers() { this->SetMethod(WINDING_NUMBERS); }
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
   ///@}
 
   ///@{
@@ -178,7 +178,7 @@ private:
   vtkGenusZeroHull(const vtkGenusZeroHull&) = delete;
   void operator=(const vtkGenusZeroHull&) = delete;
 
-  int Indicator = DISTANCE;
+  int Method = DISTANCE;
   double Spacing = 0.016;
   double Offset = 1.0;
   double Persistence = 1.5;

@@ -49,7 +49,7 @@ void Online(benchmark::State& state)
   const TrainingSamples samples(points);
   ConformalSOMOptions options;
   options.TrainingMode = conformal::TrainingMode::Online;
-  options.Frequency = PaperFrequency;
+  options.NumberOfNeurons = conformal::geodesicSphereSize(PaperFrequency);
   Points weights;
   for (auto _ : state)
   {
@@ -66,11 +66,13 @@ void OnlineByBruteForce(benchmark::State& state)
   const TrainingSamples samples(points);
   ConformalSOMOptions options;
   options.TrainingMode = conformal::TrainingMode::Online;
-  options.Frequency = PaperFrequency;
+  options.NumberOfNeurons = conformal::geodesicSphereSize(PaperFrequency);
+  conformal::OnlineTrainingOptions paper;
+  paper.Frequency = PaperFrequency;
   Points weights;
   for (auto _ : state)
   {
-    weights = reference::trainByBruteForce(samples, options);
+    weights = reference::trainByBruteForce(samples, paper);
   }
   state.counters["PointToSurface"] = pointToSurface(samples, weights, PaperFrequency);
   const Points fast = normalized(samples, trainConformalSOM(samples, options).Positions);
@@ -84,8 +86,8 @@ void batch(benchmark::State& state, Index size, int frequency, int threads)
   const Points points = fixtures::bumpyCloud(size);
   const conformal::Run run = fixtures::threads(threads);
   ConformalSOMOptions options;
-  options.Lattice = conformal::Lattice::Geodesic;
-  options.Frequency = frequency;
+  options.MeshType = conformal::MeshType::Geodesic;
+  options.NumberOfNeurons = conformal::geodesicSphereSize(frequency);
   Points weights;
   for (auto _ : state)
   {

@@ -4,7 +4,7 @@
 #define BruteForceTraining_h
 
 #include "Base/Random.h"
-#include "Learn/ConformalSOM.h"
+#include "Learn/Online/OnlineTraining.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/TriangleTree.h"
@@ -18,7 +18,7 @@ namespace reference
 /// The arrays run through the vector units of the build.
 /// @return #N by 3 weights in the unit of training
 inline conformal::Points trainByBruteForce(
-  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options)
+  const conformal::TrainingSamples& samples, const conformal::OnlineTrainingOptions& options)
 {
   using namespace conformal;
   const Mesh network = makeGeodesicSphere(options.Frequency);

@@ -84,8 +84,7 @@ int main(int argc, char* argv[])
   const int rank = controller->GetLocalProcessId(), ranks = controller->GetNumberOfProcesses();
   if (argc < 3)
   {
-    std::fprintf(
-      stderr, "usage: mpiexec -n N MeasureRanks file.ply points [frequency [patterns]]\n");
+    std::fprintf(stderr, "usage: mpiexec -n N MeasureRanks file.ply points [frequency]\n");
     controller->Finalize();
     return EXIT_FAILURE;
   }
@@ -104,9 +103,9 @@ int main(int argc, char* argv[])
     const Usage read = Now();
     vtkNew<vtkConformalSOM> network;
     network->SetInputConnection(reader->GetOutputPort());
-    network->SetLatticeToGeodesic();
-    network->SetFrequency(argc > 3 ? std::atoi(argv[3]) : 36);
-    network->SetSamplesPerNeuron(argc > 4 ? std::atoi(argv[4]) : 12);
+    network->SetMeshTypeToGeodesic();
+    const int frequency = argc > 3 ? std::atoi(argv[3]) : 36;
+    network->SetNumberOfNeurons(10 * frequency * frequency + 2);
     network->SetStartingShapeToSphere();
     network->Update();
     const Usage learned = Now();

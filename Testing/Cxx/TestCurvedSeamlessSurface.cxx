@@ -134,7 +134,7 @@ protected:
   CurvedSeamlessSurface()
   {
     this->Filter->SetFrequency(10);
-    this->Filter->SetPolishedToOff(); // most meshes here look like learned ones
+    this->Filter->SetVertexShift(0.0); // else a warning: most meshes here look like learned ones
   }
 
   vtkPolyData* Run(vtkPolyData* surface)
@@ -218,9 +218,9 @@ TEST_F(CurvedSeamlessSurface, TheSphereStaysASphere)
   network->SetFrequency(6);
   network->Update();
   for (const auto& [domeHeight, tolerance] :
-    { std::pair<int, double>{ vtkCurvedSeamlessMap::NONE, 8e-3 },
-      { vtkCurvedSeamlessMap::PUBLISHED, 1.6e-5 }, { vtkCurvedSeamlessMap::SCALED, 2e-5 },
-      { vtkCurvedSeamlessMap::CURVATURE, 5e-4 } })
+    { std::pair<int, double>{ vtkCurvedSeamlessSurface::NONE, 8e-3 },
+      { vtkCurvedSeamlessSurface::PUBLISHED, 1.6e-5 }, { vtkCurvedSeamlessSurface::SCALED, 2e-5 },
+      { vtkCurvedSeamlessSurface::CURVATURE, 5e-4 } })
   {
     this->Filter->SetDomeHeight(domeHeight);
     vtkPolyData* output = this->ExpectDone(network->GetOutput(), "");
@@ -296,12 +296,13 @@ TEST_F(CurvedSeamlessSurface, TheNetworkIsCutIntoEqualParts)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   this->Filter->SetSamplingToNetwork();
-  for (int height = vtkCurvedSeamlessMap::NONE; height <= vtkCurvedSeamlessMap::FITTED; ++height)
+  for (int height = vtkCurvedSeamlessSurface::NONE; height <= vtkCurvedSeamlessSurface::FITTED;
+       ++height)
   {
     this->Filter->SetDomeHeight(height);
     this->Filter->SetCloudData(surface);
     for (const int seam :
-      { vtkCurvedSeamlessMap::PER_TRIANGLE, vtkCurvedSeamlessMap::EDGE_MATCHED })
+      { vtkCurvedSeamlessSurface::PER_TRIANGLE, vtkCurvedSeamlessSurface::EDGE_MATCHED })
     {
       this->Filter->SetSeamMode(seam);
       for (const int k : { 1, 2, 5 })
@@ -435,21 +436,22 @@ TEST_F(CurvedSeamlessSurface, RunsOnlyWhenModifiedAndPrints)
   EXPECT_EQ(this->Filter->GetSubdivisions(), 100);
 }
 
-TEST_F(CurvedSeamlessSurface, PropertiesAreThoseOfItsMap)
+TEST_F(CurvedSeamlessSurface, PropertiesAreClampedAndItsMapIsBuilt)
 {
-  EXPECT_EQ(this->Filter->GetSeamMode(), vtkCurvedSeamlessMap::EDGE_MATCHED);
-  EXPECT_EQ(this->Filter->GetDomeHeight(), vtkCurvedSeamlessMap::CURVATURE);
-  this->Filter->SetSeamModeToPerTriangle();
-  this->Filter->SetDomeHeightToScaled();
-  this->Filter->SetVertexShift(0.25);
-  this->Filter->SetNumberOfFitRounds(7);
-  this->Filter->SetFitSmoothness(0.5);
+  vtkNew<vtkCurvedSeamlessSurface> filter;
+  EXPECT_EQ(filter->GetSeamMode(), vtkCurvedSeamlessSurface::EDGE_MATCHED);
+  EXPECT_EQ(filter->GetDomeHeight(), vtkCurvedSeamlessSurface::CURVATURE);
+  EXPECT_EQ(filter->GetVertexShift(), -1.0);
+  filter->SetDomeHeight(17);
+  EXPECT_EQ(filter->GetDomeHeight(), vtkCurvedSeamlessSurface::FITTED);
+  filter->SetVertexShift(3.0);
+  EXPECT_EQ(filter->GetVertexShift(), 2.0);
+  for (const char* property :
+    { "SeamMode", "DomeHeight", "VertexShift", "NumberOfFitRounds", "FitSmoothness" })
+  {
+    contract::ExpectPrints(filter, property);
+  }
   vtkCurvedSeamlessMap* map = this->Filter->GetMap();
-  EXPECT_EQ(map->GetSeamMode(), vtkCurvedSeamlessMap::PER_TRIANGLE);
-  EXPECT_EQ(map->GetDomeHeight(), vtkCurvedSeamlessMap::SCALED);
-  EXPECT_EQ(this->Filter->GetVertexShift(), map->GetVertexShift());
-  EXPECT_EQ(this->Filter->GetNumberOfFitRounds(), map->GetNumberOfFitRounds());
-  EXPECT_EQ(this->Filter->GetFitSmoothness(), map->GetFitSmoothness());
   EXPECT_FALSE(map->IsBuilt());
   this->Run(Ellipsoid());
   EXPECT_TRUE(map->IsBuilt());
@@ -541,20 +543,20 @@ TEST_F(CurvedSeamlessSurface, PointsOfACloudFarFromAllOthersAreLeftOut)
   }
 }
 
-// The vertices of a polished mesh lie outside of ridges.
-TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
+// The vertices of a fitted mesh lie outside of ridges.
+TEST_F(CurvedSeamlessSurface, VerticesOfFittedMeshesAreMovedInwards)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   this->Filter->SetSphereData(surface); // evaluated at the vertices
   EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
-  this->Filter->SetPolishedToAutomatic();
-  vtkNew<vtkIdTypeArray> polished;
-  polished->SetName("Polished");
-  polished->InsertNextValue(0);
-  surface->GetFieldData()->AddArray(polished);
+  this->Filter->SetVertexShift(-1.0);
+  vtkNew<vtkDoubleArray> shift;
+  shift->SetName("VertexShift");
+  shift->InsertNextValue(0.0);
+  surface->GetFieldData()->AddArray(shift);
   surface->Modified();
   EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
-  polished->SetValue(0, 1);
+  shift->SetValue(0, 1.0);
   surface->Modified();
   vtkPolyData* output = this->Run(surface);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
@@ -569,11 +571,10 @@ TEST_F(CurvedSeamlessSurface, VerticesOfPolishedMeshesAreMovedInwards)
   EXPECT_EQ(MaximumDifference(this->Run(surface), surface), 0.0);
 }
 
-// The mesh tells how far, the property comes before it, and 1 keeps the volume without either.
+// The property comes before the field array.
 TEST_F(CurvedSeamlessSurface, VertexShiftIsThatOfTheMesh)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
-  this->Filter->SetPolishedToOn();
   const auto shifted = [&](double shift)
   {
     this->Filter->SetVertexShift(shift);
@@ -583,7 +584,6 @@ TEST_F(CurvedSeamlessSurface, VertexShiftIsThatOfTheMesh)
   };
   const vtkNew<vtkPolyData> usual = shifted(1.0), little = shifted(0.25);
   EXPECT_GT(MaximumDifference(usual, little), 1e-4);
-  EXPECT_EQ(MaximumDifference(shifted(-1.0), usual), 0.0);
   vtkNew<vtkDoubleArray> array;
   array->SetName("VertexShift");
   array->InsertNextValue(0.25);
@@ -593,46 +593,46 @@ TEST_F(CurvedSeamlessSurface, VertexShiftIsThatOfTheMesh)
   EXPECT_EQ(MaximumDifference(shifted(1.0), usual), 0.0);
 }
 
-// Field data are lost in most files: never without a word, and the property makes up for them.
+// Field data are lost in most files: there is a warning, and the property replaces them.
 TEST_F(CurvedSeamlessSurface, LostFieldDataChangeNothingSilently)
 {
   const vtkNew<vtkPolyData> surface = Ellipsoid();
-  vtkNew<vtkIdTypeArray> polished;
-  polished->SetName("Polished");
-  polished->InsertNextValue(1);
-  surface->GetFieldData()->AddArray(polished);
-  this->Filter->SetPolishedToAutomatic();
-  vtkNew<vtkPolyData> expected, unpolished;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("VertexShift");
+  array->InsertNextValue(1.0);
+  surface->GetFieldData()->AddArray(array);
+  this->Filter->SetVertexShift(-1.0);
+  vtkNew<vtkPolyData> expected, unmoved;
   expected->DeepCopy(this->ExpectDone(surface, ""));
-  surface->GetFieldData()->RemoveArray("Polished");
+  surface->GetFieldData()->RemoveArray("VertexShift");
   surface->Modified();
-  const char* warning = "no field array \"Polished\"; it is taken as not polished";
-  unpolished->DeepCopy(this->ExpectDone(surface, warning));
-  EXPECT_GT(MaximumDifference(unpolished, expected), 1e-4);
-  this->Filter->SetPolishedToOn();
+  const char* warning = "no field array \"VertexShift\"; its vertices are not moved";
+  unmoved->DeepCopy(this->ExpectDone(surface, warning));
+  EXPECT_GT(MaximumDifference(unmoved, expected), 1e-4);
+  this->Filter->SetVertexShift(1.0);
   EXPECT_EQ(MaximumDifference(this->ExpectDone(surface, ""), expected), 0.0);
-  this->Filter->SetPolishedToOff();
-  EXPECT_EQ(MaximumDifference(this->ExpectDone(surface, ""), unpolished), 0.0);
-  this->Filter->SetPolishedToAutomatic();
-  for (const int height : { vtkCurvedSeamlessMap::NONE, vtkCurvedSeamlessMap::PUBLISHED })
+  this->Filter->SetVertexShift(0.0);
+  EXPECT_EQ(MaximumDifference(this->ExpectDone(surface, ""), unmoved), 0.0);
+  this->Filter->SetVertexShift(-1.0);
+  for (const int height : { vtkCurvedSeamlessSurface::NONE, vtkCurvedSeamlessSurface::PUBLISHED })
   {
     this->Filter->SetDomeHeight(height); // which moves no vertex
     this->ExpectDone(surface, "");
   }
 }
 
-// The same for a learned mesh that is not known by its connectivity.
-TEST_F(CurvedSeamlessSurface, AdaptiveNetworksAreKnownAsPolished)
+// A learned mesh without the connectivity of a geodesic sphere.
+TEST_F(CurvedSeamlessSurface, LostFieldDataOfAdaptiveMeshesAreNoticed)
 {
   const vtkNew<vtkPolyData> cloud = Ellipsoid(40);
   vtkNew<vtkConformalSOM> network;
   network->SetInputData(cloud);
-  network->SetLatticeToAdaptive();
+  network->SetMeshTypeToAdaptive();
   network->SetNumberOfNeurons(2000);
   network->Update();
   vtkPolyData* learned = network->GetOutput();
-  this->Filter->SetPolishedToAutomatic();
-  vtkNew<vtkPolyData> expected, unpolished;
+  this->Filter->SetVertexShift(-1.0);
+  vtkNew<vtkPolyData> expected, unmoved;
   expected->DeepCopy(this->Run(learned));
   EXPECT_EQ(expected->GetNumberOfPoints(), 2000); // k = 1
   EXPECT_FALSE(this->Seen.Warning());
@@ -640,11 +640,10 @@ TEST_F(CurvedSeamlessSurface, AdaptiveNetworksAreKnownAsPolished)
   vtkNew<vtkPolyData> lost;
   lost->ShallowCopy(learned);
   lost->SetFieldData(vtkNew<vtkFieldData>());
-  unpolished->DeepCopy(this->Run(lost));
-  this->Seen.ExpectWarning("no field array \"Polished\"; it is taken as not polished");
+  unmoved->DeepCopy(this->Run(lost));
+  this->Seen.ExpectWarning("no field array \"VertexShift\"; its vertices are not moved");
   this->Seen.Clear();
-  EXPECT_GT(MaximumDifference(unpolished, expected), 1e-4);
-  this->Filter->SetPolishedToOn();
+  EXPECT_GT(MaximumDifference(unmoved, expected), 1e-4);
   this->Filter->SetVertexShift(shift);
   EXPECT_EQ(MaximumDifference(this->Run(lost), expected), 0.0);
   EXPECT_FALSE(this->Seen.Warning());
@@ -653,8 +652,8 @@ TEST_F(CurvedSeamlessSurface, AdaptiveNetworksAreKnownAsPolished)
 TEST_F(CurvedSeamlessSurface, NormalsLookOutwardsWhateverTheDomes)
 {
   const vtkNew<vtkPolyData> ellipsoid = Ellipsoid(6);
-  for (int domeHeight = vtkCurvedSeamlessMap::NONE; domeHeight < vtkCurvedSeamlessMap::FITTED;
-       ++domeHeight)
+  for (int domeHeight = vtkCurvedSeamlessSurface::NONE;
+       domeHeight < vtkCurvedSeamlessSurface::FITTED; ++domeHeight)
   {
     this->Filter->SetDomeHeight(domeHeight);
     vtkPolyData* output = this->ExpectDone(ellipsoid, "");
@@ -683,9 +682,10 @@ TEST_F(CurvedSeamlessSurface, TrianglesRunAsTheNormalsLook)
       map->SetTuple3(i, -n[0], -n[1], -n[2]);
     }
     for (const int mode :
-      { vtkCurvedSeamlessMap::PER_TRIANGLE, vtkCurvedSeamlessMap::EDGE_MATCHED })
+      { vtkCurvedSeamlessSurface::PER_TRIANGLE, vtkCurvedSeamlessSurface::EDGE_MATCHED })
     {
-      for (int dome = vtkCurvedSeamlessMap::NONE; dome < vtkCurvedSeamlessMap::FITTED; ++dome)
+      for (int dome = vtkCurvedSeamlessSurface::NONE; dome < vtkCurvedSeamlessSurface::FITTED;
+           ++dome)
       {
         SCOPED_TRACE(std::to_string(mirrors) + std::to_string(mode) + std::to_string(dome));
         this->Filter->SetSeamMode(mode);
@@ -943,9 +943,9 @@ TEST_F(CurvedSeamlessSurface, QuadsAndStripsAreCutSilently)
     quads->InsertNextCell(4, quad.data());
   }
   this->Filter->SetSamplingToDirections();
-  this->Filter->SetPolishedToAutomatic(); // no mesh of vtkConformalSOM has 8 points
+  this->Filter->SetVertexShift(-1.0); // no mesh of vtkConformalSOM has 8 points
   this->ExpectDone(Cube(quads), "");
-  this->Filter->SetPolishedToOff();
+  this->Filter->SetVertexShift(0.0);
 
   const vtkNew<vtkPolyData> surface = Ellipsoid();
   vtkNew<vtkStripper> stripper;

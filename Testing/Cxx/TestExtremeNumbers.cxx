@@ -204,7 +204,7 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   curved->SetFrequency(7);
   add("curved", curved, ofPoints("Normals"));
   vtkNew<vtkConformalSOM> learned;
-  learned->SetFrequency(4);
+  learned->SetNumberOfNeurons(162);
   learned->SetInputData(0, Scaled(1.0, 8));
   learned->SetInputDataObject(1, surface);
   users.push_back({ "learned", learned, ofPoints("SpherePosition") });
@@ -319,7 +319,7 @@ TEST(ExtremeNumbers, InputsMayDifferInUnit)
   vtkNew<vtkSphericalTextureImage> image;
   for (vtkConformalSOM* learner : { batch.Get(), online.Get() })
   {
-    learner->SetFrequency(3);
+    learner->SetNumberOfNeurons(92);
     learner->SetNumberOfEpochs(2);
     learner->SetSamplesPerEpoch(100);
   }
@@ -363,7 +363,7 @@ TEST(ExtremeNumbers, InputsMayDifferInUnit)
 TEST(ExtremeNumbers, AMeshOfAnotherUnitIsNamed)
 {
   vtkNew<vtkConformalSOM> learned;
-  learned->SetFrequency(3);
+  learned->SetNumberOfNeurons(92);
   learned->SetInputData(Scaled(1.0));
   vtkNew<vtkCurvedSeamlessSurface> fitted;
   fitted->SetDomeHeightToFitted();
@@ -380,7 +380,7 @@ TEST(ExtremeNumbers, AMeshOfAnotherUnitIsNamed)
       learned->SetStartData(Scaled(scale));
       const contract::Observed start(learned);
       learned->Update();
-      start.ExpectError("the mesh to start from must lie near the points");
+      start.ExpectError("move and scale it to them");
     }
   }
 }
@@ -394,17 +394,20 @@ TEST(ExtremeNumbers, PropertiesMayBeAnyNumber)
     vtkNew<vtkConformalSOM> filter;
     filter->SetInputData(surface);
     filter->SetTrainingMode(online ? vtkConformalSOM::ONLINE : vtkConformalSOM::BATCH);
-    filter->SetFrequency(3);
+    filter->SetNumberOfNeurons(92);
     filter->SetNumberOfEpochs(2);
     filter->SetSamplesPerEpoch(200);
     using Class = vtkConformalSOM;
-    AddProperty<Class>(
-      properties, "InitialNeighborhoodRadius", filter, &Class::SetInitialNeighborhoodRadius);
-    AddProperty<Class>(
-      properties, "NeighborhoodTimeConstant", filter, &Class::SetNeighborhoodTimeConstant);
-    AddProperty<Class>(properties, "InitialLearningRate", filter, &Class::SetInitialLearningRate);
-    AddProperty<Class>(
-      properties, "LearningRateTimeConstant", filter, &Class::SetLearningRateTimeConstant);
+    for (int i = 0; i < 4; ++i)
+    {
+      properties.push_back({ "OnlineConstants " + std::to_string(i), filter.Get(),
+        [=, learner = filter.Get()](double value)
+        {
+          double constants[4] = { 0.4, 20.0, 0.01, 60.0 };
+          constants[i] = value;
+          learner->SetOnlineConstants(constants);
+        } });
+    }
     AddProperty<Class>(properties, "Smoothness", filter, &Class::SetSmoothness);
   }
   {
@@ -430,13 +433,13 @@ TEST(ExtremeNumbers, PropertiesMayBeAnyNumber)
   {
     vtkNew<vtkCurvedSeamlessSurface> filter;
     filter->SetInputData(surface);
-    vtkNew<vtkPolyData> polished;
-    polished->ShallowCopy(surface);
+    vtkNew<vtkPolyData> fitMesh;
+    fitMesh->ShallowCopy(surface);
     vtkNew<vtkDoubleArray> one;
-    one->SetName("Polished");
+    one->SetName("VertexShift");
     one->InsertNextValue(1.0);
-    polished->GetFieldData()->AddArray(one);
-    filter->SetInputData(polished);
+    fitMesh->GetFieldData()->AddArray(one);
+    filter->SetInputData(fitMesh);
     filter->SetCloudData(surface);
     filter->SetDomeHeightToFitted();
     filter->SetFrequency(4);

@@ -28,7 +28,7 @@
 
 namespace
 {
-const char* const Counts[] = { "CloudDimension", "Indicator", "NormalsUsed", "NumberOfInsideNodes",
+const char* const Counts[] = { "AffineRank", "Method", "NormalsUsed", "NumberOfInsideNodes",
   "SolidEulerNumber", "NumberOfCutNodes", "Leaks", "NumberOfPointsOutside",
   "NumberOfPointsInside" };
 const char* const Lengths[] = { "KernelWidth", "GridSpacing", "HoleWidth", "HoleDepth" };
@@ -161,7 +161,7 @@ TEST_F(GenusZeroHull, KnowsASphere)
   EXPECT_NEAR(center[0], 5.0, 0.01);
   EXPECT_NEAR(center[1], 0.0, 0.01);
   EXPECT_NEAR(this->Figure("GridSpacing"), 0.1, 1e-6);
-  EXPECT_EQ(this->Figure("CloudDimension"), 3);
+  EXPECT_EQ(this->Figure("AffineRank"), 3);
   EXPECT_EQ(this->Figure("SolidEulerNumber"), 1);
   EXPECT_EQ(this->Figure("NumberOfCutNodes"), 0);
   EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
@@ -451,7 +451,7 @@ TEST_F(GenusZeroHull, WarnsOfFlatClouds)
     EXPECT_NE(observed.WarningMessage().find(
                 std::array<const char*, 3>{ "all equal", "collinear", "coplanar" }[rank]),
       std::string::npos);
-    EXPECT_EQ(this->Figure("CloudDimension"), rank);
+    EXPECT_EQ(this->Figure("AffineRank"), rank);
     EXPECT_EQ(this->Figure("NumberOfInsideNodes"), 0);
     EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
     EXPECT_TRUE(this->IsGenusZero());
@@ -502,11 +502,11 @@ TEST_F(GenusZeroHull, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetSpacing(0.08); });
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetOffset(1.5); });
   contract::ExpectRunsOnlyWhenModified(
-    this->Filter, [&]() { this->Filter->SetIndicatorToWindingNumbers(); });
+    this->Filter, [&]() { this->Filter->SetMethodToWindingNumbers(); });
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetPersistence(2.0); });
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->SetSmoothingPasses(5); });
-  for (const char* property : { "Indicator", "Spacing", "Offset", "Persistence", "SmoothingPasses",
+  for (const char* property : { "Method", "Spacing", "Offset", "Persistence", "SmoothingPasses",
          "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(this->Filter, property);
@@ -519,11 +519,11 @@ TEST_F(GenusZeroHull, ClosesALargeHoleByWindingNumbers)
   vtkNew<vtkPoints> points;
   AddSphere(points, 5000, 2.0, 5.0, -0.5);
   this->Cloud->SetPoints(points);
-  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->SetMethodToWindingNumbers();
   contract::Observed observed(this->Filter);
   this->Filter->Update();
   EXPECT_FALSE(observed.Error() || observed.Warning());
-  EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::WINDING_NUMBERS);
+  EXPECT_EQ(this->Figure("Method"), vtkGenusZeroHull::WINDING_NUMBERS);
   EXPECT_EQ(this->Figure("NormalsUsed"), 0);
   EXPECT_GT(this->Figure("KernelWidth"), 0.0);
   EXPECT_EQ(this->Figure("NumberOfPointsOutside"), 0);
@@ -576,7 +576,7 @@ TEST_F(GenusZeroHull, UsesTheNormalsOfTheInput)
         }
         this->Cloud->GetPointData()->SetNormals(normals);
       }
-      this->Filter->SetIndicatorToWindingNumbers();
+      this->Filter->SetMethodToWindingNumbers();
       contract::Observed observed(this->Filter);
       this->Filter->Update();
       EXPECT_FALSE(observed.Error() || observed.Warning());
@@ -603,11 +603,11 @@ TEST_F(GenusZeroHull, WarnsOfNormalsThatDisagree)
   contract::Observed observed(this->Filter);
   this->Filter->Update(); // by the distance they do not matter
   EXPECT_FALSE(observed.Warning());
-  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->SetMethodToWindingNumbers();
   this->Filter->Update();
   EXPECT_NE(observed.WarningMessage().find("do not agree on what is inside"), std::string::npos);
   EXPECT_EQ(this->Figure("NormalsUsed"), 0);
-  EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::WINDING_NUMBERS);
+  EXPECT_EQ(this->Figure("Method"), vtkGenusZeroHull::WINDING_NUMBERS);
   EXPECT_TRUE(this->IsGenusZero());
 }
 
@@ -626,13 +626,13 @@ TEST_F(GenusZeroHull, TakesTheDistanceForFlatAndSmallClouds)
       points->InsertNextPoint(i % 20, i / 20, 0.0);
     }
     this->Cloud->SetPoints(points);
-    this->Filter->SetIndicatorToDistance();
+    this->Filter->SetMethodToDistance();
     this->Filter->Update();
     vtkNew<vtkPolyData> expected;
     expected->DeepCopy(this->Filter->GetOutput());
-    this->Filter->SetIndicatorToWindingNumbers();
+    this->Filter->SetMethodToWindingNumbers();
     this->Filter->Update();
-    EXPECT_EQ(this->Figure("Indicator"), vtkGenusZeroHull::DISTANCE);
+    EXPECT_EQ(this->Figure("Method"), vtkGenusZeroHull::DISTANCE);
     ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), expected->GetNumberOfPoints());
     for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
     {
@@ -652,7 +652,7 @@ TEST_F(GenusZeroHull, RefusesCellsWithoutPointsOnlyWhereItReadsThem)
   contract::Observed observed(this->Filter);
   this->Filter->Update();
   EXPECT_FALSE(observed.Error());
-  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->SetMethodToWindingNumbers();
   this->Filter->Update();
   EXPECT_TRUE(observed.Error());
   this->ExpectEmpty();
@@ -660,7 +660,7 @@ TEST_F(GenusZeroHull, RefusesCellsWithoutPointsOnlyWhereItReadsThem)
 
 TEST_F(GenusZeroHull, ByWindingNumbersIsTheSameOnAnyThreads)
 {
-  this->Filter->SetIndicatorToWindingNumbers();
+  this->Filter->SetMethodToWindingNumbers();
   this->Filter->Update();
   vtkNew<vtkPolyData> expected;
   expected->DeepCopy(this->Filter->GetOutput());

@@ -573,7 +573,7 @@ TEST_F(GlobalConformalMap, StartsLearning)
   vtkNew<vtkConformalSOM> network;
   network->SetInputData(surface);
   network->SetInputConnection(1, this->Filter->GetOutputPort());
-  network->SetFrequency(10);
+  network->SetNumberOfNeurons(1002);
   contract::Observed observed(network);
   vtkNew<vtkSurfaceMismatch> mismatch;
   mismatch->SetInputConnection(0, network->GetOutputPort());
@@ -606,8 +606,8 @@ TEST_F(GlobalConformalMap, MakesALearnedMeshConformal)
   }
   vtkNew<vtkConformalSOM> network;
   network->SetInputData(cloud);
-  network->SetLatticeToGeodesic();
-  network->SetFrequency(16);
+  network->SetMeshTypeToGeodesic();
+  network->SetNumberOfNeurons(2562);
   vtkNew<vtkConformalDistortion> distortion;
   distortion->SetInputConnection(network->GetOutputPort());
   distortion->Update();

@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   hull->SetSmoothingPasses(source.below(20));
   hull->SetDistributeOutput(source.flag());
   hull->SetInputDataObject(0, source.surface());
-  hull->SetIndicator(source.below(3));
+  hull->SetMethod(source.below(3));
   fuzz::run(hull, true);
   return 0;
 }

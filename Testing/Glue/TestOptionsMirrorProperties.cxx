@@ -1,7 +1,6 @@
 // Options of the core and properties of the filters have the same defaults.
 #include "Hull/GenusZeroHull.h"
-#include "Repair/GenusZeroRepair.h"
-#include "Learn/Training.h"
+#include "Learn/ConformalSOMOptions.h"
 #include "Measure/SphericalAlignment.h"
 #include "Measure/SurfaceMismatch.h"
 #include "Measure/SurfaceShape.h"
@@ -17,6 +16,7 @@
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
+#include "Repair/GenusZeroRepair.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "TextCloud/TextCloudParser.h"
 #include "Texture/BodyCoordinates.h"
@@ -30,7 +30,7 @@
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalSOM.h"
 #include "vtkConsistentRemesh.h"
-#include "vtkCurvedSeamlessMap.h"
+#include "vtkCurvedSeamlessSurface.h"
 #include "vtkGenusZeroHull.h"
 #include "vtkGenusZeroRepair.h"
 #include "vtkGlobalConformalMap.h"
@@ -55,56 +55,48 @@ TEST(OptionsMirrorProperties, ConformalSOM)
 {
   const conformal::ConformalSOMOptions options;
   vtkNew<vtkConformalSOM> filter;
-  EXPECT_EQ(filter->GetLattice(), static_cast<int>(options.Lattice));
-  EXPECT_EQ(filter->GetFrequency(), options.Frequency);
+  EXPECT_EQ(filter->GetMeshType(), static_cast<int>(options.MeshType));
   EXPECT_EQ(filter->GetNumberOfNeurons(), options.NumberOfNeurons);
   vtkNew<vtkConformalSOM> few;
   few->SetNumberOfNeurons(1);
   EXPECT_EQ(few->GetNumberOfNeurons(), conformal::MinimumNeurons);
-  EXPECT_EQ(filter->GetSphereMap(), static_cast<int>(options.SphereMap));
-  EXPECT_EQ(filter->GetAreaBalance(), options.AreaBalance);
+  few->SetNumberOfNeurons(VTK_INT_MAX);
+  EXPECT_LE(
+    conformal::geodesicFrequencyFor(few->GetNumberOfNeurons()), conformal::MaximumFrequency);
   EXPECT_EQ(filter->GetTrainingMode(), static_cast<int>(options.TrainingMode));
   EXPECT_EQ(filter->GetRandomSeed(), static_cast<int>(options.RandomSeed));
   EXPECT_EQ(filter->GetReferencePoint(), static_cast<int>(options.ReferencePoint));
-  EXPECT_EQ(filter->GetNumberOfEpochs(), options.NumberOfEpochs);
-  EXPECT_EQ(filter->GetSamplesPerEpoch(), options.SamplesPerEpoch);
-  EXPECT_EQ(filter->GetInitialNeighborhoodRadius(), options.InitialNeighborhoodRadius);
-  EXPECT_EQ(filter->GetNeighborhoodTimeConstant(), options.NeighborhoodTimeConstant);
-  EXPECT_EQ(filter->GetInitialLearningRate(), options.InitialLearningRate);
-  EXPECT_EQ(filter->GetLearningRateTimeConstant(), options.LearningRateTimeConstant);
-  EXPECT_EQ(filter->GetPassesPerLevel(), options.PassesPerLevel);
-  EXPECT_EQ(filter->GetSamplesPerNeuron(), options.SamplesPerNeuron);
-  EXPECT_EQ(filter->GetNumberOfPolishRounds(), options.NumberOfPolishRounds);
-  EXPECT_EQ(filter->GetSmoothness(), options.Smoothness);
-  EXPECT_EQ(filter->GetAutomaticPriority(), options.AutomaticPriority);
+  EXPECT_EQ(filter->GetNumberOfEpochs(), options.Online.NumberOfEpochs);
+  EXPECT_EQ(filter->GetSamplesPerEpoch(), options.Online.SamplesPerEpoch);
+  EXPECT_EQ(filter->GetOnlineConstants()[0], options.Online.InitialNeighborhoodRadius);
+  EXPECT_EQ(filter->GetOnlineConstants()[1], options.Online.NeighborhoodTimeConstant);
+  EXPECT_EQ(filter->GetOnlineConstants()[2], options.Online.InitialLearningRate);
+  EXPECT_EQ(filter->GetOnlineConstants()[3], options.Online.LearningRateTimeConstant);
+  EXPECT_EQ(filter->GetFitIterations(), options.Fit.Iterations);
+  EXPECT_EQ(filter->GetSmoothness(), options.Fit.Smoothness);
   EXPECT_EQ(filter->GetStartingShape(), static_cast<int>(options.StartingShape));
-  EXPECT_EQ(filter->GetHullIndicator(), static_cast<int>(options.HullIndicator));
-  EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
-  using conformal::HullIndicator;
-  using conformal::Lattice;
+  EXPECT_EQ(filter->GetHullMethod(), static_cast<int>(options.HullMethod));
+  using conformal::HullMethod;
+  using conformal::MeshType;
   using conformal::ReferencePoint;
-  using conformal::SphereMap;
   using conformal::StartingShape;
   using conformal::TrainingMode;
-  EXPECT_EQ(vtkConformalSOM::GEODESIC, static_cast<int>(Lattice::Geodesic));
-  EXPECT_EQ(vtkConformalSOM::ADAPTIVE, static_cast<int>(Lattice::Adaptive));
-  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_LATTICE, static_cast<int>(Lattice::Automatic));
-  EXPECT_EQ(vtkConformalSOM::LATTICE, static_cast<int>(SphereMap::Lattice));
-  EXPECT_EQ(vtkConformalSOM::CONFORMAL_MAP, static_cast<int>(SphereMap::Conformal));
-  EXPECT_EQ(vtkConformalSOM::BALANCED, static_cast<int>(SphereMap::Balanced));
-  EXPECT_EQ(vtkConformalSOM::ONLINE, static_cast<int>(TrainingMode::Online));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_MESH, static_cast<int>(MeshType::Automatic));
+  EXPECT_EQ(vtkConformalSOM::GEODESIC, static_cast<int>(MeshType::Geodesic));
+  EXPECT_EQ(vtkConformalSOM::ADAPTIVE, static_cast<int>(MeshType::Adaptive));
   EXPECT_EQ(vtkConformalSOM::BATCH, static_cast<int>(TrainingMode::Batch));
+  EXPECT_EQ(vtkConformalSOM::ONLINE, static_cast<int>(TrainingMode::Online));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_REFERENCE, static_cast<int>(ReferencePoint::Automatic));
   EXPECT_EQ(vtkConformalSOM::CONFORMAL, static_cast<int>(ReferencePoint::Conformal));
   EXPECT_EQ(vtkConformalSOM::WINNER, static_cast<int>(ReferencePoint::Winner));
   EXPECT_EQ(vtkConformalSOM::AFFINE, static_cast<int>(ReferencePoint::Affine));
-  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_REFERENCE, static_cast<int>(ReferencePoint::Automatic));
   EXPECT_EQ(vtkConformalSOM::AUTOMATIC, static_cast<int>(StartingShape::Automatic));
   EXPECT_EQ(vtkConformalSOM::SPHERE, static_cast<int>(StartingShape::Sphere));
   EXPECT_EQ(vtkConformalSOM::HULL, static_cast<int>(StartingShape::Hull));
   EXPECT_EQ(vtkConformalSOM::MESH, static_cast<int>(StartingShape::Mesh));
-  EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullIndicator::Distance));
-  EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullIndicator::WindingNumbers));
-  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_INDICATOR, static_cast<int>(HullIndicator::Automatic));
+  EXPECT_EQ(vtkConformalSOM::AUTOMATIC_METHOD, static_cast<int>(HullMethod::Automatic));
+  EXPECT_EQ(vtkConformalSOM::DISTANCE, static_cast<int>(HullMethod::Distance));
+  EXPECT_EQ(vtkConformalSOM::WINDING_NUMBERS, static_cast<int>(HullMethod::WindingNumbers));
 }
 
 TEST(OptionsMirrorProperties, AdaptiveSphere)
@@ -167,32 +159,32 @@ TEST(OptionsMirrorProperties, TextCloudReader)
 TEST(OptionsMirrorProperties, CurvedSeamlessSurface)
 {
   const conformal::CurvedSeamlessSurfaceOptions options;
-  vtkNew<vtkCurvedSeamlessMap> map;
-  EXPECT_EQ(map->GetSeamMode(), static_cast<int>(options.SeamMode));
-  EXPECT_EQ(map->GetDomeHeight(), static_cast<int>(options.DomeHeight));
-  EXPECT_EQ(map->GetVertexShift(), -1.0); // that of the mesh
-  EXPECT_EQ(map->GetNumberOfFitRounds(), options.Fit.NumberOfFitRounds);
-  EXPECT_EQ(map->GetFitSmoothness(), options.Fit.FitSmoothness);
+  vtkNew<vtkCurvedSeamlessSurface> filter;
+  EXPECT_EQ(filter->GetSeamMode(), static_cast<int>(options.SeamMode));
+  EXPECT_EQ(filter->GetDomeHeight(), static_cast<int>(options.DomeHeight));
+  EXPECT_EQ(filter->GetVertexShift(), -1.0); // that of the mesh
+  EXPECT_EQ(filter->GetNumberOfFitRounds(), options.Fit.NumberOfFitRounds);
+  EXPECT_EQ(filter->GetFitSmoothness(), options.Fit.FitSmoothness);
   using conformal::DomeHeight;
   using conformal::SeamMode;
-  EXPECT_EQ(vtkCurvedSeamlessMap::PER_TRIANGLE, static_cast<int>(SeamMode::PerTriangle));
-  EXPECT_EQ(vtkCurvedSeamlessMap::EDGE_MATCHED, static_cast<int>(SeamMode::EdgeMatched));
-  EXPECT_EQ(vtkCurvedSeamlessMap::NONE, static_cast<int>(DomeHeight::None));
-  EXPECT_EQ(vtkCurvedSeamlessMap::PUBLISHED, static_cast<int>(DomeHeight::Published));
-  EXPECT_EQ(vtkCurvedSeamlessMap::SCALED, static_cast<int>(DomeHeight::Scaled));
-  EXPECT_EQ(vtkCurvedSeamlessMap::CURVATURE, static_cast<int>(DomeHeight::Curvature));
-  EXPECT_EQ(vtkCurvedSeamlessMap::FITTED, static_cast<int>(DomeHeight::Fitted));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::PER_TRIANGLE, static_cast<int>(SeamMode::PerTriangle));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::EDGE_MATCHED, static_cast<int>(SeamMode::EdgeMatched));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::NONE, static_cast<int>(DomeHeight::None));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::PUBLISHED, static_cast<int>(DomeHeight::Published));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::SCALED, static_cast<int>(DomeHeight::Scaled));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::CURVATURE, static_cast<int>(DomeHeight::Curvature));
+  EXPECT_EQ(vtkCurvedSeamlessSurface::FITTED, static_cast<int>(DomeHeight::Fitted));
 }
 
 TEST(OptionsMirrorProperties, GenusZeroHull)
 {
   const conformal::GenusZeroHullOptions options;
   vtkNew<vtkGenusZeroHull> filter;
-  EXPECT_EQ(filter->GetIndicator(), static_cast<int>(options.Indicator));
-  EXPECT_EQ(vtkGenusZeroHull::DISTANCE, static_cast<int>(conformal::HullIndicator::Distance));
+  EXPECT_EQ(filter->GetMethod(), static_cast<int>(options.Method));
+  EXPECT_EQ(vtkGenusZeroHull::DISTANCE, static_cast<int>(conformal::HullMethod::Distance));
   EXPECT_EQ(
-    vtkGenusZeroHull::WINDING_NUMBERS, static_cast<int>(conformal::HullIndicator::WindingNumbers));
-  EXPECT_EQ(vtkGenusZeroHull::AUTOMATIC, static_cast<int>(conformal::HullIndicator::Automatic));
+    vtkGenusZeroHull::WINDING_NUMBERS, static_cast<int>(conformal::HullMethod::WindingNumbers));
+  EXPECT_EQ(vtkGenusZeroHull::AUTOMATIC, static_cast<int>(conformal::HullMethod::Automatic));
   EXPECT_EQ(filter->GetSpacing(), options.Spacing);
   EXPECT_EQ(filter->GetOffset(), options.Offset);
   EXPECT_EQ(filter->GetPersistence(), options.Persistence);

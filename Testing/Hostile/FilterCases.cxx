@@ -80,12 +80,10 @@ auto OnPort(int port, Set set)
 
 void MakeQuick(vtkConformalSOM* filter)
 {
-  filter->SetFrequency(3);
+  filter->SetNumberOfNeurons(92);
   filter->SetNumberOfEpochs(3);
   filter->SetSamplesPerEpoch(200);
-  filter->SetPassesPerLevel(2);
-  filter->SetSamplesPerNeuron(4);
-  filter->SetNumberOfPolishRounds(2);
+  filter->SetFitIterations(2);
   filter->GenerateErrorScalarsOn();
 }
 
@@ -102,36 +100,28 @@ std::vector<SetUp> Learners()
       });
   };
   SetUp batch = { "vtkConformalSOM", "Batch", true, make([](F*) {}), BadPoints, true };
-  batch.Properties = { Integer("Frequency", &F::SetFrequency),
-    Integer("TrainingMode", &F::SetTrainingMode),
+  batch.Properties = { Integer("TrainingMode", &F::SetTrainingMode),
     Name("PriorityArrayName", &F::SetPriorityArrayName), Integer("RandomSeed", &F::SetRandomSeed),
-    Integer("PassesPerLevel", &F::SetPassesPerLevel),
-    Integer("SamplesPerNeuron", &F::SetSamplesPerNeuron),
-    Integer("NumberOfPolishRounds", &F::SetNumberOfPolishRounds),
-    Number("Smoothness", &F::SetSmoothness), Switch("AutomaticPriority", &F::SetAutomaticPriority),
-    Integer("StartingShape", &F::SetStartingShape), Integer("HullIndicator", &F::SetHullIndicator),
-    Integer("Lattice", &F::SetLattice), Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
+    Integer("FitIterations", &F::SetFitIterations), Number("Smoothness", &F::SetSmoothness),
+    Integer("StartingShape", &F::SetStartingShape), Integer("HullMethod", &F::SetHullMethod),
+    Integer("MeshType", &F::SetMeshType),
+    Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
   SetUp adaptive = { "vtkConformalSOM", "Adaptive", true,
     make(
       [](F* f)
       {
-        f->SetLatticeToAdaptive();
+        f->SetMeshTypeToAdaptive();
         f->SetNumberOfNeurons(200);
-        f->SetSphereMapToBalanced();
       }),
     BadPoints, true };
-  adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons),
-    Integer("SphereMap", &F::SetSphereMap), Number("AreaBalance", &F::SetAreaBalance) };
+  adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons) };
   SetUp online = { "vtkConformalSOM", "Online", true,
     make([](F* f) { f->SetTrainingModeToOnline(); }), BadPoints, true };
   online.Properties = { Integer("ReferencePoint", &F::SetReferencePoint),
     Integer("NumberOfEpochs", &F::SetNumberOfEpochs),
     Integer("SamplesPerEpoch", &F::SetSamplesPerEpoch),
-    Number("InitialNeighborhoodRadius", &F::SetInitialNeighborhoodRadius),
-    Number("NeighborhoodTimeConstant", &F::SetNeighborhoodTimeConstant),
-    Number("InitialLearningRate", &F::SetInitialLearningRate),
-    Number("LearningRateTimeConstant", &F::SetLearningRateTimeConstant) };
+    Vector4("OnlineConstants", &F::SetOnlineConstants, { 0.4, 20.0, 0.01, 60.0 }) };
   return { batch, adaptive, online,
     { "vtkConformalSOM", "Online, Winner", true,
       make(
@@ -158,7 +148,7 @@ std::vector<SetUp> Hulls()
   using F = vtkGenusZeroHull;
   SetUp hull = { "vtkGenusZeroHull", "", true,
     On<F>([](F* f, vtkPolyData*) { f->SetSpacing(0.08); }), BadPoints, true };
-  hull.Properties = { Integer("Indicator", &F::SetIndicator), Number("Spacing", &F::SetSpacing),
+  hull.Properties = { Integer("Method", &F::SetMethod), Number("Spacing", &F::SetSpacing),
     Number("Offset", &F::SetOffset), Number("Persistence", &F::SetPersistence),
     Integer("SmoothingPasses", &F::SetSmoothingPasses),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
@@ -177,7 +167,7 @@ std::vector<SetUp> Hulls()
       On<F>(
         [](F* f, vtkPolyData*)
         {
-          f->SetIndicatorToWindingNumbers();
+          f->SetMethodToWindingNumbers();
           f->SetSpacing(0.08);
         }),
       BadPoints | BadIds, true } };
@@ -257,11 +247,11 @@ std::vector<SetUp> CurvedSurfaces()
         }),
       reads, true };
   };
-  SetUp curvature = mode("Curvature", vtkCurvedSeamlessMap::CURVATURE, 1);
+  SetUp curvature = mode("Curvature", vtkCurvedSeamlessSurface::CURVATURE, 1);
   curvature.Properties = { Integer("Frequency", &F::SetFrequency),
     Integer("Sampling", &F::SetSampling), Integer("Subdivisions", &F::SetSubdivisions),
     Integer("SeamMode", &F::SetSeamMode), Integer("DomeHeight", &F::SetDomeHeight),
-    Number("VertexShift", &F::SetVertexShift), Integer("Polished", &F::SetPolished) };
+    Number("VertexShift", &F::SetVertexShift) };
   SetUp fitted = { "vtkCurvedSeamlessSurface", "Fitted", true,
     On<F>(
       [](F* f, vtkPolyData* good)
@@ -282,10 +272,10 @@ std::vector<SetUp> CurvedSurfaces()
         f->SetSubdivisions(2);
       }),
     reads, true };
-  return { curvature, mode("flat", vtkCurvedSeamlessMap::NONE, 1),
-    mode("Published", vtkCurvedSeamlessMap::PUBLISHED, 0),
-    mode("Scaled", vtkCurvedSeamlessMap::SCALED, 1),
-    mode("Curvature, per triangle", vtkCurvedSeamlessMap::CURVATURE, 0), fitted, network,
+  return { curvature, mode("flat", vtkCurvedSeamlessSurface::NONE, 1),
+    mode("Published", vtkCurvedSeamlessSurface::PUBLISHED, 0),
+    mode("Scaled", vtkCurvedSeamlessSurface::SCALED, 1),
+    mode("Curvature, per triangle", vtkCurvedSeamlessSurface::CURVATURE, 0), fitted, network,
     { "vtkCurvedSeamlessSurface", "Fitted to the cloud", true,
       OnPort<F>(2,
         [](F* f)
@@ -758,8 +748,9 @@ Outcome BuildAndAsk(const Input& input, int height)
   const auto data = input.Make();
   const Messages messages;
   vtkNew<vtkCurvedSeamlessMap> map;
-  map->SetDomeHeight(height);
-  const bool isBuilt = map->Build(vtkPolyData::SafeDownCast(data), good);
+  vtkNew<vtkCurvedSeamlessSurface> settings;
+  settings->SetDomeHeight(height);
+  const bool isBuilt = map->Build(vtkPolyData::SafeDownCast(data), good, settings);
   if (isBuilt != map->IsBuilt() || isBuilt == (messages.errors() > 0))
   {
     return { Verdict::Wrong, "built " + std::to_string(isBuilt) + ", but " + messages.first() };
@@ -791,9 +782,9 @@ Outcome BuildAndAsk(const Input& input, int height)
 
 void AddMapCases(std::vector<Case>& all, const std::vector<Input>& inputs)
 {
-  for (const auto& [mode, height] : { std::pair("Curvature", vtkCurvedSeamlessMap::CURVATURE),
-         std::pair("flat", vtkCurvedSeamlessMap::NONE),
-         std::pair("Fitted", vtkCurvedSeamlessMap::FITTED) })
+  for (const auto& [mode, height] : { std::pair("Curvature", vtkCurvedSeamlessSurface::CURVATURE),
+         std::pair("flat", vtkCurvedSeamlessSurface::NONE),
+         std::pair("Fitted", vtkCurvedSeamlessSurface::FITTED) })
   {
     for (const Input& input : inputs)
     {

@@ -107,7 +107,6 @@ void Dress(vtkPolyData* surface)
   field->AddArray(Numbers("TextureFieldOfView", { 180.0 }));
   field->AddArray(Numbers("TextureScale", { 1.0, 1.0 }));
   field->AddArray(Numbers("TextureMargin", { 0.0 }));
-  field->AddArray(Numbers("Polished", { 1.0 }));
   field->AddArray(Numbers("VertexShift", { 1.0 }));
 }
 
@@ -693,8 +692,7 @@ void AddFieldArrays(std::vector<Input>& all)
   add("TextureScale", "zero", { 0.0, 0.0 });
   add("TextureScale", "huge", { Largest, Largest });
   add("TextureMargin", "1", { 1.0 });
-  add("Polished", "NaN", { NaN });
-  add("Polished", "of 3", { 1.0, 1.0, 1.0 });
+  add("VertexShift", "of 3", { 1.0, 1.0, 1.0 });
   add("VertexShift", "NaN", { NaN });
   add("VertexShift", "huge", { 1e300 });
   all.push_back({ "field data of strings",
@@ -703,7 +701,7 @@ void AddFieldArrays(std::vector<Input>& all)
       return Damaged(
         [](vtkPolyData* s)
         {
-          for (const char* name : { "SpherePole", "TextureProjection", "Polished", "VertexShift" })
+          for (const char* name : { "SpherePole", "TextureProjection", "VertexShift" })
           {
             s->GetFieldData()->AddArray(Words(name, 1));
           }

@@ -8,6 +8,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -174,6 +175,30 @@ Property Vector2(const char* name, void (Filter::*set)(Value, Value))
     property.Values.emplace_back(
       std::to_string(a).substr(0, 12) + " " + std::to_string(b).substr(0, 12),
       [set, a = a, b = b](vtkAlgorithm* filter) { (static_cast<Filter*>(filter)->*set)(a, b); });
+  }
+  return property;
+}
+
+/// Extreme values of each of four numbers, the others as they are by default.
+template <typename Filter>
+Property Vector4(const char* name, void (Filter::*set)(double, double, double, double),
+  const std::array<double, 4>& defaults)
+{
+  Property property = { name, {} };
+  constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < defaults.size(); ++i)
+  {
+    using Value = std::pair<const char*, double>;
+    for (const auto& [text, value] : { Value("NaN", NaN), Value("inf", infinity), Value("0", 0.0),
+           Value("-1", -1.0), Value("5e-324", 5e-324), Value("1e300", 1e300) })
+    {
+      std::array<double, 4> v = defaults;
+      v[i] = value;
+      property.Values.emplace_back(std::to_string(i) + " " + text,
+        [set, v](vtkAlgorithm* filter)
+        { (static_cast<Filter*>(filter)->*set)(v[0], v[1], v[2], v[3]); });
+    }
   }
   return property;
 }

@@ -15,7 +15,7 @@ def digest(filter_):
 
 
 scan = simple.OpenDataFile(sys.argv[1])
-mesh = simple.ConformalSOM(Input=scan, Frequency=12)
+mesh = simple.ConformalSOM(Input=scan, NumberOfNeurons=1442)
 hull = simple.GenusZeroHull(Input=scan, Spacing=0.04)
 surface = simple.CurvedSeamlessSurface(Input=mesh, Frequency=24)
 painted = simple.SphericalTextureMap(Input=surface)

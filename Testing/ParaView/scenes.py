@@ -36,7 +36,7 @@ def write_picture(folder):
 def open_and_paint(scan, picture):
     """Open a scan, learn, smooth and paint it, and look at it."""
     points = simple.OpenDataFile(scan)
-    mesh = simple.ConformalSOM(Input=points, Frequency=16)
+    mesh = simple.ConformalSOM(Input=points, NumberOfNeurons=2562)
     surface = simple.CurvedSeamlessSurface(Input=mesh, Frequency=48)
     painted = simple.SphericalTextureMap(Input=surface)
     view = simple.GetActiveViewOrCreate("RenderView")

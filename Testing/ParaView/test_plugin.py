@@ -36,7 +36,7 @@ class TestPlugin(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory(prefix="plugin ")
         cls.scan = scenes.write_scan(cls.temporary.name, 4000)
         cls.points = simple.OpenDataFile(cls.scan)
-        cls.mesh = simple.ConformalSOM(Input=cls.points, Frequency=8)
+        cls.mesh = simple.ConformalSOM(Input=cls.points, NumberOfNeurons=642)
         cls.surface = simple.CurvedSeamlessSurface(Input=cls.mesh, Frequency=16)
         cls.painted = simple.SphericalTextureMap(
             Input=cls.surface, Projection="Octahedral", SplitSeam=1)
@@ -122,7 +122,7 @@ class TestPlugin(unittest.TestCase):
         cloud.GetPointData().AddArray(weight)
         weighted.GetClientSideObject().SetOutput(cloud)
         weighted.UpdatePipeline()
-        mesh = simple.ConformalSOM(Input=weighted, Frequency=8)
+        mesh = simple.ConformalSOM(Input=weighted, NumberOfNeurons=642)
         self.assertEqual((mesh.GetProperty("PriorityArrayName").Available, mesh.PriorityArrayName),
                          (["", "Weight"], ""))
         mesh.PriorityArrayName = "Weight"

@@ -20,7 +20,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 scan, mesh, hull = vtkConformalPLYReader(), vtkConformalSOM(), vtkGenusZeroHull()
 surface, painted = vtkCurvedSeamlessSurface(), vtkSphericalTextureMap()
 scan.SetFileName(sys.argv[1])
-mesh.SetFrequency(12)
+mesh.SetNumberOfNeurons(1442)
 hull.SetSpacing(0.04)
 surface.SetFrequency(24)
 for source, filter_ in (scan, mesh), (scan, hull), (mesh, surface), (surface, painted):

@@ -21,7 +21,7 @@ def free_port():
 
 
 def learned_points(scan):
-    mesh = simple.ConformalSOM(Input=simple.OpenDataFile(scan), Frequency=16)
+    mesh = simple.ConformalSOM(Input=simple.OpenDataFile(scan), NumberOfNeurons=2562)
     mesh.UpdatePipeline()
     return vtk_to_numpy(servermanager.Fetch(mesh).GetPoints().GetData()).copy()
 
@@ -65,7 +65,7 @@ class TestServer(unittest.TestCase):
         np.testing.assert_array_equal(learned_points(self.scan), self.here)
 
     def test_mesh_is_written_by_the_server(self):
-        mesh = simple.ConformalSOM(Input=simple.OpenDataFile(self.scan), Frequency=8)
+        mesh = simple.ConformalSOM(Input=simple.OpenDataFile(self.scan), NumberOfNeurons=642)
         path = os.path.join(self.temporary.name, "mesh.ply")
         simple.SaveData(path, mesh)
         back = simple.OpenDataFile(path)

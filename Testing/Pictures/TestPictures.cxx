@@ -111,8 +111,8 @@ int main(int argc, char* argv[])
   scan->SetFileName((folder + "/scan.ply").c_str());
   vtkNew<vtkConformalSOM> mesh;
   mesh->SetInputConnection(scan->GetOutputPort());
-  mesh->SetLatticeToGeodesic(); // as in the pictures by Python
-  mesh->SetFrequency(16);
+  mesh->SetMeshTypeToGeodesic(); // as in the pictures by Python
+  mesh->SetNumberOfNeurons(2562);
   vtkNew<vtkCurvedSeamlessSurface> surface;
   surface->SetInputConnection(mesh->GetOutputPort());
   surface->SetFrequency(48);

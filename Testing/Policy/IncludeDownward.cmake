@@ -27,7 +27,7 @@ function (refuse_cycles)
 endfunction ()
 
 # check_rooms(<folder>) for a table in `rooms` and `below_<room>`: the rooms of a folder, each behind
-# those that it may include. Fails with each file outside a room, each room of more than 30 files, each
+# those that it may include. A room may have rooms of its own, as Learn/Fit. Fails with each file outside a room, each room of more than 30 files, each
 # include that the table does not allow, and each cycle of units (a header and its source).
 function (check_rooms core)
   set(largest_room 30) # files; a larger one should become two
@@ -43,17 +43,17 @@ function (check_rooms core)
     list(APPEND seen ${room})
   endforeach ()
 
-  file(GLOB found RELATIVE "${core}" "${core}/*")
-  list(REMOVE_ITEM found CMakeLists.txt)
+  file(GLOB_RECURSE found LIST_DIRECTORIES false RELATIVE "${core}" "${core}/*.h" "${core}/*.cxx")
   foreach (entry IN LISTS found)
-    if (NOT entry IN_LIST rooms)
+    string(REGEX REPLACE "/[^/]*$" "" folder "${entry}")
+    if (NOT folder IN_LIST rooms)
       message(SEND_ERROR "${core}/${entry} is in no room, or a room that the table does not have")
     endif ()
   endforeach ()
 
   set(units)
   foreach (room IN LISTS rooms)
-    file(GLOB files RELATIVE "${core}" "${core}/${room}/*")
+    file(GLOB files LIST_DIRECTORIES false RELATIVE "${core}" "${core}/${room}/*")
     list(LENGTH files count)
     if (count EQUAL 0 OR count GREATER largest_room)
       message(SEND_ERROR "${room} has ${count} files, but should have 1 to ${largest_room}")
@@ -64,7 +64,7 @@ function (check_rooms core)
       file(STRINGS "${core}/${file}" includes REGEX "^[ \t]*#[ \t]*include[ \t]*\"")
       foreach (include IN LISTS includes)
         string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*" "\\1" header "${include}")
-        string(REGEX REPLACE "/.*" "" other "${header}")
+        string(REGEX REPLACE "/[^/]*$" "" other "${header}")
         if (NOT EXISTS "${core}/${header}")
           message(SEND_ERROR "${file}: \"${header}\" is not written as <room>/<header>")
         elseif (NOT other STREQUAL room AND NOT other IN_LIST below_${room})

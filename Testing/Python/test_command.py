@@ -219,7 +219,8 @@ class TestCommand(unittest.TestCase):
                 ("x.doc: expected a file of type .gii .glb", "my scan.vtp", "-o", "x.doc"),
                 ("x.gif: expected a file of type .jpg .png", "my scan.vtp", "--picture", "x.gif"),
                 ("11 is not in [12, 10000002]", "my scan.vtp", "-o", "x.glb", "--neurons", "11"),
-                ("invalid choice: 'square'", "my scan.vtp", "-o", "x.glb", "--lattice", "square"),
+                ("invalid choice: 'square'", "my scan.vtp", "-o", "x.glb", "--mesh-type", "square"),
+                ("--lattice is now --mesh-type", "my scan.vtp", "-o", "x.glb", "--lattice", "adaptive"),
                 ("--view and --up must be finite", "my scan.vtp", "-o", "x.glb", "--view", "0", "2", "0"),
                 ("not parallel", "my scan.vtp", "-o", "x.glb", "--view", "0", "nan", "1"),
                 ("x.glb would be written twice", "my scan.vtp", "other.ply", "-o", "x.glb"),
@@ -273,10 +274,10 @@ class TestCommand(unittest.TestCase):
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
             self.assertEqual(read(vtkXMLPolyDataReader(), path).GetNumberOfPoints(), 642)
 
-    def test_lattice_and_number_of_neurons(self):
-        for lattice, asked, got in (("adaptive", "500", 500), ("geodesic", "500", 492), ("automatic", "300", 300)):
-            with self.subTest(lattice):
-                run = command(self.folder, "my scan.vtp", "--lattice", lattice, "--neurons", asked, "--report", "-")
+    def test_mesh_type_and_number_of_neurons(self):
+        for mesh_type, asked, got in (("adaptive", "500", 500), ("geodesic", "500", 492), ("automatic", "300", 300)):
+            with self.subTest(mesh_type):
+                run = command(self.folder, "my scan.vtp", "--mesh-type", mesh_type, "--neurons", asked, "--report", "-")
                 self.assertEqual((run.returncode, run.stderr), (0, ""))
                 self.assertEqual(json.loads(run.stdout)["Surfaces"][0]["Mesh"]["NumberOfPoints"], got)
 

@@ -66,8 +66,8 @@ class TestGlobalConformalMap(unittest.TestCase):
         cls.cloud = figure_cloud(20000)
         cls.network = vtkConformalSOM()
         cls.network.SetInputData(cls.cloud)
-        cls.network.SetLatticeToGeodesic()
-        cls.network.SetFrequency(24)
+        cls.network.SetMeshTypeToGeodesic()
+        cls.network.SetNumberOfNeurons(5762)
         cls.network.Update()
 
     def test_maps_raw_triangles_one_to_one(self):
@@ -126,7 +126,7 @@ class TestGlobalConformalMap(unittest.TestCase):
         network = vtkConformalSOM()
         network.SetInputData(self.cloud)
         network.SetInputData(1, start)
-        network.SetFrequency(24)
+        network.SetNumberOfNeurons(5762)
         alignment = vtkSphericalAlignment()
         alignment.SetInputConnection(0, network.GetOutputPort())
         alignment.SetInputData(1, start)
@@ -140,7 +140,7 @@ class TestSphericalAlignment(unittest.TestCase):
     def test_maps_of_scan_and_learned_mesh_agree(self):
         network = vtkConformalSOM()
         network.SetInputData(figure_cloud(20000))
-        network.SetFrequency(24)
+        network.SetNumberOfNeurons(5762)
         network.Update()
         alignment = vtkSphericalAlignment()
         alignment.SetInputData(0, conformal_map(network.GetOutput()))

@@ -49,7 +49,7 @@ class TestExport(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         network = vtkConformalSOM()
         network.SetInputData(figure_cloud(4000))
-        network.SetFrequency(8)
+        network.SetNumberOfNeurons(642)
         cls.surface = vtkCurvedSeamlessSurface()
         cls.surface.SetInputConnection(network.GetOutputPort())
         cls.surface.SetFrequency(16)

@@ -100,17 +100,17 @@ FILTERS = {
         vtkAdaptiveSphere, surface(6), picture(), NumberOfPoints=2000, Density=3),
     "distortion": lambda: with_inputs(vtkConformalDistortion, surface()),
     "learning": lambda: with_inputs(
-        vtkConformalSOM, cloud(), Frequency=3, PriorityArrayName="Weights",
+        vtkConformalSOM, cloud(), NumberOfNeurons=92, PriorityArrayName="Weights",
         GenerateErrorScalars=True, StartingShape=1),
-    "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), Frequency=3),
+    "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), NumberOfNeurons=92),
     "learning online": lambda: with_inputs(
-        vtkConformalSOM, cloud(), Frequency=3, TrainingMode=0, NumberOfEpochs=1),
+        vtkConformalSOM, cloud(), NumberOfNeurons=92, TrainingMode=1, NumberOfEpochs=1),
     "curved surface": lambda: with_inputs(
-        vtkCurvedSeamlessSurface, surface(6), Frequency=30, Polished=0),
+        vtkCurvedSeamlessSurface, surface(6), Frequency=30, VertexShift=0),
     "curved surface, network": lambda: with_inputs(
-        vtkCurvedSeamlessSurface, surface(6), Sampling=2, Subdivisions=6, Polished=0),
+        vtkCurvedSeamlessSurface, surface(6), Sampling=2, Subdivisions=6, VertexShift=0),
     "curved surface, fitted": lambda: with_inputs(
-        vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, Polished=0),
+        vtkCurvedSeamlessSurface, surface(6), surface(8), surface(12), DomeHeight=4, VertexShift=0),
     "shape": lambda: with_inputs(vtkSurfaceShape, surface()),
     "check": lambda: with_inputs(vtkGenusZeroCheck, surface(60)),
     "hull": lambda: with_inputs(vtkGenusZeroHull, surface(), Spacing=0.08),

@@ -56,6 +56,19 @@ class TestPackage(unittest.TestCase):
                         _, _, meaning = methods[method].__doc__.partition("\n\n")
                         self.assertNotEqual(meaning.strip(), "")
 
+    def test_old_names_are_errors_that_have_the_new_ones(self):
+        for class_name, old, new in (("vtkConformalSOM", "SetLatticeToAdaptive", "MeshType"),
+                                     ("vtkConformalSOM", "GetFrequency", "NumberOfNeurons"),
+                                     ("vtkCurvedSeamlessSurface", "SetPolished", "VertexShift"),
+                                     ("vtkGenusZeroHull", "SetIndicator", "Method")):
+            with self.subTest(old), self.assertRaisesRegex(AttributeError, f"is now {new}"):
+                getattr(getattr(conformalsom, class_name)(), old)
+        for class_name, renamed in conformalsom.RENAMED.items():
+            for old in renamed:
+                self.assertFalse(hasattr(getattr(conformalsom, class_name), "Set" + old), old)
+        with self.assertRaisesRegex(AttributeError, "no attribute 'SetNothing'"):
+            conformalsom.vtkConformalSOM().SetNothing()
+
     def test_every_class_is_made_and_printed(self):
         bases = {"vtkSurfaceFileReader", "vtkSurfaceFileWriter"}  # abstract
         for name in set(classes_of_modules()) - bases:

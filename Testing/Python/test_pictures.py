@@ -117,8 +117,8 @@ class TestPictures(unittest.TestCase):
         cls.scan = figure_cloud(20000)
         cls.network = vtkConformalSOM()
         cls.network.SetInputData(cls.scan)
-        cls.network.SetLatticeToGeodesic()  # whose map is none of the conformal ones beside it
-        cls.network.SetFrequency(16)
+        cls.network.SetMeshTypeToGeodesic()  # whose map is none of the conformal ones beside it
+        cls.network.SetNumberOfNeurons(2562)
         cls.surface = vtkCurvedSeamlessSurface()
         cls.surface.SetInputConnection(cls.network.GetOutputPort())
         cls.surface.SetFrequency(48)
@@ -229,8 +229,8 @@ class TestPictures(unittest.TestCase):
         """The surface over a mesh that is coarse enough to see the construction."""
         network = vtkConformalSOM()
         network.SetInputData(self.scan)
-        network.SetLatticeToGeodesic()
-        network.SetFrequency(frequency)
+        network.SetMeshTypeToGeodesic()
+        network.SetNumberOfNeurons(10 * frequency**2 + 2)
         surface = vtkCurvedSeamlessSurface()
         surface.SetInputConnection(network.GetOutputPort())
         surface.SetCloudData(self.scan)
@@ -350,7 +350,7 @@ class TestPictures(unittest.TestCase):
             sampled = vtkCurvedSeamlessSurface()
             sampled.SetInputData(mapped)
             sampled.SetSphereConnection(sphere.GetOutputPort())
-            sampled.SetPolishedToOff()
+            sampled.SetVertexShift(0)
             sampled.Update()
             ball = pictures.camera_on(even.GetOutput(), VIEW, UP, PANEL[0] / PANEL[1])
             scenes.append(pictures.scene(pictures.mesh_actor(sphere.GetOutput()), label, ball))

@@ -29,7 +29,7 @@ def chain(frequency=18, surface_frequency=40):
     scan = figure_cloud(20000)
     network = vtkConformalSOM()
     network.SetInputData(scan)
-    network.SetFrequency(frequency)
+    network.SetNumberOfNeurons(10 * frequency**2 + 2)
     network.GenerateErrorScalarsOn()
     surface = vtkCurvedSeamlessSurface()
     surface.SetInputConnection(network.GetOutputPort())
@@ -63,7 +63,7 @@ def chain(frequency=18, surface_frequency=40):
     for piece in (network_piece, hull_piece):
         piece.SetInputData(scan)
         piece.DistributeOutputOn()
-    network_piece.SetFrequency(6)
+    network_piece.SetNumberOfNeurons(362)
     network_piece.Update()
     hull_piece.SetSpacing(0.1)
     hull_piece.Update()

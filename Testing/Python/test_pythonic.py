@@ -33,13 +33,13 @@ class TestPythonic(unittest.TestCase):
 
     def test_pipelines_are_made_by_an_operator(self):
         piped = (conformalsom.vtkGeodesicSphereSource(frequency=5)
-                 >> conformalsom.vtkCurvedSeamlessSurface(frequency=10, polished=1)
+                 >> conformalsom.vtkCurvedSeamlessSurface(frequency=10, vertex_shift=1)
                  >> conformalsom.vtkSphericalTextureMap(split_seam=False)).update().output
         source, surface = conformalsom.vtkGeodesicSphereSource(), conformalsom.vtkCurvedSeamlessSurface()
         source.SetFrequency(5)
         surface.SetInputConnection(source.GetOutputPort())
         surface.SetFrequency(10)
-        surface.SetPolished(1)
+        surface.SetVertexShift(1)
         surface.Update()
         np.testing.assert_array_equal(points_of(piped), points_of(surface.GetOutput()))
         self.assertIsNotNone(piped.GetPointData().GetTCoords())
@@ -56,7 +56,7 @@ class TestPythonic(unittest.TestCase):
         with open(os.path.join(os.path.dirname(conformalsom.__file__), "vtkFiltersConformal.pyi"), encoding="utf-8") as file:
             stub = file.read()
         network = stub[stub.index("class vtkConformalSOM("):]
-        self.assertRegex(network, r'def frequency\(self\) -> int:\n +"""read-write, [^"]+ geodesic sphere [^"]+"""')
+        self.assertRegex(network, r'def number_of_neurons\(self\) -> int:\n +"""read-write, [^"]+ geodesic mesh [^"]+"""')
         self.assertIn("def smoothness(self, value: float, /) -> None", network)
 
 

@@ -80,7 +80,7 @@ class TestPyVista(unittest.TestCase):
 
     def test_smooths_and_maps(self):
         mesh = ellipsoid()
-        surface = smooth(mesh, frequency=20, sampling="Directions", polished="Off")
+        surface = smooth(mesh, frequency=20, sampling="Directions", vertex_shift=0)
         self.expect_mapped(surface, 10 * 20**2 + 2)
         self.assertLess(off_surface(surface), 0.01)
         mapped = conformal_map(mesh)
@@ -145,7 +145,7 @@ class TestPyVista(unittest.TestCase):
             paint(conformal_map(ellipsoid()), np.zeros((4, 4)))
 
         with self.assertRaisesRegex(ValueError, "lattice is geodesic, but can be .*Geodesic"):
-            learn(ellipsoid(), lattice="geodesic")
+            learn(ellipsoid(), mesh_type="geodesic")
         blocks = pyvista.MultiBlock([conformal_map(ellipsoid())])
         for several in (blocks, None, "scan.ply"):
             for function in (smooth, conformal_map, lambda mesh: paint(mesh, np.zeros((2, 2, 3), np.uint8))):

@@ -16,8 +16,10 @@ import toy_bear
 
 PACKAGE = os.path.dirname(os.path.abspath(conformalsom.__file__))
 PYTHON = os.path.dirname(os.path.abspath(toy_bear.__file__))
-MODULES = sorted({class_.__module__.rpartition(".")[2] for class_ in vars(conformalsom).values() if inspect.isclass(class_)})
-CLASSES = {name: class_ for name, class_ in vars(conformalsom).items() if inspect.isclass(class_)}
+MODULES = sorted(name for name in vars(conformalsom) if name.startswith(("vtkFilters", "vtkIO"))
+                 and inspect.ismodule(getattr(conformalsom, name)))
+CLASSES = {name: class_ for module in MODULES for name, class_ in vars(getattr(conformalsom, module)).items()
+           if inspect.isclass(class_)}
 INHERITED = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType"}
 
 
@@ -72,8 +74,8 @@ class TestStubs(unittest.TestCase):
                                  constants)
 
     def test_names_types(self):
-        self.assertEqual(self.types("vtkConformalSOM", "SetFrequency"), ["int", "None"])
-        self.assertEqual(self.types("vtkConformalSOM", "GetFrequency"), ["int"])
+        self.assertEqual(self.types("vtkConformalSOM", "SetNumberOfNeurons"), ["int", "None"])
+        self.assertEqual(self.types("vtkConformalSOM", "GetNumberOfNeurons"), ["int"])
         self.assertEqual(self.types("vtkConformalSOM", "SetStartData"),
                          ["Optional[vtkmodules.vtkCommonDataModel.vtkPolyData]", "None"])
         self.assertEqual(self.types("vtkConformalSOM", "SetPriorityArrayName"), ["Optional[str]", "None"])
@@ -94,9 +96,9 @@ class TestStubs(unittest.TestCase):
                             self.assertTrue(argument.annotation or argument.arg == "self")
 
     def test_all_methods_of_a_property_have_its_text(self):
-        meaning = plain(conformalsom.vtkConformalSOM.SetLattice.__doc__.partition("\n\n")[2])
+        meaning = plain(conformalsom.vtkConformalSOM.SetMeshType.__doc__.partition("\n\n")[2])
         self.assertIn("GEODESIC", meaning)
-        for name in "SetLattice", "GetLattice", "SetLatticeToAdaptive", "GetLatticeMaxValue":
+        for name in "SetMeshType", "GetMeshType", "SetMeshTypeToAdaptive", "GetMeshTypeMaxValue":
             self.assertEqual(plain(ast.get_docstring(self.method("vtkConformalSOM", name))), meaning)
         meaning = plain(conformalsom.vtkSphericalTextureMap.SetSplitSeam.__doc__.partition("\n\n")[2])
         self.assertEqual(plain(ast.get_docstring(self.method("vtkSphericalTextureMap", "SplitSeamOn"))), meaning)
@@ -143,7 +145,7 @@ class TestChecker(unittest.TestCase):
                 ("painted.SplitSeamOn()", "painted.SetSplitSeam()", 'Too few arguments for "SetSplitSeam"'),
                 ("vtkConformalSOM,", "vtkConformalSom,", 'has no attribute "vtkConformalSom"'),
                 ("painted.SplitSeamOn()", "painted.GetViewUp().x", 'has no attribute "x"'),
-                ("painted.SplitSeamOn()", "mesh.GetFrequency().lower()", '"int" has no attribute "lower"')):
+                ("painted.SplitSeamOn()", "mesh.GetNumberOfNeurons().lower()", '"int" has no attribute "lower"')):
             with self.subTest(new):
                 path = os.path.join(self.temporary.name, "mistaken.py")
                 self.assertIn(old, right)

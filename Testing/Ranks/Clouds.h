@@ -150,7 +150,7 @@ inline vtkSmartPointer<vtkPolyData> Learned(vtkPolyData* cloud)
   vtkNew<vtkConformalSOM> network;
   network->SetController(nullptr);
   network->SetInputData(cloud);
-  network->SetFrequency(8);
+  network->SetNumberOfNeurons(642);
   network->SetStartingShapeToSphere();
   network->Update();
   return network->GetOutput();

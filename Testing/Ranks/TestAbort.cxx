@@ -100,15 +100,14 @@ TEST(Abort, StopsTheLearnerWhereverItIs)
   const vtkIdType size = 4000;
   vtkNew<vtkConformalSOM> filter;
   filter->SetInputData(clouds::OwnPart(clouds::Horseshoe(size), clouds::UnevenCuts(size)));
-  filter->SetLatticeToGeodesic();
-  filter->SetFrequency(12);
+  filter->SetNumberOfNeurons(1442);
   filter->SetStartingShapeToHull();
-  // The last sum of the hull is at 14 %, the next one after mapping it, at 70 %.
   ExpectToStop(filter, "frame", 0.005, 0.05);
-  ExpectToStop(filter, "thinning", 0.18, 0.6);
-  ExpectToStop(filter, "mapping", 0.35, 0.69);
-  filter->SetStartingShapeToSphere(); // the second half is the polish
-  ExpectToStop(filter, "polish", 0.75, 0.85);
+  ExpectToStop(filter, "hull", 0.06, 0.16);
+  ExpectToStop(filter, "last fit", 0.5, 0.62);
+  filter->SetMeshTypeToGeodesic();
+  filter->SetStartingShapeToSphere(); // the second half is the fit
+  ExpectToStop(filter, "fit", 0.75, 0.85);
 }
 
 TEST(Abort, StopsTheHullWhereverItIs)

@@ -41,13 +41,13 @@ TEST(GenusZeroHull, ByWindingNumbersIsThatOfOneProcessAlone)
 {
   auto cloud = clouds::Horseshoe(6000);
   auto alone = MakeFilter(cloud);
-  alone->SetIndicatorToWindingNumbers();
+  alone->SetMethodToWindingNumbers();
   alone->SetController(nullptr);
   alone->Update();
   for (const std::vector<vtkIdType>& cuts : { clouds::EvenCuts(6000), clouds::UnevenCuts(6000) })
   {
     auto filter = MakeFilter(clouds::OwnPart(cloud, cuts));
-    filter->SetIndicatorToWindingNumbers();
+    filter->SetMethodToWindingNumbers();
     filter->Update();
     clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
   }

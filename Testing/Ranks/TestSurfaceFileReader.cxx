@@ -92,7 +92,7 @@ vtkSmartPointer<vtkConformalSOM> Learn(vtkAlgorithm* reader, const char* priorit
 {
   auto filter = vtkSmartPointer<vtkConformalSOM>::New();
   filter->SetInputConnection(reader->GetOutputPort());
-  filter->SetFrequency(6);
+  filter->SetNumberOfNeurons(362);
   filter->SetStartingShapeToSphere();
   filter->SetPriorityArrayName(priority);
   return filter;

@@ -171,7 +171,8 @@ def main():
     foreign = [base for base in bases if base.__module__.startswith("vtkmodules.") and not has_stubs(base.__module__)]
     stubs = {name: Stub(module).text("from conformalsom._types import Values\n")
              for name, module in classes.items()}
-    package = ["__version__: str", "CLASSES_LEFT_OUT: list[str]", *(f"from {name} import *" for name in stubs)]
+    package = ["__version__: str", "CLASSES_LEFT_OUT: list[str]", "RENAMED: dict[str, dict[str, str]]",
+               *(f"from {name} import *" for name in stubs)]
     stubs["conformalsom._types"] = Stub(foreign).text(VALUES)
     stubs["conformalsom.__init__"] = "\n".join([f'"""{conformalsom.__doc__}"""', *package]) + "\n"
     for name, text in stubs.items():

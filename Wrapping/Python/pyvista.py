@@ -6,7 +6,7 @@
     paint(surface, "photo.png").plot(rgb=True)
 
 Properties of the filters are keywords: Set methods without "Set", in snake case. An enumeration takes a
-name too: lattice="Geodesic" calls SetLatticeToGeodesic. An error of a filter is raised as FilterFailed
+name too: mesh_type="Geodesic" calls SetMeshTypeToGeodesic. An error of a filter is raised as FilterFailed
 with the filter's message, its warnings are Python's.
 """
 import os

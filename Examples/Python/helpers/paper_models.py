@@ -118,12 +118,12 @@ def models(folder):
     return found
 
 
-def learned(points, mode="Batch", reference="Automatic", lattice="Geodesic", frequency=FREQUENCY):
+def learned(points, mode="Batch", reference="Automatic", mesh_type="Geodesic", frequency=FREQUENCY):
     """A mesh learned from points by CSM, or by the plain SOM where reference is Winner."""
     network = vtkConformalSOM()
     network.SetInputData(clouds.only_points_of(points))
-    getattr(network, f"SetLatticeTo{lattice}")()
-    network.SetFrequency(frequency)
+    getattr(network, f"SetMeshTypeTo{mesh_type}")()
+    network.SetNumberOfNeurons(10 * frequency**2 + 2)
     getattr(network, f"SetTrainingModeTo{mode}")()
     getattr(network, f"SetReferencePointTo{reference}")()
     return run(network)

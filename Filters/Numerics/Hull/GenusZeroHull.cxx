@@ -285,7 +285,7 @@ GenusZeroHullResult makeHullByWindingNumbers(
   {
     return result;
   }
-  result.Indicator = HullIndicator::WindingNumbers;
+  result.Method = HullMethod::WindingNumbers;
   result.NormalsUsed = solid.NormalsUsed;
   result.Width = solid.Width;
   result.Noise = solid.Noise;
@@ -375,15 +375,15 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   constexpr double share = 0.95;
   constexpr Index shareOfLimbs = 4000;   // that may lack an end
   constexpr double maximumNoise = 0.004; // of thinned points: of all of them about twice as much
-  options.Indicator = HullIndicator::Distance;
-  winding.Indicator = HullIndicator::WindingNumbers;
+  options.Method = HullMethod::Distance;
+  winding.Method = HullMethod::WindingNumbers;
   GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
   if (samples.dimension() < 3 || !seemsWrong(hull, samples))
   {
     return hull;
   }
   GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, 1.0));
-  if (byAll.Indicator != HullIndicator::WindingNumbers || hasHandles(byAll))
+  if (byAll.Method != HullMethod::WindingNumbers || hasHandles(byAll))
   {
     return hull;
   }
@@ -439,7 +439,7 @@ GenusZeroHullResult makeGenusZeroHull(
   requireRange(
     options.SmoothingPasses, 0, Limits::MaximumSmoothingPasses, "number of smoothing passes");
 
-  if (options.Indicator == HullIndicator::Automatic)
+  if (options.Method == HullMethod::Automatic)
   {
     return chooseHull(samples, options, options, run);
   }
@@ -458,7 +458,7 @@ GenusZeroHullResult makeGenusZeroHull(
           return true;
         }));
   };
-  if (options.Indicator == HullIndicator::WindingNumbers && samples.dimension() == 3)
+  if (options.Method == HullMethod::WindingNumbers && samples.dimension() == 3)
   {
     GenusZeroHullResult byAll = makeHullByWindingNumbers(samples, options,
       run.watchedBy(

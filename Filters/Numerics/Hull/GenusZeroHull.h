@@ -14,17 +14,18 @@
 
 namespace conformal
 {
-/// How the inside of a hull is told from the outside.
-enum class HullIndicator
+/// Classifier of inside and outside.
+enum class HullMethod
 {
-  Distance,       ///< by the distance to the data: what is enclosed but for small holes
-  WindingNumbers, ///< by all points at once: holes are closed as the rest of the points implies
-  Automatic ///< Distance; where that seems wrong, WindingNumbers if these do not, see chooseHull()
+  Automatic,     ///< Distance; where that hull seems wrong, WindingNumbers if theirs does not, see
+                 ///< chooseHull()
+  Distance,      ///< distance to the data: inside is what they enclose but for small holes
+  WindingNumbers ///< winding number of all points: holes are closed as the other points imply
 };
 
 struct GenusZeroHullOptions
 {
-  HullIndicator Indicator = HullIndicator::Distance;
+  HullMethod Method = HullMethod::Distance;
   double Spacing = 0.016;   ///< of the grid, in units of the largest radius
   double Offset = 1.0;      ///< Distance: of the surface from the data, in spacings
   double Persistence = 1.5; ///< Distance: see DistanceBasins.h
@@ -64,7 +65,7 @@ struct GenusZeroHullResult : Mesh
 {
   HullData Data;
 
-  HullIndicator Indicator = HullIndicator::Distance; ///< what was used
+  HullMethod Method = HullMethod::Distance; ///< that was used
   double Noise = 0.0;               ///< WindingNumbers: that was found, its standard deviation
   bool NormalsUsed = false;         ///< WindingNumbers: whether those of the samples were of use
   double Width = 0.0;               ///< WindingNumbers: of their kernel; more than usual with noise
@@ -128,7 +129,7 @@ GenusZeroHullResult makeGenusZeroHull(
 /// The hull by the distance; where it seems wrong, and one by winding numbers does not, the latter.
 /// Handles that both have are the object's own. Much noise leaves winding numbers
 /// little to go by, and the hull by the distance is kept.
-/// @param[in] options  of the former; its Indicator is not used
+/// @param[in] options  of the former; its Method is not used
 /// @param[in] winding  of the latter; likewise
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
   GenusZeroHullOptions winding, const Run& run = {});

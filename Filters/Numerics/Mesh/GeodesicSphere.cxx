@@ -48,6 +48,13 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
 }
 }
 
+//------------------------------------------------------------------------------
+int geodesicFrequencyFor(Index numberOfVertices)
+{
+  const double square = static_cast<double>(numberOfVertices - 2) / 10.0;
+  return std::max(1, static_cast<int>(std::lround(std::sqrt(square))));
+}
+
 Mesh makeGeodesicSphere(int f, const Run& run)
 {
   if (f < 1 || f > MaximumFrequency)

@@ -17,6 +17,10 @@ constexpr Index geodesicSphereSize(Index frequency)
   return 10 * frequency * frequency + 2;
 }
 
+/// Frequency, at least 1, of the geodesic sphere whose number of vertices is nearest to the one
+/// given.
+int geodesicFrequencyFor(Index numberOfVertices);
+
 /// Subdivide every face of the icosahedron into f^2 triangles, \cite Liou2008 Eqs. 1 and 2
 /// (class I of \cite Kenner1976, equal steps along the flat face, then projection).
 ///

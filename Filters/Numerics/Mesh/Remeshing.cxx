@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -496,26 +495,26 @@ private:
   Run Step; // of the remeshing that is being made
 };
 
-/// In nanoseconds as in Steps: of each part of each iteration, then of meeting the number.
-std::vector<double> workOfParts(const RemeshingOptions& options, Index numberOfPositions)
+/// Shares of each part of each iteration, then of meeting the number.
+std::vector<double> sharesOf(const RemeshingOptions& options, Index numberOfPositions)
 {
   const auto wanted = static_cast<double>(options.NumberOfVertices);
   double size = static_cast<double>(numberOfPositions);
-  std::vector<double> work;
+  std::vector<double> shares;
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
     const double lost = std::max(0.0, size - wanted);
-    work.insert(
-      work.end(), { 500.0 * size, 500.0 * size + 3000.0 * lost, 1000.0 * size, 600.0 * wanted });
+    shares.insert(
+      shares.end(), { 500.0 * size, 500.0 * size + 3000.0 * lost, 1000.0 * size, 600.0 * wanted });
     size = wanted;
   }
   if (options.MeetNumber)
   {
-    work.insert(work.end(), { 500.0 * size, 500.0 * size });
-    work.insert(work.end(), FinalSmoothings, 1600.0 * wanted);
-    work.push_back(1000.0 * wanted);
+    shares.insert(shares.end(), { 500.0 * size, 500.0 * size });
+    shares.insert(shares.end(), FinalSmoothings, 1600.0 * wanted);
+    shares.push_back(1000.0 * wanted);
   }
-  return work;
+  return shares;
 }
 }
 
@@ -528,7 +527,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
   const Index wanted = options.NumberOfVertices;
-  Steps steps(run, workOfParts(options, mesh.Positions.rows()));
+  Steps steps(run, sharesOf(options, mesh.Positions.rows()));
   Remesher remesher(mesh.Positions, mesh.Triangles, run);
   double length = remesher.lengthFor(wanted);
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
@@ -563,11 +562,5 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
   }
   remesher.finish();
   run.report(1.0);
-}
-
-double workOfRemeshing(const RemeshingOptions& options, Index numberOfPositions)
-{
-  const std::vector<double> parts = workOfParts(options, numberOfPositions);
-  return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 }

@@ -33,9 +33,6 @@ struct RemeshingOptions
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted
 void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run = {});
-
-/// What remesh() takes, in nanoseconds as in Steps.
-double workOfRemeshing(const RemeshingOptions& options, Index numberOfPositions);
 }
 
 #endif

@@ -19,8 +19,7 @@ namespace
 constexpr Index BlockSize = 256;
 constexpr int FilterPasses = 8;
 constexpr int MajorityPasses = 3;
-constexpr int GrowthPasses = 3;      // of edges, into corners
-constexpr double WorkOfPass = 550.0; // for each vertex, in nanoseconds as in Steps
+constexpr int GrowthPasses = 3; // of edges, into corners
 
 // Of the filter, in edge lengths and as lengths of differences of unit normals.
 constexpr double FilterWidth = 1.0, NormalWidth = 0.35;
@@ -397,11 +396,5 @@ Index sharpenEdges(Mesh& mesh, const Run& run)
   steps.next();
   const SharpEdges edges = finder.edges();
   return edges.Vertices.empty() ? 0 : moveVertices(mesh, edges);
-}
-
-//------------------------------------------------------------------------------
-double workOfSharpEdges(Index numberOfVertices)
-{
-  return (FilterPasses + 3) * WorkOfPass * static_cast<double>(numberOfVertices);
 }
 }

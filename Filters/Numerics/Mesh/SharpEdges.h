@@ -27,9 +27,6 @@ namespace conformal
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 Index sharpenEdges(Mesh& mesh, const Run& run = {});
-
-/// What sharpenEdges() takes, in nanoseconds as in Steps.
-double workOfSharpEdges(Index numberOfVertices);
 }
 
 #endif

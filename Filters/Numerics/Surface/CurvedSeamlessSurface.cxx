@@ -167,7 +167,7 @@ void CurvedSeamlessSurface::curve(
     normals = vertexNormals(this->Model, this->Triangles, around, run);
   }
   this->Curved = CurvedTriangles(this->Model, normals, this->Triangles);
-  if (this->Options.Polished && this->Options.DomeHeight != DomeHeight::None)
+  if (this->Options.VertexShift > 0.0 && this->Options.DomeHeight != DomeHeight::None)
   {
     const Points lowered = lowerVertices(this->Curved, around, this->Options.VertexShift, run);
     normals = vertexNormals(lowered, this->Triangles, around, run);

@@ -33,9 +33,8 @@ struct CurvedSeamlessSurfaceOptions
 {
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  bool Polished = false; ///< whether the model's flat triangles were fitted by least squares
-  double VertexShift = UsualVertexShift; ///< of a polished model, see lowerVertices(); in
-                                         ///< [0, MaximumVertexShift]
+  double VertexShift = 0.0; ///< see lowerVertices(), in [0, MaximumVertexShift]; 0 unless the
+                            ///< model's flat triangles were fitted by least squares
   CurvedTriangleFitOptions Fit;
 };
 

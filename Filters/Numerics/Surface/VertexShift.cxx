@@ -74,9 +74,7 @@ std::vector<bool> widened(
 double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& run)
 {
   const Triangles& triangles = mesh.Triangles;
-  Steps steps(run,
-    { 1500.0 * static_cast<double>(mesh.Positions.rows()),
-      workOfVertexShift(mesh.Positions.rows()) });
+  Steps steps(run, { 0.3, 0.7 });
   const Run preparing = steps.next().unwatched();
   Points positions = mesh.Positions;
   for (Index i = 0; i < positions.rows(); ++i)
@@ -150,8 +148,4 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   return std::min(shift, MaximumVertexShift);
 }
 
-double workOfVertexShift(Index numberOfVertices)
-{
-  return 4000.0 * static_cast<double>(numberOfVertices);
-}
 }

@@ -30,9 +30,6 @@ constexpr double MaximumVertexShift = 2.0;
 /// @return in [0, MaximumVertexShift], in steps of 1/16; UsualVertexShift where nothing bends
 /// @throws Aborted
 double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& run = {});
-
-/// What vertexShift() takes, in nanoseconds as in Steps.
-double workOfVertexShift(Index numberOfVertices);
 }
 
 #endif

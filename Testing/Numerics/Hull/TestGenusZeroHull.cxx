@@ -577,12 +577,12 @@ TEST(GenusZeroHull, LeavesOutWhatIsApartByEitherIndicator)
   const Points both = stack(large, small);
   const TrainingSamples samples{ PointView(both) };
   GenusZeroHullOptions options = spaced(0.03);
-  for (const conformal::HullIndicator indicator :
-    { conformal::HullIndicator::Distance, conformal::HullIndicator::WindingNumbers })
+  for (const conformal::HullMethod indicator :
+    { conformal::HullMethod::Distance, conformal::HullMethod::WindingNumbers })
   {
-    options.Indicator = indicator;
+    options.Method = indicator;
     const GenusZeroHullResult hull = hullOf(both, options);
-    EXPECT_EQ(hull.Indicator, indicator);
+    EXPECT_EQ(hull.Method, indicator);
     EXPECT_EQ(hull.NumberOfSamplesOutside, 6000);
     const double volume =
       conformal::signedVolume(hull.Positions, hull.Triangles) * std::pow(samples.scale(), 3);
@@ -594,11 +594,11 @@ TEST(GenusZeroHull, LeavesOutWhatIsApartByEitherIndicator)
 // winding numbers where a hole is as wide as the object.
 TEST(GenusZeroHull, ChoosesByWhatEitherHullShows)
 {
-  using conformal::HullIndicator;
-  const auto hullBy = [](const Points& points, HullIndicator indicator)
+  using conformal::HullMethod;
+  const auto hullBy = [](const Points& points, HullMethod indicator)
   {
     GenusZeroHullOptions options = spaced(0.03);
-    options.Indicator = indicator;
+    options.Method = indicator;
     return hullOf(points, options);
   };
   const Points sphere = pointsOf(8000, onSphere);
@@ -618,12 +618,12 @@ TEST(GenusZeroHull, ChoosesByWhatEitherHullShows)
   bowl.conservativeResize(size, 3);
   for (const Points& points : { sphere, ring })
   {
-    const GenusZeroHullResult hull = hullBy(points, HullIndicator::Automatic);
-    EXPECT_EQ(hull.Indicator, HullIndicator::Distance);
-    EXPECT_EQ(hull.Positions, hullBy(points, HullIndicator::Distance).Positions);
+    const GenusZeroHullResult hull = hullBy(points, HullMethod::Automatic);
+    EXPECT_EQ(hull.Method, HullMethod::Distance);
+    EXPECT_EQ(hull.Positions, hullBy(points, HullMethod::Distance).Positions);
   }
-  EXPECT_TRUE(hasHandles(hullBy(ring, HullIndicator::Automatic)));
-  const GenusZeroHullResult closed = hullBy(bowl, HullIndicator::Automatic);
-  EXPECT_EQ(closed.Indicator, HullIndicator::WindingNumbers);
-  EXPECT_EQ(closed.Positions, hullBy(bowl, HullIndicator::WindingNumbers).Positions);
+  EXPECT_TRUE(hasHandles(hullBy(ring, HullMethod::Automatic)));
+  const GenusZeroHullResult closed = hullBy(bowl, HullMethod::Automatic);
+  EXPECT_EQ(closed.Method, HullMethod::WindingNumbers);
+  EXPECT_EQ(closed.Positions, hullBy(bowl, HullMethod::WindingNumbers).Positions);
 }

@@ -110,16 +110,23 @@ ConformalSOMOptions online(int frequency)
 {
   ConformalSOMOptions options;
   options.TrainingMode = TrainingMode::Online;
-  options.Frequency = frequency;
-  options.SamplesPerEpoch = 1000;
+  options.NumberOfNeurons = conformal::geodesicSphereSize(frequency);
+  options.Online.SamplesPerEpoch = 1000;
+  return options;
+}
+
+ConformalSOMOptions adaptive(Index neurons)
+{
+  ConformalSOMOptions options;
+  options.NumberOfNeurons = neurons;
   return options;
 }
 
 ConformalSOMOptions batch(int frequency)
 {
   ConformalSOMOptions options;
-  options.Lattice = conformal::Lattice::Geodesic;
-  options.Frequency = frequency;
+  options.MeshType = conformal::MeshType::Geodesic;
+  options.NumberOfNeurons = conformal::geodesicSphereSize(frequency);
   return options;
 }
 
@@ -128,13 +135,13 @@ ConformalSOMOptions batch(int frequency)
 TEST(ConformalSOM, DefaultsAreThePapers)
 {
   const ConformalSOMOptions options;
-  EXPECT_EQ(options.Frequency, 36);
-  EXPECT_EQ(options.NumberOfEpochs, 80);
-  EXPECT_EQ(options.SamplesPerEpoch, 8000);
-  EXPECT_EQ(options.InitialNeighborhoodRadius, 0.4);
-  EXPECT_EQ(options.NeighborhoodTimeConstant, 20.0);
-  EXPECT_EQ(options.InitialLearningRate, 0.01);
-  EXPECT_EQ(options.LearningRateTimeConstant, 60.0);
+  EXPECT_EQ(conformal::geodesicFrequencyFor(options.NumberOfNeurons), 36);
+  EXPECT_EQ(options.Online.NumberOfEpochs, 80);
+  EXPECT_EQ(options.Online.SamplesPerEpoch, 8000);
+  EXPECT_EQ(options.Online.InitialNeighborhoodRadius, 0.4);
+  EXPECT_EQ(options.Online.NeighborhoodTimeConstant, 20.0);
+  EXPECT_EQ(options.Online.InitialLearningRate, 0.01);
+  EXPECT_EQ(options.Online.LearningRateTimeConstant, 60.0);
 }
 
 TEST(ConformalSOM, ASpheresCloudGivesASphere)
@@ -167,15 +174,15 @@ TEST(ConformalSOM, BatchFitsCloserThanOnline)
   EXPECT_LT(10.0 * fast, slow);
 }
 
-TEST(ConformalSOM, PolishImprovesTheFit)
+TEST(ConformalSOM, FittingImprovesTheMesh)
 {
   const Points points = potato(20000);
   const TrainingSamples samples(points);
   ConformalSOMOptions options = batch(10);
-  const double polished = pointToSurface(samples, trainConformalSOM(samples, options));
-  options.NumberOfPolishRounds = 0;
+  const double fitted = pointToSurface(samples, trainConformalSOM(samples, options));
+  options.Fit.Iterations = 0;
   const double raw = pointToSurface(samples, trainConformalSOM(samples, options));
-  EXPECT_LT(2.0 * polished, raw);
+  EXPECT_LT(2.0 * fitted, raw);
 }
 
 TEST(ConformalSOM, SameInputSameBitsInAnyOrderOfBlocks)
@@ -189,7 +196,7 @@ TEST(ConformalSOM, SameInputSameBitsInAnyOrderOfBlocks)
     EXPECT_EQ(a.Positions, b.Positions);
     ConformalSOMOptions other = options;
     other.RandomSeed = 2;
-    other.SamplesPerNeuron = 3;
+    other.Batch.SamplesPerNeuron = 3;
     EXPECT_NE(a.Positions, trainConformalSOM(TrainingSamples(points), other).Positions);
   }
 }
@@ -249,20 +256,20 @@ TEST(ConformalSOM, PlainMapUsesTheWinnersPosition)
   EXPECT_LT((conformalMap - plainMap).rowwise().norm().mean(), 0.02);
 }
 
-// From the sphere the map spans the space between the ends; from the hull it does not.
-TEST(ConformalSOM, WebsAreSeenAndAvoided)
+// From the sphere the mesh spans the space between the ends; from the hull it does not.
+TEST(ConformalSOM, WebsAreFoundAndAvoided)
 {
   const Points points = horseshoe(20000);
-  ConformalSOMOptions options = batch(16);
+  ConformalSOMOptions options = adaptive(2562);
   options.StartingShape = conformal::StartingShape::Sphere;
   const ConformalSOMResult webbed = trainConformalSOM(TrainingSamples(points), options);
-  EXPECT_FALSE(webbed.Hulled);
+  EXPECT_FALSE(webbed.FromHull);
   EXPECT_GT(webbed.UnsupportedFraction, 0.02);
   EXPECT_GT(farthestFromData(points, webbed), 0.2);
 
   options.StartingShape = conformal::StartingShape::Automatic;
   const ConformalSOMResult clean = trainConformalSOM(TrainingSamples(points), options);
-  EXPECT_TRUE(clean.Hulled);
+  EXPECT_TRUE(clean.FromHull);
   EXPECT_LT(clean.UnsupportedFraction, 0.002);
   EXPECT_LT(farthestFromData(points, clean), 0.08);
   EXPECT_TRUE(conformal::checkGenusZero(clean.Triangles, clean.Positions.rows()).isGenusZero());
@@ -273,40 +280,55 @@ TEST(ConformalSOM, WebsAreSeenAndAvoided)
       .Positions);
 }
 
-// The hull of a coil is a long thin tube, for which the sphere has no room.
-TEST(ConformalSOM, KeepsTheSpheresMeshWhereTheHullCannotBeMapped)
+// What a geodesic mesh cannot do is an error; the message names what can.
+TEST(ConformalSOM, AGeodesicMeshIsLearnedFromTheSphereOnly)
 {
-  constexpr Index size = 3000;
-  Points coil(size, 3);
-  for (Index i = 0; i < size; ++i)
+  const Points points = potato(500);
+  const TrainingSamples samples(points);
+  const conformal::Mesh sphere = conformal::makeGeodesicSphere(3);
+  const conformal::MappedMesh start{ sphere, sphere.Positions };
+  for (ConformalSOMOptions options : { online(4), batch(4) })
   {
-    const double t = static_cast<double>(i) / (size - 1);
-    coil.row(i) << std::cos(60.0 * t), std::sin(60.0 * t), t;
+    const std::string instead = options.TrainingMode == TrainingMode::Online
+      ? "TrainingMode be Batch"
+      : "MeshType be Adaptive";
+    const auto message = [&](const conformal::MappedMesh* mesh) -> std::string
+    {
+      try
+      {
+        trainConformalSOM(samples, options, mesh);
+      }
+      catch (const std::invalid_argument& e)
+      {
+        return e.what();
+      }
+      return "no error";
+    };
+    const conformal::MappedMesh unmapped{ sphere, {} };
+    EXPECT_NE(message(&unmapped).find(instead), std::string::npos) << message(&unmapped);
+    for (const auto shape : { conformal::StartingShape::Hull, conformal::StartingShape::Mesh })
+    {
+      options.StartingShape = shape;
+      EXPECT_NE(message(nullptr).find(instead), std::string::npos) << message(nullptr);
+    }
   }
-  ConformalSOMOptions options = batch(4);
-  options.HullIndicator = conformal::HullIndicator::Distance; // winding numbers fill the coil
+  // Points in a plane are learned from the sphere, whatever an adaptive mesh would start from.
+  Points flat = points;
+  flat.col(2).setZero();
+  ConformalSOMOptions options;
+  options.NumberOfNeurons = 162;
+  const ConformalSOMResult plain = trainConformalSOM(TrainingSamples(flat), options);
   options.StartingShape = conformal::StartingShape::Hull;
-  try
-  {
-    trainConformalSOM(TrainingSamples(coil), options);
-    ADD_FAILURE() << "no error";
-  }
-  catch (const std::runtime_error& e)
-  {
-    EXPECT_NE(std::string(e.what()).find("StartingShape"), std::string::npos) << e.what();
-  }
-  options.StartingShape = conformal::StartingShape::Automatic;
-  const ConformalSOMResult automatic = trainConformalSOM(TrainingSamples(coil), options);
-  EXPECT_FALSE(automatic.Hulled);
-  EXPECT_GT(automatic.UnsupportedFraction, 0.002); // of which the filter warns
-  options.StartingShape = conformal::StartingShape::Sphere;
-  EXPECT_EQ(automatic.Positions, trainConformalSOM(TrainingSamples(coil), options).Positions);
+  const ConformalSOMResult hull = trainConformalSOM(TrainingSamples(flat), options, &start);
+  EXPECT_EQ(hull.Positions, plain.Positions);
+  EXPECT_FALSE(hull.FromHull || hull.FromMesh);
 }
 
 TEST(ConformalSOM, SimpleObjectsNeedNoHull)
 {
-  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(potato(20000)), batch(16));
-  EXPECT_FALSE(result.Hulled);
+  const ConformalSOMResult result =
+    trainConformalSOM(TrainingSamples(potato(20000)), adaptive(2562));
+  EXPECT_FALSE(result.FromHull);
   EXPECT_EQ(result.UnsupportedFraction, 0.0);
 }
 
@@ -316,27 +338,15 @@ TEST(ConformalSOM, StartsFromAMappedMesh)
   const conformal::Mesh sphere = conformal::makeGeodesicSphere(7);
   conformal::MappedMesh start{ sphere.Positions, sphere.Triangles, sphere.Positions };
   start.Positions.col(1) *= 0.7;
-  const auto mirrored = [](Points p)
-  {
-    p.col(2) *= -1.0;
-    return p;
-  };
-  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), batch(12), &start);
-  EXPECT_FALSE(result.Hulled);
+  const ConformalSOMResult result =
+    trainConformalSOM(TrainingSamples(points), adaptive(1442), &start);
+  EXPECT_TRUE(result.FromMesh);
+  EXPECT_FALSE(result.FromHull);
+  EXPECT_EQ(result.NumberOfStarts, 1);
   EXPECT_LT(pointToSurface(TrainingSamples(points), result), 2e-5);
-  // A map that mirrors the surface is turned round: the mesh does not come out inside out.
-  start.SpherePositions = mirrored(start.SpherePositions);
-  const ConformalSOMResult turned = trainConformalSOM(TrainingSamples(points), batch(12), &start);
-  EXPECT_LT(pointToSurface(TrainingSamples(points), turned), 2e-5);
-  EXPECT_GT(conformal::signedVolume(turned.Positions, turned.Triangles), 0.0);
-
-  start.SpherePositions.setConstant(0.5);
-  EXPECT_THROW(
-    trainConformalSOM(TrainingSamples(points), batch(12), &start), std::invalid_argument);
 
   ConformalSOMOptions one = online(7);
-  one.NumberOfEpochs = 0;
-  start.SpherePositions = sphere.Positions;
+  one.Online.NumberOfEpochs = 0;
   EXPECT_LT((trainConformalSOM(TrainingSamples(points), one, &start).Positions - start.Positions)
               .cwiseAbs()
               .maxCoeff(),
@@ -359,7 +369,7 @@ TEST(ConformalSOM, AutomaticPriorityReachesTips)
     for (const bool automatic : { false, true })
     {
       ConformalSOMOptions options = batch(12);
-      options.AutomaticPriority = automatic;
+      options.Fit.AutomaticPriority = automatic;
       options.StartingShape = conformal::StartingShape::Sphere;
       const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
       const conformal::TriangleTree tree(result.Positions, result.Triangles);
@@ -421,8 +431,8 @@ TEST(ConformalSOM, RanksPresentTheSamePatterns)
     return values;
   }();
   ConformalSOMOptions options = online(7);
-  options.NumberOfEpochs = 5;
-  options.SamplesPerEpoch = 500;
+  options.Online.NumberOfEpochs = 5;
+  options.Online.SamplesPerEpoch = 500;
   for (const bool weighted : { false, true })
   {
     const TrainingSamples samples(
@@ -455,7 +465,7 @@ TEST(ConformalSOM, RanksWithoutPointsDrawWithTheOthers)
     priority.push_back(1.0 + points(i, 0));
   }
   ConformalSOMOptions options = online(4);
-  options.NumberOfEpochs = 3;
+  options.Online.NumberOfEpochs = 3;
   const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points, priority), options);
   ranks::run(3,
     [&](const conformal::Reduce& reduce)
@@ -485,10 +495,10 @@ TEST(ConformalSOM, RanksRefuseWeightsThatSomeLack)
 TEST(ConformalSOM, RanksShareTheHull)
 {
   const Points points = horseshoe(6000);
-  ConformalSOMOptions options = batch(12);
+  ConformalSOMOptions options = adaptive(1442);
   options.StartingShape = conformal::StartingShape::Hull;
   const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points), options);
-  ASSERT_TRUE(whole.Hulled);
+  ASSERT_TRUE(whole.FromHull);
   ranks::run(2,
     [&](const conformal::Reduce& reduce)
     {
@@ -505,7 +515,7 @@ TEST(ConformalSOM, HistoryFollowsThePapersSchedules)
 {
   const Points points = potato(2000);
   ConformalSOMOptions options = online(4);
-  options.NumberOfEpochs = 20;
+  options.Online.NumberOfEpochs = 20;
   const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
   ASSERT_EQ(result.History.size(), 20U);
   for (std::size_t t = 0; t < result.History.size(); ++t)
@@ -515,7 +525,7 @@ TEST(ConformalSOM, HistoryFollowsThePapersSchedules)
   }
   EXPECT_LT(result.History.back().MeanSquareError, result.History.front().MeanSquareError);
   const ConformalSOMOptions many = batch(9);
-  const std::size_t passes = 2 * many.PassesPerLevel + many.NumberOfPolishRounds; // f = 4, 9
+  const std::size_t passes = 2 * many.Batch.PassesPerLevel + many.Fit.Iterations; // f = 4, 9
   EXPECT_EQ(trainConformalSOM(TrainingSamples(points), many).History.size(), passes);
 }
 
@@ -586,20 +596,20 @@ TEST(ConformalSOM, RefusesWhatItCannotUse)
     change(options);
     EXPECT_THROW(trainConformalSOM(samples, options), std::invalid_argument);
   };
-  refused([](auto& o) { o.Frequency = 0; });
-  refused([](auto& o) { o.NumberOfEpochs = -1; });
-  refused([](auto& o) { o.SamplesPerEpoch = 0; });
-  refused([](auto& o) { o.InitialNeighborhoodRadius = 0.0; });
-  refused([&](auto& o) { o.InitialNeighborhoodRadius = nan; });
-  refused([](auto& o) { o.NeighborhoodTimeConstant = 0.0; });
-  refused([&](auto& o) { o.NeighborhoodTimeConstant = nan; });
-  refused([](auto& o) { o.InitialLearningRate = 1.0; });
-  refused([&](auto& o) { o.InitialLearningRate = nan; });
-  refused([](auto& o) { o.LearningRateTimeConstant = -1.0; });
-  refused([](auto& o) { o.PassesPerLevel = -1; });
-  refused([](auto& o) { o.SamplesPerNeuron = 0; });
-  refused([](auto& o) { o.NumberOfPolishRounds = -1; });
-  refused([&](auto& o) { o.Smoothness = nan; });
+  refused([](auto& o) { o.NumberOfNeurons = conformal::geodesicSphereSize(0); });
+  refused([](auto& o) { o.Online.NumberOfEpochs = -1; });
+  refused([](auto& o) { o.Online.SamplesPerEpoch = 0; });
+  refused([](auto& o) { o.Online.InitialNeighborhoodRadius = 0.0; });
+  refused([&](auto& o) { o.Online.InitialNeighborhoodRadius = nan; });
+  refused([](auto& o) { o.Online.NeighborhoodTimeConstant = 0.0; });
+  refused([&](auto& o) { o.Online.NeighborhoodTimeConstant = nan; });
+  refused([](auto& o) { o.Online.InitialLearningRate = 1.0; });
+  refused([&](auto& o) { o.Online.InitialLearningRate = nan; });
+  refused([](auto& o) { o.Online.LearningRateTimeConstant = -1.0; });
+  refused([](auto& o) { o.Batch.PassesPerLevel = -1; });
+  refused([](auto& o) { o.Batch.SamplesPerNeuron = 0; });
+  refused([](auto& o) { o.Fit.Iterations = -1; });
+  refused([&](auto& o) { o.Fit.Smoothness = nan; });
   EXPECT_THROW(trainConformalSOM(TrainingSamples(Points(0, 3))), std::invalid_argument);
 }
 

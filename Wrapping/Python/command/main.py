@@ -51,6 +51,17 @@ def positive(text):
     return number
 
 
+class Renamed(argparse.Action):
+    """Option of an earlier version: the error names the new one."""
+
+    def __init__(self, option_strings, dest, new, **kwargs):
+        super().__init__(option_strings, dest, nargs="?", **kwargs)
+        self.new = new
+
+    def __call__(self, parser, namespace, values, option_string=None):
+        parser.error(f"{option_string} is now {self.new}")
+
+
 def arguments(argv):
     """What the command line says."""
     parser = argparse.ArgumentParser(
@@ -66,9 +77,10 @@ def arguments(argv):
                         help="from the object to the viewer, where the texture's middle is; default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
                         help="what is up in the texture; default 0 1 0")
-    parser.add_argument("--lattice", choices=("automatic", "adaptive", "geodesic"), default="automatic",
-                        help="of the network that learns: triangles of one size (adaptive, which automatic "
-                        "takes unless the points lie in a plane), or the paper's geodesic sphere")
+    parser.add_argument("--mesh-type", choices=("automatic", "adaptive", "geodesic"), default="automatic",
+                        help="of the learned mesh: triangles of one size (adaptive, which automatic "
+                        "is unless the points lie in a plane), or the paper's geodesic sphere")
+    parser.add_argument("--lattice", action=Renamed, new="--mesh-type", help=argparse.SUPPRESS)
     parser.add_argument("--neurons", type=size, metavar="N",
                         help="points of the learned mesh, default 12962; if geodesic the nearest 10 f^2 + 2")
     parser.add_argument("--points", type=size, metavar="N",

@@ -32,10 +32,9 @@ def learned_mesh(scan, options):
     """The filter that learns the mesh."""
     network = vtkConformalSOM()
     network.SetInputConnection(scan.GetOutputPort())
-    getattr(network, "SetLatticeTo" + options.lattice.capitalize())()
+    getattr(network, "SetMeshTypeTo" + options.mesh_type.capitalize())()
     if options.neurons is not None:
         network.SetNumberOfNeurons(options.neurons)
-        network.SetFrequency(frequency_of(options.neurons))  # what counts if it is geodesic
     return network
 
 

@@ -1,0 +1,59 @@
+/// Batch training from the sphere, on ever finer geodesic networks; used by trainConformalSOM.
+
+#ifndef ConformalBatchTraining_h
+#define ConformalBatchTraining_h
+
+#include "Base/Run.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Learn/Fit/FitOptions.h"
+#include "Learn/Fit/LearnedMesh.h"
+#include "Learn/Online/ReferencePoint.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace conformal
+{
+/// Options that a caller of trainConformalSOM() may set.
+struct BatchOptions
+{
+  int PassesPerLevel = 5;    ///< learning passes on each network, from coarse to fine
+  int SamplesPerNeuron = 12; ///< samples of a pass for each neuron, at most all there are
+};
+
+struct BatchTrainingOptions : BatchOptions
+{
+  int Frequency = 36; ///< of the finest network
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic; ///< Affine
+  FitOptions Fit;
+  unsigned int RandomSeed = 1;
+};
+
+/// Whether to go on, from the mesh of a level and the weight of the samples in each triangle.
+using LevelTest = std::function<bool(const LearnedMesh&, const std::vector<double>&)>;
+
+/// Learn on networks of rising frequency up to options.Frequency, without a fit. Each pass is Eq. 3
+/// of \cite Liou2008 summed over its patterns, the weights kept still meanwhile: w_i becomes the
+/// mean of the patterns, weighted by h. A pattern stands for the foot point of its projection,
+/// shared by the three corners of that simplex by their barycentric weights, or by those of its
+/// reference point r (options.ReferencePoint); the neighborhood function is diffusion of these
+/// shares over the network, narrower from pass to pass.
+///
+/// @param[in] goesOn  called after each level; empty to learn all levels
+/// @return the mesh in the samples' unit (max radius 1), its noise estimated; nothing if goesOn
+///         returned false
+/// @throws Aborted
+std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
+  const BatchTrainingOptions& options, const LevelTest& goesOn, const Run& run = {});
+
+/// Learn on all levels, then fit the vertices to the samples (LeastSquaresFit.h). Noise that the
+/// levels show makes the fit smoother.
+/// @return the mesh in the samples' unit
+/// @throws Aborted
+FittedMesh trainBatch(
+  const TrainingSamples& samples, const BatchTrainingOptions& options, const Run& run = {});
+}
+
+#endif

@@ -1,0 +1,203 @@
+#include "Learn/FirstSurface.h"
+
+#include "Learn/Batch/BatchTraining.h"
+#include "Learn/Fit/SurfaceSupport.h"
+#include "Mesh/GenusZeroCheck.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+// Measured on scans, 12,962 neurons: more of these cost time and gain nothing. What was learned
+// from the sphere fits the samples already.
+constexpr int TurnsFromSphere = 1, TurnsFromHull = 3, TurnsFromOwnMesh = 1;
+constexpr int IterationsFromSphere = 4, IterationsFromHull = 2;
+
+// A tip lies far from a surface that has not reached it yet. Where the hull leaves samples out,
+// there are others like them near it; what was learned from the sphere has reached all tips.
+constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays = 0.001;
+
+// A coarse level has most of the webs and stretched triangles that the fitted mesh would have. A
+// start from a hull does not pay for less: share of the area, and of the triangles that are obtuse,
+// a quarter more after the fit (measured).
+constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2, ObtuseByFit = 1.25;
+
+constexpr Index Coarser = 4;        // fewer neurons while learning from the sphere
+constexpr int MinimumFrequency = 4; // of that network
+
+// Finer than the hull's default: pockets such as the hollow of an ear fold less often when the
+// surface is drawn into them. Measured: 0.016 is faster by a third, 0.010 no better.
+constexpr double FinestSpacing = 0.012;
+
+// Area of an object whose largest radius is 1. Few samples lie far apart, and a finer grid would
+// have gaps between them. The grid is no finer than half an edge of the mesh.
+constexpr double TypicalArea = 5.0, SpacingForEdge = 0.5;
+
+bool spansGapsOrLimbs(
+  const LearnedMesh& mesh, const std::vector<double>& masses, const TrainingSamples& samples)
+{
+  return ObtuseByFit * obtuseFraction(mesh.Positions, mesh.Triangles) > ToleratedTriangles ||
+    unsupportedFraction(samples, mesh.Positions, mesh.Triangles, masses) > ToleratedArea;
+}
+
+double edgeFor(double area, Index vertices)
+{
+  return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
+}
+
+/// Spacing of the hull's grid, in units of the largest radius. Winding numbers find no gaps between
+/// samples on a grid that is finer than the samples are dense.
+double hullSpacing(const TrainingSamples& samples, Index neurons, HullMethod method)
+{
+  constexpr double coarsest = GenusZeroHullLimits::MaximumSpacing;
+  const double factor = method == HullMethod::WindingNumbers ? 0.25 : 0.6;
+  const double forMesh = SpacingForEdge * edgeFor(TypicalArea, neurons);
+  return std::clamp(factor * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())),
+    std::clamp(forMesh, FinestSpacing, coarsest), coarsest);
+}
+
+GenusZeroHullResult makeHull(
+  const TrainingSamples& samples, Index neurons, HullMethod method, const Run& run)
+{
+  const auto optionsFor = [&](HullMethod by)
+  {
+    GenusZeroHullOptions options;
+    options.Method = by;
+    options.Spacing = hullSpacing(samples, neurons, by);
+    return options;
+  };
+  return method == HullMethod::Automatic ? chooseHull(samples, optionsFor(HullMethod::Distance),
+                                             optionsFor(HullMethod::WindingNumbers), run)
+                                         : makeGenusZeroHull(samples, optionsFor(method), run);
+}
+}
+
+void requireNear(const Points& mesh)
+{
+  constexpr double farthest = 4.0;
+  const double reached = mesh.cwiseAbs().maxCoeff();
+  if (!(reached <= farthest))
+  {
+    std::ostringstream text;
+    text << "the mesh to start from reaches " << reached
+         << " times as far from the middle of the points as they do; move and scale it to them";
+    throw std::invalid_argument(text.str());
+  }
+}
+
+std::optional<FirstSurface> firstSurfaceFromSphere(
+  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
+{
+  BatchTrainingOptions coarse;
+  static_cast<BatchOptions&>(coarse) = options.Batch;
+  coarse.Frequency = std::max(MinimumFrequency,
+    static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
+  coarse.ReferencePoint = options.ReferencePoint;
+  coarse.RandomSeed = options.RandomSeed;
+  const bool anyway = options.StartingShape == StartingShape::Sphere;
+  std::optional<FittedMesh> learned = learnFromSphere(
+    samples, coarse,
+    [&](const LearnedMesh& mesh, const std::vector<double>& masses)
+    { return anyway || !spansGapsOrLimbs(mesh, masses, samples); },
+    run);
+  if (!learned)
+  {
+    return {};
+  }
+  FirstSurface first;
+  static_cast<LearnedMesh&>(first) = std::move(static_cast<LearnedMesh&>(*learned));
+  first.Turns = TurnsFromSphere;
+  first.IterationsPerTurn = IterationsFromSphere;
+  first.OutlierRatio = OutlierRatioAmongStrays;
+  return first;
+}
+
+FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, HullMethod method, const Run& run)
+{
+  GenusZeroHullResult hull = makeHull(samples, options.NumberOfNeurons, method, run);
+  FirstSurface first;
+  static_cast<Mesh&>(first) = hull;
+  first.Report.FromHull = true;
+  first.Report.Hull = hull.Method;
+  first.Report.NormalsUsed = hull.NormalsUsed;
+  first.Report.HullLeaks = hull.Leaks;
+  first.Report.CutFraction = cutFraction(hull);
+  first.Report.NumberOfSamplesOutside = hull.NumberOfSamplesOutside;
+  first.Turns = TurnsFromHull;
+  first.IterationsPerTurn = IterationsFromHull;
+  const auto strays = static_cast<double>(hull.NumberOfSamplesOutside);
+  first.OutlierRatio = strays > ManyStrays * static_cast<double>(samples.totalSize())
+    ? OutlierRatioAmongStrays
+    : OutlierRatio;
+  // In regions without samples, keep the hull: its winding-number surface extrapolates better than
+  // projection onto distant samples.
+  if (hull.Method == HullMethod::WindingNumbers)
+  {
+    first.Guide = std::make_shared<TriangleTree>(hull.Positions, hull.Triangles, run.unwatched());
+  }
+  first.Belongs = [data = std::move(hull.Data)](const Vector3& x) { return data.contains(x); };
+  return first;
+}
+
+FirstSurface firstSurfaceFromMesh(
+  const Mesh& mesh, std::shared_ptr<const TriangleTree> guide, const Run& run)
+{
+  requireNear(mesh.Positions);
+  requireGenusZero(mesh.Triangles, mesh.Positions.rows(), run);
+  FirstSurface first;
+  static_cast<Mesh&>(first) = mesh;
+  if (signedVolume(first.Positions, first.Triangles) < 0.0)
+  {
+    first.Triangles.col(1).swap(first.Triangles.col(2));
+  }
+  first.Report.FromMesh = true;
+  first.Turns = guide ? TurnsFromOwnMesh : TurnsFromHull;
+  first.IterationsPerTurn = IterationsFromHull;
+  first.OutlierRatio = OutlierRatio;
+  first.Guide = std::move(guide);
+  return first;
+}
+
+Points withPointsBetween(const Mesh& surface, Index wanted)
+{
+  const double share =
+    surfaceArea(surface.Positions, surface.Triangles) / static_cast<double>(wanted);
+  std::vector<double> between;
+  for (Index r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    const Vector3 a = surface.Positions.row(surface.Triangles(r, 0)),
+                  ab = Vector3(surface.Positions.row(surface.Triangles(r, 1))) - a,
+                  ac = Vector3(surface.Positions.row(surface.Triangles(r, 2))) - a;
+    // Cut into n^2 equal triangles, each with a point in its middle.
+    const int n = static_cast<int>(std::sqrt(0.5 * ab.cross(ac).norm() / share));
+    const auto add = [&](double u, double v)
+    {
+      const Vector3 x = a + u / n * ab + v / n * ac;
+      between.insert(between.end(), x.data(), x.data() + 3);
+    };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; i + j < n; ++j)
+      {
+        add(i + 1.0 / 3.0, j + 1.0 / 3.0);
+        if (i + j + 1 < n)
+        {
+          add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+        }
+      }
+    }
+  }
+  const auto count = static_cast<Index>(between.size()) / 3;
+  Points points(surface.Positions.rows() + count, 3);
+  points << surface.Positions, Eigen::Map<const Points>(between.data(), count, 3);
+  return points;
+}
+}

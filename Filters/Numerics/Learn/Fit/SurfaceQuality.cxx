@@ -1,0 +1,355 @@
+#include "Learn/Fit/SurfaceQuality.h"
+
+#include "Base/Steps.h"
+#include "Cloud/CloudThinning.h"
+#include "Cloud/Orientation.h"
+#include "Cloud/StrayPoints.h"
+#include "Cloud/WindingNumbers.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/MeshTopology.h"
+#include "Search/PointTree.h"
+#include "Search/TriangleTree.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+constexpr double EvaluatedSamples = 10000.0;
+constexpr Index MinimumSamples = 20; // of which anything can be told
+constexpr Index BlockSize = 256;
+
+// Wide enough for the sides of a surface that lie on the same samples to cancel.
+constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
+
+double foldedFraction(const Points& positions, const Triangles& triangles)
+{
+  constexpr double cosine = -0.866; // of 150 degrees
+  Points normals(triangles.rows(), 3);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    normals.row(r) = areaVector(positions, triangles, r).stableNormalized();
+  }
+  const Triangles across = triangleNeighbors(triangles, positions.rows());
+  Index folded = 0;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int other = across(r, k);
+      folded += other > r && normals.row(r).dot(normals.row(other)) < cosine;
+    }
+  }
+  return static_cast<double>(folded) / (1.5 * static_cast<double>(triangles.rows()));
+}
+
+// Where samples meet the surface.
+struct Feet
+{
+  Points Normals;              // #P by 3, of its triangles
+  std::vector<double> Offsets; // along the normals, outward
+};
+
+Feet feetOf(
+  const Points& points, const Points& positions, const Triangles& triangles, const Run& run)
+{
+  Steps steps(run, { 0.5, 0.5 }); // tree, foot points
+  const TriangleTree tree(positions, triangles, steps.next());
+  Feet feet;
+  feet.Normals.resize(points.rows(), 3);
+  feet.Offsets.resize(points.rows());
+  forBlocksReporting(steps.next(), points.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint foot = tree.closestPoint(points.row(i), hint);
+        hint = foot.Triangle;
+        feet.Normals.row(i) = areaVector(positions, triangles, hint).stableNormalized();
+        const Vector3 corner = positions.row(triangles(hint, 0));
+        feet.Offsets[i] = std::copysign(
+          std::sqrt(foot.SquareDistance), feet.Normals.row(i).dot(Vector3(points.row(i)) - corner));
+      }
+    });
+  return feet;
+}
+
+// How much of the object each sample stands for: those of sparse parts for more than those of dense
+// ones, and outliers for none. What counts is how much its neighbors have around them, so that a
+// few points by themselves are not taken for a large part.
+std::vector<double> weightsOf(const Points& points, const Run& run)
+{
+  constexpr double far = 2.5;
+  constexpr int few = 4, neighbors = 8, lowest = 2;
+  constexpr double atMost = 2.5; // times as much as among fewer neighbors
+  const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
+  const PointTree tree(points, run);
+  const auto size = static_cast<std::size_t>(points.rows());
+  std::vector<double> areas(size), weights(size, 0.0);
+  std::vector<std::array<int, neighbors>> around(size); // the point itself is the first
+  std::vector<Neighbor> nearest;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    tree.nearest(points.row(static_cast<Index>(i)), neighbors + 1, nearest);
+    areas[i] = Pi *
+      std::min(
+        nearest[neighbors].SquareDistance / neighbors, atMost * nearest[few].SquareDistance / few);
+    std::transform(nearest.begin(), nearest.begin() + neighbors, around[i].begin(),
+      [](const Neighbor& neighbor) { return neighbor.Id; });
+  }
+  std::array<double, neighbors> theirs;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    if (!isolated[i])
+    {
+      std::transform(around[i].begin(), around[i].end(), theirs.begin(),
+        [&](int neighbor) { return areas[neighbor]; });
+      std::nth_element(theirs.begin(), theirs.begin() + lowest, theirs.end());
+      weights[i] = theirs[lowest];
+    }
+  }
+  return weights;
+}
+
+// The share of the samples, by weight, that lie off the plane of the nearest others.
+double undersampledFraction(const Points& asked, const std::vector<double>& weights,
+  const TrainingSamples& samples, const Run& run)
+{
+  constexpr double most = 50000.0, distance = 0.02;
+  constexpr int neighbors = 8;
+  const Points cloud = selectSamples(samples, most).Positions;
+  if (cloud.rows() <= neighbors)
+  {
+    return 0.0;
+  }
+  const PointTree tree(cloud, run);
+  std::vector<std::uint8_t> off(asked.rows(), 0);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        off[i] = std::abs(planeNear(cloud, tree, asked.row(i), neighbors).Offset) > distance;
+      }
+    });
+  double all = 0.0, undersampled = 0.0;
+  for (std::size_t i = 0; i < off.size(); ++i)
+  {
+    all += weights[i];
+    undersampled += off[i] ? weights[i] : 0.0;
+  }
+  return all > 0.0 ? undersampled / all : 0.0;
+}
+
+// Mean square distance of neighbors from the smooth surface through them: a quadratic polynomial
+// over the plane across the normal. It is small where the samples lie on one curved surface,
+// however far they are from the flat triangles of a coarse mesh.
+double squareOffQuadric(
+  const Points& points, const std::vector<int>& ids, const Vector3& place, const Vector3& normal)
+{
+  constexpr Index coefficients = 6;
+  const auto size = static_cast<Index>(ids.size());
+  const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  Eigen::MatrixXd terms(size, coefficients);
+  Eigen::VectorXd heights(size);
+  double largest = 0.0;
+  for (Index k = 0; k < size; ++k)
+  {
+    const Vector3 x = Vector3(points.row(ids[static_cast<std::size_t>(k)])) - place;
+    terms(k, 1) = u.dot(x);
+    terms(k, 2) = v.dot(x);
+    heights[k] = normal.dot(x);
+    largest = std::max({ largest, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
+  }
+  terms.middleCols(1, 2) /= largest > 0.0 ? largest : 1.0;
+  terms.col(0).setOnes();
+  terms.col(3) = terms.col(1).cwiseAbs2();
+  terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));
+  terms.col(5) = terms.col(2).cwiseAbs2();
+  const Eigen::VectorXd fitted = terms * terms.colPivHouseholderQr().solve(heights);
+  return (heights - fitted).squaredNorm() / static_cast<double>(size - coefficients);
+}
+
+// How far apart two layers of samples are, or 0 where there is one.
+double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
+{
+  constexpr int neighbors = 24;
+  constexpr double least = 0.004, mostKurtosis = 2.15, sameSide = 0.5;
+  constexpr double leastOffQuadric = 0.5; // of the offsets' variance; about 1 for layers
+  if (asked.rows() < neighbors)
+  {
+    return 0.0;
+  }
+  const PointTree tree(asked, run);
+  struct Moments
+  {
+    double Second = 0.0, SquareOfSecond = 0.0, Fourth = 0.0;
+  };
+  const Index blocks = (asked.rows() + BlockSize - 1) / BlockSize;
+  // Calls body(i, ids) for each sample with enough neighbors on its side of the surface.
+  const auto forNeighbors = [&](Index begin, Index end, const auto& body)
+  {
+    std::vector<Neighbor> nearest;
+    std::vector<int> ids;
+    for (Index i = begin; i < end; ++i)
+    {
+      tree.nearest(asked.row(i), neighbors, nearest);
+      ids.clear();
+      for (const Neighbor& neighbor : nearest)
+      {
+        if (std::abs(feet.Offsets[neighbor.Id]) <= near &&
+          feet.Normals.row(i).dot(feet.Normals.row(neighbor.Id)) > sameSide)
+        {
+          ids.push_back(neighbor.Id);
+        }
+      }
+      if (2 * ids.size() >= neighbors)
+      {
+        body(i, ids);
+      }
+    }
+  };
+  std::vector<Moments> sums(blocks);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<double> offsets;
+      Moments& sum = sums[begin / BlockSize];
+      const auto add = [&](Index, const std::vector<int>& ids)
+      {
+        offsets.clear();
+        for (const int id : ids)
+        {
+          offsets.push_back(feet.Offsets[id]);
+        }
+        const auto count = static_cast<double>(offsets.size());
+        const double mean = std::accumulate(offsets.begin(), offsets.end(), 0.0) / count;
+        double second = 0.0, fourth = 0.0;
+        for (const double offset : offsets)
+        {
+          const double square = (offset - mean) * (offset - mean);
+          second += square / count;
+          fourth += square * square / count;
+        }
+        sum.Second += second;
+        sum.SquareOfSecond += second * second;
+        sum.Fourth += fourth;
+      };
+      forNeighbors(begin, end, add);
+    });
+  Moments all;
+  for (const Moments& sum : sums)
+  {
+    all.Second += sum.Second;
+    all.SquareOfSecond += sum.SquareOfSecond;
+    all.Fourth += sum.Fourth;
+  }
+  const double apart = all.Second > 0.0 ? 2.0 * std::sqrt(all.SquareOfSecond / all.Second) : 0.0;
+  if (!(apart > least && all.Fourth < mostKurtosis * all.SquareOfSecond))
+  {
+    return 0.0;
+  }
+  // Offsets from the triangles of a coarse mesh have two values as well: at corners and within.
+  std::vector<double> squares(blocks, 0.0);
+  forBlocks(run, asked.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      forNeighbors(begin, end,
+        [&](Index i, const std::vector<int>& ids) {
+          squares[begin / BlockSize] +=
+            squareOffQuadric(asked, ids, asked.row(i), feet.Normals.row(i));
+        });
+    });
+  const double offQuadric = std::accumulate(squares.begin(), squares.end(), 0.0);
+  return offQuadric > leastOffQuadric * all.Second ? apart : 0.0;
+}
+
+// Directions in which the surface should face at the points.
+Points outwardDirections(
+  const OrientedPoints& asked, const Points& normals, double width, const Run& run)
+{
+  const WindingNumbers numbers(asked.Positions, run);
+  if (asked.Normals.rows() > 0)
+  {
+    Points areas = areaVectors(asked.Positions, asked.Normals, run);
+    if (turnOutward(numbers, areas, width, run))
+    {
+      return areas;
+    }
+  }
+  return numbers.descentAtPoints(areaVectors(asked.Positions, normals, run), width, run);
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, double noise, const Run& run)
+{
+  constexpr double distanceOfSpacing = 1.5, distanceOfNoise = 5.0;
+  SurfaceQuality quality;
+  quality.FoldedFraction = foldedFraction(positions, triangles);
+  const OrientedPoints asked = selectSamples(samples, EvaluatedSamples);
+  const Index size = asked.Positions.rows();
+  if (size < MinimumSamples || samples.dimension() < 3)
+  {
+    return quality;
+  }
+  Steps steps(run, { 0.15, 0.85 }); // foot points, winding numbers
+  const Feet feet = feetOf(asked.Positions, positions, triangles, steps.next());
+  steps.next();
+  const double spacing = typicalSpacing(asked.Positions, run.unwatched());
+  const double spacingOfAll =
+    spacing * std::sqrt(static_cast<double>(size) / static_cast<double>(samples.totalSize()));
+  const Points outward = outwardDirections(
+    asked, feet.Normals, std::max(WidthOfSpacing * spacing, WidthOfNoise * noise), run.unwatched());
+  const double near = std::max(distanceOfSpacing * spacingOfAll, distanceOfNoise * noise);
+  const std::vector<double> weights = weightsOf(asked.Positions, run.unwatched());
+  double counted = 0.0, uncovered = 0.0, inverted = 0.0;
+  for (Index i = 0; i < size; ++i)
+  {
+    counted += weights[i];
+    if (std::abs(feet.Offsets[i]) > near)
+    {
+      uncovered += weights[i];
+    }
+    else if (feet.Normals.row(i).dot(outward.row(i)) < 0.0)
+    {
+      inverted += weights[i];
+    }
+  }
+  quality.UndersampledFraction =
+    undersampledFraction(asked.Positions, weights, samples, run.unwatched());
+  quality.LayerDistance = layerDistance(asked.Positions, feet, near, run.unwatched());
+  if (counted > 0.0)
+  {
+    quality.UncoveredFraction = uncovered / counted;
+    quality.InvertedFraction = inverted / counted;
+  }
+  return quality;
+}
+
+//------------------------------------------------------------------------------
+SurfaceQuality withoutLeftOut(SurfaceQuality quality, Index leftOut, Index all)
+{
+  quality.UncoveredFraction -= static_cast<double>(leftOut) / static_cast<double>(all);
+  return quality;
+}
+
+//------------------------------------------------------------------------------
+double defectScore(const SurfaceQuality& quality)
+{
+  using Tolerated = ToleratedQuality;
+  return std::max({ quality.UncoveredFraction / Tolerated::UncoveredFraction,
+    quality.InvertedFraction / Tolerated::InvertedFraction,
+    quality.FoldedFraction / Tolerated::FoldedFraction });
+}
+}

@@ -1,0 +1,190 @@
+#include "Learn/Online/OnlineTraining.h"
+
+#include "Base/Random.h"
+#include "Learn/Online/NeuronBlocks.h"
+#include "Mesh/MeshTopology.h"
+#include "Search/TriangleTree.h"
+#include "TriangleMap/NetworkShapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+/// Step 2: every pattern with equal probability, or from a time on in proportion to its priority.
+/// All processes draw the same patterns, whichever of them has them.
+class Sampler
+{
+public:
+  Sampler(const TrainingSamples& samples, unsigned int seed)
+    : Samples(samples)
+    , Numbers(seed)
+  {
+    if (samples.weighted())
+    {
+      // In integers, which add up to the same however the cloud is cut.
+      std::int64_t sum = 0;
+      this->Cumulative.resize(samples.size());
+      for (Index i = 0; i < samples.size(); ++i)
+      {
+        this->Cumulative[i] = sum += std::llround(samples.weight(i) * Unit);
+      }
+      this->OfAll = shareOf(samples.reduce(), sum);
+    }
+  }
+
+  /// From here on.
+  void drawByPriority() { this->ByPriority = this->Samples.weighted(); }
+
+  /// The next patterns, #count by 3.
+  Points next(Index count)
+  {
+    Points patterns(count, 3);
+    std::vector<std::int64_t> bits(patterns.size(), 0);
+    for (Index i = 0; i < count; ++i)
+    {
+      const Index id = this->draw();
+      if (id >= 0 && id < this->Samples.size())
+      {
+        const Vector3 x = this->Samples[id];
+        std::memcpy(bits.data() + 3 * i, x.data(), sizeof(x));
+      }
+    }
+    this->Samples.reduce().sum(bits.data(), static_cast<Index>(bits.size()));
+    std::memcpy(patterns.data(), bits.data(), bits.size() * sizeof(double));
+    return patterns;
+  }
+
+private:
+  /// Id of a pattern if it is this process's, else one out of range.
+  Index draw()
+  {
+    if (!this->ByPriority)
+    {
+      return this->Numbers.index(this->Samples.totalSize()) - this->Samples.firstOfTotal();
+    }
+    const auto target =
+      static_cast<std::int64_t>(this->Numbers.uniform() * static_cast<double>(this->OfAll.Total)) -
+      this->OfAll.Before;
+    const auto found = std::upper_bound(this->Cumulative.begin(), this->Cumulative.end(), target);
+    return target < 0 ? -1 : static_cast<Index>(found - this->Cumulative.begin());
+  }
+
+  static constexpr double Unit = 0x1p32;
+  const TrainingSamples& Samples;
+  Random Numbers;
+  bool ByPriority = false;
+  std::vector<std::int64_t> Cumulative; ///< of this process's patterns
+  Share OfAll;                          ///< of what they add up to
+};
+
+bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
+{
+  const auto sorted = [&](int r)
+  {
+    std::array<int, 3> ids = { triangles(r, 0), triangles(r, 1), triangles(r, 2) };
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  };
+  return sorted(triangle) < sorted(than);
+}
+}
+
+LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
+  const OnlineTrainingOptions& options, const Run& run)
+{
+  const Adjacency around = vertexTriangles(network.Triangles, network.Positions.rows());
+  NeuronBlocks neurons(network.Positions, start); // step 1
+  const NetworkShapes shapes(network.Positions, network.Triangles);
+  Sampler sampler(samples, options.RandomSeed);
+
+  // Step 3: the simplex around the winner that x is projected on. Of those that share the
+  // projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
+  const auto project = [&](const Vector3& x, int winner)
+  {
+    constexpr double rounding = 4e-15; // of coordinates
+    FootPoint best;
+    for (const int* r = around.begin(winner); r != around.end(winner); ++r)
+    {
+      const auto ids = network.Triangles.row(*r);
+      FootPoint foot = closestPointOfTriangle(
+        x, neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
+      foot.Triangle = *r;
+      const double nearer = foot.SquareDistance - best.SquareDistance;
+      const bool shared = std::abs(nearer) <= rounding * std::sqrt(foot.SquareDistance);
+      if (shared ? hasLowerNeurons(network.Triangles, *r, best.Triangle) : nearer < 0.0)
+      {
+        best = foot;
+      }
+    }
+    return best;
+  };
+
+  LearnedMesh result;
+  result.Triangles = network.Triangles;
+  result.SpherePositions = network.Positions;
+  Points before = start;
+  const int reportEvery = std::max(1, options.SamplesPerEpoch / 16);
+  for (int t = 0; t < options.NumberOfEpochs; ++t)
+  {
+    TrainingRecord record;
+    record.Frequency = options.Frequency;
+    record.NeighborhoodRadius =
+      options.InitialNeighborhoodRadius * std::exp(-t / options.NeighborhoodTimeConstant);
+    record.LearningRate =
+      options.InitialLearningRate * std::exp(-t / options.LearningRateTimeConstant);
+    if (2 * (t + 1) > options.NumberOfEpochs)
+    {
+      sampler.drawByPriority();
+    }
+    Points patterns;
+    for (int step = 0; step < options.SamplesPerEpoch; ++step)
+    {
+      if (step % reportEvery == 0)
+      {
+        run.report(
+          (t + static_cast<double>(step) / options.SamplesPerEpoch) / options.NumberOfEpochs);
+      }
+      constexpr int AtATime = 8192;
+      if (step % AtATime == 0)
+      {
+        patterns = sampler.next(std::min(AtATime, options.SamplesPerEpoch - step));
+      }
+      const Vector3 x = patterns.row(step % AtATime);
+      const int winner = neurons.findWinner(x);
+      const FootPoint foot = project(x, winner);
+      record.MeanSquareError += foot.SquareDistance / options.SamplesPerEpoch;
+
+      Vector3 r = network.Positions.row(winner);
+      if (options.ReferencePoint != ReferencePoint::Winner)
+      {
+        const auto ids = network.Triangles.row(foot.Triangle);
+        Vector3 image = foot.Barycentric;
+        if (options.ReferencePoint != ReferencePoint::Affine)
+        {
+          const TriangleShape simplex(
+            neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
+          image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+        }
+        r = image[0] * Vector3(network.Positions.row(ids[0])) +
+          image[1] * Vector3(network.Positions.row(ids[1])) +
+          image[2] * Vector3(network.Positions.row(ids[2]));
+        r.normalize(); // |r| = |n_i| = 1, as the paper allows
+      }
+      neurons.update(x, r, record.LearningRate, record.NeighborhoodRadius);
+    }
+    const Points after = neurons.weights();
+    record.MeanDisplacement = (after - before).rowwise().norm().mean();
+    before = after;
+    result.History.push_back(record);
+  }
+  result.Positions = before;
+  return result;
+}
+}

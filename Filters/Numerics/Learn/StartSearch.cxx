@@ -1,0 +1,318 @@
+#include "Learn/StartSearch.h"
+
+#include "Base/Steps.h"
+#include "Learn/Batch/BatchTraining.h"
+#include "Learn/FirstSurface.h"
+#include "Learn/Fit/AdaptiveFit.h"
+#include "Learn/Fit/SurfaceQuality.h"
+#include "Learn/Fit/SurfaceSupport.h"
+#include "Mesh/GeodesicSphere.h"
+#include "Mesh/VertexNormals.h"
+#include "Search/TriangleTree.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+enum class Start
+{
+  GivenMesh,
+  OwnMesh,
+  Sphere,
+  Hull,
+  OtherHull
+};
+
+constexpr double ToleratedWebs = 0.001; // share of the area
+
+/// Shares of the time of one start, measured on scans: first surface, fit, quality.
+constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.72, ShareOfQuality = 0.08;
+
+Points normalized(Points points, const TrainingSamples& samples)
+{
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = samples.normalize(points.row(i));
+  }
+  return points;
+}
+
+Points restored(Points points, const TrainingSamples& samples)
+{
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = samples.restore(points.row(i));
+  }
+  return points;
+}
+
+/// Convert points from one normalized frame to another.
+Points moved(Points points, const TrainingSamples& from, const TrainingSamples& to)
+{
+  return normalized(restored(std::move(points), from), to);
+}
+
+/// Whether this process has the first of the samples.
+bool isFirst(const TrainingSamples& samples)
+{
+  return samples.size() > 0 && samples.firstOfTotal() == 0;
+}
+
+/// Evaluate a surface, in the samples' unit, by the vertices and normals of the samples' own mesh.
+/// The samples may be corners of a polygon soup, many at one place.
+SurfaceQuality evaluateByMesh(const ConformalSOMResult& result, const TrainingSamples& samples,
+  const MappedMesh& mesh, const Run& run)
+{
+  const Points normals = vertexNormals(mesh.Positions, mesh.Triangles);
+  const bool here = isFirst(samples);
+  TrainingSamples vertices(
+    here ? PointView(mesh.Positions) : PointView(), {}, {}, samples.reduce());
+  vertices.setNormals(here ? PointView(normals) : PointView());
+  return evaluateSurface(vertices, moved(result.Positions, samples, vertices), result.Triangles,
+    result.Noise * samples.scale() / vertices.scale(), run);
+}
+
+class StartSearch
+{
+public:
+  StartSearch(
+    const TrainingSamples& samples, const ConformalSOMOptions& options, const MappedMesh* mesh)
+    : Samples(samples)
+    , Options(options)
+    , Mesh(mesh)
+    , IsGeodesic(meshTypeFor(options, samples) == MeshType::Geodesic)
+    , IsSolid(samples.dimension() == 3)
+  {
+  }
+
+  ConformalSOMResult run(const Run& run)
+  {
+    constexpr double share = 0.95; // of the rest of the progress; further starts are rare
+    double done = 0.0;
+    int tried = 0;
+    for (const Start start :
+      { Start::GivenMesh, Start::OwnMesh, Start::Sphere, Start::Hull, Start::OtherHull })
+    {
+      if (!this->isWanted(start))
+      {
+        continue;
+      }
+      const double end = done + share * (1.0 - done);
+      std::optional<ConformalSOMResult> result = this->learnFrom(start, run.part(done, end));
+      done += (result ? 1.0 : ShareOfFirst) * (end - done);
+      if (result)
+      {
+        ++tried;
+        this->keepBetter(*std::move(result));
+      }
+    }
+    this->Best->NumberOfStarts = tried;
+    if (this->Best->Supported.empty())
+    {
+      this->Best->Supported = supportOfVertices(
+        this->Samples, this->Best->Positions, this->Best->Triangles, run.part(done, 1.0));
+    }
+    return *std::move(this->Best);
+  }
+
+private:
+  bool isWanted(Start start) const
+  {
+    const StartingShape shape = this->Options.StartingShape;
+    if (this->IsGeodesic)
+    {
+      return start == Start::Sphere;
+    }
+    switch (start)
+    {
+      case Start::GivenMesh:
+        return this->isGiven();
+      case Start::OwnMesh:
+        return this->Mesh && !this->isGiven();
+      case Start::Sphere:
+        return this->IsSolid && this->mayImprove() &&
+          (shape == StartingShape::Automatic || shape == StartingShape::Sphere);
+      case Start::Hull:
+        return this->mayImprove() && (shape != StartingShape::Sphere || !this->IsSolid);
+      case Start::OtherHull:
+        return this->LastHull != HullMethod::Automatic &&
+          this->Options.HullMethod == HullMethod::Automatic && this->IsSolid && this->isBad();
+    }
+    return false;
+  }
+
+  bool isGiven() const { return this->Mesh && this->Mesh->SpherePositions.rows() > 0; }
+
+  /// Whether there is no result yet, or one that another start may improve.
+  bool mayImprove() const
+  {
+    const bool mayRetry =
+      this->Options.StartingShape == StartingShape::Automatic && this->IsSolid && !this->isGiven();
+    return !this->Best || (mayRetry && (this->hasWebs() || this->isBad()));
+  }
+
+  /// Whether the best result was learned from the sphere, and spans gaps between limbs.
+  bool hasWebs() const
+  {
+    return !this->Best->FromHull && !this->Best->FromMesh &&
+      this->Best->UnsupportedFraction > ToleratedWebs;
+  }
+
+  bool isBad() const
+  {
+    return defectScore(withoutLeftOut(this->Best->Quality, this->Best->NumberOfSamplesOutside,
+             this->Samples.totalSize())) > 1.0;
+  }
+
+  void keepBetter(ConformalSOMResult result)
+  {
+    if (!this->Best || this->hasWebs() ||
+      defectScore(result.Quality) < defectScore(this->Best->Quality))
+    {
+      this->Best = std::move(result);
+    }
+  }
+
+  std::optional<ConformalSOMResult> learnFrom(Start start, const Run& run)
+  {
+    if (this->IsGeodesic)
+    {
+      return this->learnGeodesic(run);
+    }
+    const Run first = run.part(0.0, ShareOfFirst), rest = run.part(ShareOfFirst, 1.0);
+    switch (start)
+    {
+      case Start::GivenMesh:
+        return this->finish(this->Samples,
+          firstSurfaceFromMesh(this->normalizedMesh(this->Samples), nullptr, first), rest);
+      case Start::OwnMesh:
+        return this->learnFromOwnMesh(run);
+      case Start::Sphere:
+      {
+        const std::optional<FirstSurface> learned =
+          firstSurfaceFromSphere(this->Samples, this->Options, first);
+        return learned ? std::optional(this->finish(this->Samples, *learned, rest)) : std::nullopt;
+      }
+      case Start::Hull:
+        return this->learnFromHull(this->Options.HullMethod, run);
+      case Start::OtherHull:
+        return this->learnFromHull(this->LastHull == HullMethod::Distance
+            ? HullMethod::WindingNumbers
+            : HullMethod::Distance,
+          run);
+    }
+    return {};
+  }
+
+  ConformalSOMResult learnGeodesic(const Run& run) const
+  {
+    BatchTrainingOptions options;
+    static_cast<BatchOptions&>(options) = this->Options.Batch;
+    options.Frequency = geodesicFrequencyFor(this->Options.NumberOfNeurons);
+    options.ReferencePoint = this->Options.ReferencePoint;
+    options.Fit = this->Options.Fit;
+    options.RandomSeed = this->Options.RandomSeed;
+    ConformalSOMResult result;
+    static_cast<FittedMesh&>(result) =
+      trainBatch(this->Samples, options, run.part(0.0, 1.0 - ShareOfQuality));
+    result.Quality = evaluateSurface(this->Samples, result.Positions, result.Triangles,
+      result.Noise, run.part(1.0 - ShareOfQuality, 1.0));
+    return result;
+  }
+
+  ConformalSOMResult learnFromHull(HullMethod method, const Run& run)
+  {
+    const FirstSurface hull =
+      firstSurfaceFromHull(this->Samples, this->Options, method, run.part(0.0, ShareOfFirst));
+    this->LastHull = hull.Report.Hull;
+    return this->finish(this->Samples, hull, run.part(ShareOfFirst, 1.0));
+  }
+
+  /// Learn from the mesh that has the samples as its vertices. Where the samples are sparse, the
+  /// triangles define what lies between them, so points on the triangles are learned from too.
+  ConformalSOMResult learnFromOwnMesh(const Run& run) const
+  {
+    const Run first = run.part(0.0, ShareOfFirst), rest = run.part(ShareOfFirst, 1.0);
+    const auto learn = [&](const TrainingSamples& samples)
+    {
+      const conformal::Mesh own = this->normalizedMesh(samples);
+      const auto guide = std::make_shared<TriangleTree>(own.Positions, own.Triangles, first);
+      ConformalSOMResult result =
+        this->finish(samples, firstSurfaceFromMesh(own, guide, run.unwatched()), rest);
+      result.Supported =
+        supportOfVertices(samples, result.Positions, result.Triangles, run.unwatched());
+      return result;
+    };
+    ConformalSOMResult result;
+    if (this->Samples.weighted() || !this->IsSolid)
+    {
+      result = learn(this->Samples);
+    }
+    else
+    {
+      const Points dense = withPointsBetween(
+        *this->Mesh, this->Options.Batch.SamplesPerNeuron * this->Options.NumberOfNeurons);
+      const TrainingSamples denser(
+        isFirst(this->Samples) ? PointView(dense) : PointView(), {}, {}, this->Samples.reduce());
+      result = learn(denser);
+      result.Positions = moved(std::move(result.Positions), denser, this->Samples);
+      result.Noise *= denser.scale() / this->Samples.scale();
+    }
+    result.Quality = evaluateByMesh(result, this->Samples, *this->Mesh, run.unwatched());
+    return result;
+  }
+
+  /// Fit an adaptive mesh from a first surface, and evaluate it.
+  ConformalSOMResult finish(
+    const TrainingSamples& samples, const FirstSurface& first, const Run& run) const
+  {
+    AdaptiveFitOptions options;
+    static_cast<FitOptions&>(options) = this->Options.Fit;
+    options.NumberOfVertices = this->Options.NumberOfNeurons;
+    options.SamplesPerVertex = this->Options.Batch.SamplesPerNeuron;
+    options.RandomSeed = this->Options.RandomSeed;
+    Steps steps(run, { ShareOfFit, ShareOfQuality });
+    ConformalSOMResult result;
+    static_cast<FittedMesh&>(result) = fitAdaptively(samples, options, first, steps.next());
+    static_cast<StartReport&>(result) = first.Report;
+    result.Quality =
+      evaluateSurface(samples, result.Positions, result.Triangles, result.Noise, steps.next());
+    return result;
+  }
+
+  conformal::Mesh normalizedMesh(const TrainingSamples& samples) const
+  {
+    return { normalized(this->Mesh->Positions, samples), this->Mesh->Triangles };
+  }
+
+  const TrainingSamples& Samples;
+  const ConformalSOMOptions& Options;
+  const MappedMesh* const Mesh;
+  const bool IsGeodesic, IsSolid;
+  std::optional<ConformalSOMResult> Best;
+  HullMethod LastHull = HullMethod::Automatic; ///< method of the last hull tried
+};
+}
+
+MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& samples)
+{
+  if (options.MeshType != MeshType::Automatic)
+  {
+    return options.MeshType;
+  }
+  // Points in a plane have no surface that triangles could follow.
+  return options.TrainingMode == TrainingMode::Batch && samples.dimension() == 3
+    ? MeshType::Adaptive
+    : MeshType::Geodesic;
+}
+
+ConformalSOMResult learnFromBestStart(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const MappedMesh* mesh, const Run& run)
+{
+  return StartSearch(samples, options, mesh).run(run);
+}
+}
