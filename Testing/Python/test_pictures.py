@@ -225,11 +225,11 @@ class TestPictures(unittest.TestCase):
     def test_smooth_surface_shaded(self):
         self.expect_actor("CurvedSeamlessSurface", pictures.actor_of(self.surface.GetOutput()))
 
-    def coarse_surface(self, frequency, dome_height, seam_mode="EdgeMatched"):
+    def coarse_surface(self, frequency, dome_height, seam_mode="EdgeMatched", mesh_type="Geodesic"):
         """The surface over a mesh that is coarse enough to see the construction."""
         network = vtkConformalSOM()
         network.SetInputData(self.scan)
-        network.SetMeshTypeToGeodesic()
+        getattr(network, "SetMeshTypeTo" + mesh_type)()
         network.SetNumberOfNeurons(10 * frequency**2 + 2)
         surface = vtkCurvedSeamlessSurface()
         surface.SetInputConnection(network.GetOutputPort())
@@ -242,7 +242,7 @@ class TestPictures(unittest.TestCase):
 
     def test_dome_heights_over_a_coarse_mesh(self):
         self.expect_actor("DomeHeights", *(
-            pictures.actor_of(self.coarse_surface(8, dome_height))
+            pictures.actor_of(self.coarse_surface(8, dome_height, mesh_type="Adaptive"))
             for dome_height in ("None", "Published", "Curvature", "Fitted")))
 
     def test_lines_across_the_seams_of_a_coarse_mesh(self):

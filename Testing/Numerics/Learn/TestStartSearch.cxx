@@ -190,7 +190,7 @@ TEST(StartSearch, SeparatesHandlesOfTheObjectFromThoseOfTheHull)
   };
   const auto cutFraction = [&](const conformal::Points& cloud)
   {
-    return firstSurfaceFromHull(TrainingSamples{ conformal::PointView(cloud) }, adaptive(642),
+    return firstSurfaceFromHull(TrainingSamples{ conformal::PointView(cloud) }, adaptive(12962),
       conformal::HullMethod::Distance)
       .Report.CutFraction;
   };
