@@ -4,9 +4,8 @@
  *
  * Learn a closed triangle mesh, with a one-to-one map to the sphere, from nothing but points:
  * the conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71
- * (2008). The mesh has 10 f^2 + 2 points and 20 f^2 triangles, f being the Frequency; its point
- * array "SpherePosition" states where each point lies on the sphere. Its second output is a
- * table of how learning went, for a line chart.
+ * (2008). The point array "SpherePosition" of the mesh has the position of each point on the
+ * sphere. The second output is a table of how learning went, for a line chart.
  *
  * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for polygons: learning
  * may start from them, see StartingShape. Points that are not finite are left out with a warning,
@@ -148,7 +147,8 @@ public:
   };
 
   /**
-   * Set the pipeline of the optional mesh to start from: input port 1.
+   * A closed mesh of genus zero with the point array "SpherePosition" to start from, such as an
+   * earlier result. Without it learning starts as StartingShape states.
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
@@ -160,10 +160,12 @@ public:
   ///@{
   /**
    * Type of the mesh. GEODESIC: the paper's geodesic sphere, whose triangles keep their neighbors,
-   * so that they stretch over limbs; learned from the sphere. ADAPTIVE: triangles of one size all
-   * over the surface, nearly equilateral on long limbs too; BATCH only. Points of the mesh lie on
-   * sharp edges and in corners of the object. AUTOMATIC_MESH (default): ADAPTIVE in BATCH mode,
-   * GEODESIC in ONLINE mode and for points in a plane. Documentation/Fit.md compares them.
+   * so that they stretch over limbs. ADAPTIVE: triangles of one size all over the surface, nearly
+   * equilateral on long limbs too; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in batch
+   * learning, GEODESIC in online learning and for points in a plane.
+   *
+   * A geodesic mesh is learned from the sphere. Points of an adaptive mesh lie on sharp edges and
+   * in corners of the object. Documentation/Fit.md compares both.
    */
   vtkSetClampMacro(MeshType, int, AUTOMATIC_MESH, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -174,9 +176,10 @@ public:
 
   ///@{
   /**
-   * Number of points of the mesh. A geodesic mesh has the nearest number of the form 10 f^2 + 2,
-   * where f is the frequency of vtkGeodesicSphereSource. In [12, 10000002]. Default is 12,962,
-   * which is that of f = 36. Training takes about 1 KiB a neuron.
+   * Number of points of the mesh. A geodesic mesh has the nearest number of the form 10 f^2 + 2. In
+   * [12, 10000002]. Default is 12,962, which is 10 f^2 + 2 for f = 36.
+   *
+   * f is the frequency of vtkGeodesicSphereSource. Training needs about 1 KiB of memory per neuron.
    */
   vtkSetClampMacro(NumberOfNeurons, int, 12, 10000002);
   vtkGetMacro(NumberOfNeurons, int);
@@ -218,20 +221,22 @@ public:
 
   ///@{
   /**
-   * Which point r of the sphere a pattern stands for. CONFORMAL: the conformal image of its
-   * projection, Eqs. 4 and 5. WINNER: a neuron, which is the plain self-organizing map the paper
-   * compares with; Online the winning one, r = n_c, in Batch the corner of the triangle that the
-   * pattern is projected on with the largest barycentric weight. AFFINE: the affine image of the
-   * projection. AUTOMATIC_REFERENCE (default): CONFORMAL in Online mode, AFFINE in Batch mode,
-   * which there comes as close in less time. In Batch mode it is used while learning from the
-   * sphere, not in the fit.
+   * Which point of the sphere a pattern stands for. CONFORMAL: the conformal image of its
+   * projection, Eqs. 4 and 5 of the paper. WINNER: a neuron, which is the plain self-organizing
+   * map. AFFINE: the affine image of the projection. AUTOMATIC_REFERENCE (default): CONFORMAL in
+   * online learning, AFFINE in batch learning.
+   *
+   * The neuron is the winning one, r = n_c, in online learning; in batch learning it is the corner
+   * with the largest barycentric weight of the triangle that the pattern is projected on. In batch
+   * learning AFFINE is as close as CONFORMAL in less time. There the property counts while a mesh
+   * is learned from the sphere, not in the fit.
    */
   vtkSetClampMacro(ReferencePoint, int, AUTOMATIC_REFERENCE, AFFINE);
   vtkGetMacro(ReferencePoint, int);
+  void SetReferencePointToAutomatic() { this->SetReferencePoint(AUTOMATIC_REFERENCE); }
   void SetReferencePointToConformal() { this->SetReferencePoint(CONFORMAL); }
   void SetReferencePointToWinner() { this->SetReferencePoint(WINNER); }
   void SetReferencePointToAffine() { this->SetReferencePoint(AFFINE); }
-  void SetReferencePointToAutomatic() { this->SetReferencePoint(AUTOMATIC_REFERENCE); }
   ///@}
 
   ///@{
@@ -252,10 +257,12 @@ public:
 
   ///@{
   /**
-   * Online: the paper's constants sigma_0, tau_1, alpha_0 and tau_2. The neighborhood is
-   * h(d) = exp(-d^2 / (2 sigma^2)) with sigma(t) = sigma_0 exp(-t / tau_1), a length on the unit
-   * sphere; the learning rate is alpha(t) = alpha_0 exp(-t / tau_2); t counts epochs. Positive, but
-   * alpha_0 in [0, 1). Default is (0.4, 20, 0.01, 60).
+   * Online: the paper's constants sigma_0, tau_1, alpha_0 and tau_2 of the neighborhood and the
+   * learning rate. Positive, but alpha_0 in [0, 1). Default is (0.4, 20, 0.01, 60).
+   *
+   * The neighborhood is h(d) = exp(-d^2 / (2 sigma^2)) with sigma(t) = sigma_0 exp(-t / tau_1), a
+   * length on the unit sphere; the learning rate is alpha(t) = alpha_0 exp(-t / tau_2); t counts
+   * epochs.
    */
   vtkSetVector4Macro(OnlineConstants, double);
   vtkGetVector4Macro(OnlineConstants, double);
@@ -282,13 +289,14 @@ public:
   ///@{
   /**
    * Surface from which an adaptive mesh is learned, if there is no mesh on input port 1. AUTOMATIC
-   * (default): the input's own polygons, if they are one closed surface of genus zero of which all
-   * points are vertices; else the unit sphere, as in the paper; where the mesh spans parts without
-   * points (webs between limbs, or hole fillings) or is bad (see UncoveredFraction,
-   * InvertedFraction, FoldedFraction), a closed hull of the points. The best mesh is kept. SPHERE,
-   * HULL or MESH, the input's polygons: always from that. A geodesic mesh is learned from the
-   * sphere, and HULL or MESH is an error. With MeshType AUTOMATIC_MESH, points in a plane are
-   * always learned from the sphere.
+   * (default): the input's own polygons, if they are one closed surface of genus zero of all
+   * points; else the sphere, and anew from a closed hull of the points where the sphere leads to
+   * webs between limbs, to hole fillings, or to a bad mesh. SPHERE, HULL or MESH, the input's
+   * polygons: always from that.
+   *
+   * The best mesh is kept; UncoveredFraction, InvertedFraction and FoldedFraction are what is bad
+   * of one. A geodesic mesh is learned from the sphere, and HULL or MESH is an error then. With
+   * MeshType AUTOMATIC_MESH, points in a plane are always learned from the sphere.
    *
    * Where vertices of the polygons are sparse, points on these are learned from too. With MESH it
    * is an error if the polygons are not a closed surface of genus zero, and points that none of
@@ -309,11 +317,12 @@ public:
 
   ///@{
   /**
-   * Method by which a hull to learn from classifies inside and outside, as Method of
-   * vtkGenusZeroHull. AUTOMATIC_METHOD (default): as AUTOMATIC there; and where the mesh is bad, it
-   * is learned anew from the hull of the other method, and the better mesh is kept. DISTANCE or
-   * WINDING_NUMBERS: always by that. Winding numbers are for scans with large holes, hidden sides
-   * or noise; they use the normals of the input's polygons, oriented consistently, if most of its
+   * Batch: how a hull to learn from classifies inside and outside, as Method of vtkGenusZeroHull:
+   * by DISTANCE, or by WINDING_NUMBERS, for scans with large holes, hidden sides or noise.
+   * AUTOMATIC_METHOD (default): as AUTOMATIC there; a bad adaptive mesh is learned anew from the
+   * other hull, and the better one is kept.
+   *
+   * Winding numbers use the normals of the input's polygons, oriented consistently, if most of its
    * points are of one; else its active normals; else, and where these do not agree on what is
    * inside, they find them.
    */

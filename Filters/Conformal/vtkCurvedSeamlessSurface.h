@@ -71,7 +71,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Set the pipeline of the dense mesh of the sphere, N^new in the paper: input port 1.
+   * A mesh of the sphere at whose points the surface is evaluated, and whose triangles it gets:
+   * N^new in the paper, input port 1. Without it Sampling determines the points. Sampling NETWORK
+   * does not use it.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
@@ -104,14 +106,16 @@ public:
 
   ///@{
   /**
-   * Where the surface is evaluated, and how its points are joined. DIRECTIONS: at the points of the
-   * sphere on port 1, or of a geodesic sphere of the Frequency, which lies evenly on the sphere,
-   * whatever the mesh of port 0 looks like. NETWORK: every triangle of the mesh of port 0 is cut on
-   * the sphere into Subdivisions x Subdivisions, so that each has its points however small it is
-   * there, as the limbs of a conformal map are. The mesh's own points come first, then those on
-   * edges, then those inside triangles; an input on port 1 is not used. AUTOMATIC (default):
-   * DIRECTIONS where port 1 has an input or the mesh lies on the sphere as a geodesic one
-   * (vtkConformalSOM with MeshType GEODESIC), NETWORK otherwise.
+   * Where the surface gets its points. DIRECTIONS: evenly over the sphere, or at the points of the
+   * mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that are
+   * small on the sphere get theirs. AUTOMATIC (default): DIRECTIONS where input port 1 has a mesh
+   * or the input's mesh lies on the sphere as a geodesic one, NETWORK otherwise.
+   *
+   * DIRECTIONS without a mesh on input port 1 evaluates the surface at the points of a geodesic
+   * sphere of the Frequency. NETWORK cuts every triangle on the sphere into Subdivisions x
+   * Subdivisions: the mesh's own points come first, then those on edges, then those inside
+   * triangles; input port 1 is not used. A mesh lies on the sphere as a geodesic one if
+   * vtkConformalSOM learned it with MeshType GEODESIC.
    */
   vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
   vtkGetMacro(Sampling, int);
@@ -143,7 +147,7 @@ public:
   ///@}
 
   /**
-   * Set the pipeline of the cloud that DomeHeight FITTED fits the surface to: input port 2.
+   * The points that the surface is fitted to. Only for, and needed by, DomeHeight FITTED.
    */
   void SetCloudConnection(vtkAlgorithmOutput* output);
 
@@ -168,9 +172,8 @@ public:
 
   ///@{
   /**
-   * How the maps of neighboring triangles meet. EDGE_MATCHED (default): as one map, continuous
-   * across every edge and vertex. PER_TRIANGLE: as published, each for itself, with a jump along
-   * the common edge.
+   * How the maps of neighboring triangles join. EDGE_MATCHED (default): as one continuous map.
+   * PER_TRIANGLE: as published, each triangle for itself, with a jump along the common edge.
    */
   vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
   vtkGetMacro(SeamMode, int);
@@ -180,11 +183,15 @@ public:
 
   ///@{
   /**
-   * Surface raised over the flat triangles. NONE: nothing. PUBLISHED: the domes of the unit sphere,
-   * times the model's largest distance from the mean of its points, outwards everywhere. SCALED:
-   * the same in proportion to the model's size around the place. CURVATURE (default): PN triangles
-   * on the mean normals of the vertices, outwards on ridges and inwards in hollows. FITTED: the
-   * same with positions and normals fitted to a cloud of points, on input port 2, by least squares.
+   * What is raised over the flat triangles. CURVATURE (default): a dome that follows the mesh's own
+   * normals, outwards on ridges and inwards in hollows. FITTED: one that is fitted to the cloud on
+   * input port 2. PUBLISHED and SCALED: the domes of the paper, which rise outwards everywhere.
+   * NONE: nothing.
+   *
+   * CURVATURE makes PN triangles on the mean normals of the vertices; FITTED fits their positions
+   * and normals by least squares. PUBLISHED takes the domes of the unit sphere, times the model's
+   * largest distance from the mean of its points; SCALED the same in proportion to the model's
+   * local size.
    */
   vtkSetClampMacro(DomeHeight, int, NONE, FITTED);
   vtkGetMacro(DomeHeight, int);
@@ -197,12 +204,13 @@ public:
 
   ///@{
   /**
-   * CURVATURE and FITTED, for a mesh whose flat triangles were fitted to points by least squares:
-   * how far its vertices are moved, as a share of what would keep the volume under the surface.
-   * Such triangles lie in the middle of the points, their vertices outside of ridges; curved
-   * triangles through the vertices would lie too far out. In [0, 2], or negative (default): the
-   * number in the field array "VertexShift" of the mesh, which vtkConformalSOM finds from the
-   * points, or 0 where there is none. With 0 the surface goes through the points of the mesh.
+   * How far the vertices of a mesh that was fitted to points are moved, as a share of what would
+   * keep its volume, in [0, 2]. 0 makes the surface go through the mesh's points; a negative value,
+   * the default, stands for the field array "VertexShift" of the mesh, which vtkConformalSOM
+   * writes, or for 0 where there is none.
+   *
+   * Flat triangles fitted by least squares lie in the middle of the points, their vertices outside
+   * of ridges; curved triangles (CURVATURE and FITTED) through the vertices would lie too far out.
    * Without the array there is a warning if the mesh has the connectivity of a geodesic sphere or
    * even triangles, as the meshes of vtkConformalSOM have, since the array may have been lost, for
    * instance in a file; 1 is then about right.
@@ -213,8 +221,8 @@ public:
 
   ///@{
   /**
-   * FITTED: rounds of the fit, each of which finds the closest points of the cloud and draws the
-   * surface to them. In [0, 100]. Default is 6.
+   * DomeHeight FITTED: how often the closest points are looked up and the surface is drawn to them.
+   * In [0, 100]. Default is 6.
    */
   vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
   vtkGetMacro(NumberOfFitRounds, int);
@@ -222,8 +230,8 @@ public:
 
   ///@{
   /**
-   * FITTED: weight of smoothness against closeness, per point of a vertex. In [0, 1000]. Default is
-   * 0.01; larger values smooth noise.
+   * DomeHeight FITTED: weight of a smooth surface against a close one, per point of a vertex. In
+   * [0, 1000]. Default is 0.01; larger values smooth noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);

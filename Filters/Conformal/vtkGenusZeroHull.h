@@ -98,9 +98,9 @@ public:
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
   void SetMethodToDistance() { this->SetMethod(DISTANCE); }
   void SetMethodToWindingNumbers() { this->SetMethod(WINDING_NUMBERS); }
-  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
   ///@}
 
   ///@{

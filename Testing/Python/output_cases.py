@@ -185,7 +185,6 @@ def fitted_mesh():
     surface = vtkPolyData()
     surface.DeepCopy(mapped())
     add(surface.GetPointData(), "Supported", np.linspace(0.0, 1.0, surface.GetNumberOfPoints()))
-    add(surface.GetFieldData(), "Polished", np.array([1], dtype=np.int64))
     add(surface.GetFieldData(), "VertexShift", np.array([0.7]))
     return surface
 
@@ -319,20 +318,30 @@ class Filter:
 
 
 class Map(Filter):
-    """vtkCurvedSeamlessMap, which is no algorithm: directions to the surface, derivatives, and back."""
+    """vtkCurvedSeamlessMap, which is no algorithm: directions to the surface, derivatives, and back.
+
+    Its properties are those of vtkCurvedSeamlessSurface.
+    """
+
+    def runs(self, class_):
+        set_ups = {"default": self.small}
+        for property_, value in enumeration_values(conformalsom.vtkCurvedSeamlessSurface):
+            if property_ in ("SeamMode", "DomeHeight"):
+                set_ups[f"{property_}={value}"] = call(f"Set{property_}To{value}")
+        return {name: functools.partial(self.run, class_, set_up) for name, set_up in set_ups.items()}
 
     def run(self, class_, set_up, folder):
-        map_ = class_()
+        map_, filter_ = class_(), conformalsom.vtkCurvedSeamlessSurface()
         # Shifted off the vertices of the mesh, where all domes are flat.
         directions = numpy_to_vtk(octahedral_sphere(3)[0] + (0.01, 0.02, 0.03), deep=True)
         with heard_object(map_) as errors:
-            set_up(map_)
-            map_.Build(fitted_mesh(), bear(SMALL_BEAR))
+            set_up(filter_)
+            filter_.BuildMap(fitted_mesh(), bear(SMALL_BEAR), map_)
             result = vtkPolyData()
             arrays = {name: vtkDoubleArray() for name in (
                 "positions", "normals", "derivatives", "metrics", "areas", "directions", "closest")}
             map_.ToSurface(directions, arrays["positions"], arrays["normals"])
-            if map_.GetDomeHeight() not in (class_.PUBLISHED, class_.SCALED):
+            if filter_.GetDomeHeight() not in (filter_.PUBLISHED, filter_.SCALED):
                 map_.Differentiate(directions, arrays["derivatives"], arrays["metrics"], arrays["areas"])
                 map_.ToSphere(mapped().GetPoints().GetData(), arrays["directions"], arrays["closest"])
         if errors:
@@ -474,21 +483,19 @@ CASES = {
     "vtkConformalDistortion": Filter(inputs(lambda: chain()["vtkConformalSOM"]), inputs(mapped)),
     "vtkConformalSOM": Filter(
         inputs(lambda: bear(BEAR)),
-        inputs(lambda: bear(SMALL_BEAR), Frequency=9, NumberOfEpochs=20, SamplesPerEpoch=1000),
+        inputs(lambda: bear(SMALL_BEAR), NumberOfNeurons=812, NumberOfEpochs=20, SamplesPerEpoch=1000),
         needs={"StartingShape=Mesh": inputs([], lambda: of_first_rank(mapped())),
-               "HullIndicator=Distance": call("SetStartingShapeToHull"),
-               "HullIndicator=WindingNumbers": call("SetStartingShapeToHull"),
-               **{f"ReferencePoint={point}": several(call("SetLatticeToGeodesic"), call("SetStartingShapeToSphere"))
+               "HullMethod=Distance": call("SetStartingShapeToHull"),
+               "HullMethod=WindingNumbers": call("SetStartingShapeToHull"),
+               **{f"ReferencePoint={point}": several(call("SetMeshTypeToGeodesic"), call("SetStartingShapeToSphere"))
                   for point in ("Conformal", "Winner", "Affine")}},
         others={
-            "Lattice=Geodesic,SphereMap=Conformal": several(
-                call("SetLatticeToGeodesic"), call("SetSphereMapToConformal")),
-            "Lattice=Geodesic,TrainingMode=Online": several(
-                call("SetLatticeToGeodesic"), call("SetTrainingModeToOnline")),
+            "MeshType=Geodesic,TrainingMode=Online": several(
+                call("SetMeshTypeToGeodesic"), call("SetTrainingModeToOnline")),
             "TrainingMode=Online,ReferencePoint=Affine": several(
                 call("SetTrainingModeToOnline"), call("SetReferencePointToAffine")),
             "NumberOfNeurons=600": properties_of(NumberOfNeurons=600),
-            "NumberOfPolishRounds=0": properties_of(NumberOfPolishRounds=0),
+            "FitIterations=0": properties_of(FitIterations=0),
             "RandomSeed=2": properties_of(RandomSeed=2),
             "Smoothness=1": properties_of(Smoothness=1.0),
             **{f"PriorityArrayName,TrainingMode={mode}": several(
