@@ -148,11 +148,9 @@ void WarnOfFolds(vtkObject* self, const conformal::MappedMesh& body)
   }
 }
 
-void AddCoordinates(vtkPolyData* output, const conformal::BodyCoordinates& coordinates,
+void AddPoles(vtkPolyData* output, const conformal::BodyCoordinates& coordinates,
   const conformal::CoordinateFrame& frame)
 {
-  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), coordinates.SpherePositions);
-  AddAngles(output->GetPointData(), coordinates.SpherePositions);
   AddPoint(output->GetFieldData(), "BodyNorthPole", coordinates.NorthPole, frame);
   AddPoint(output->GetFieldData(), "BodySouthPole", coordinates.SouthPole, frame);
   AddPoint(output->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
@@ -262,8 +260,11 @@ int vtkBodyMap::RequestData(
       steps.next();
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(surface);
+      glue::AddVectors(
+        result->GetPointData(), glue::SpherePositionName(), coordinates.SpherePositions);
+      AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
-      AddCoordinates(result, coordinates, frame);
+      AddPoles(result, coordinates, frame);
       SetGraticule(graticule, conformal::makeGraticule(body, spacing, steps.next()), frame);
       graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
       const conformal::Run placing = steps.next();
