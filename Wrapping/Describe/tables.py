@@ -5,13 +5,12 @@ The README has a row for each class, with its brief; the rows stay in the order 
 come last. A section of Filters.md or Readers.md that is named as a class ends with a table of its properties.
 """
 import difflib
-import importlib
 import inspect
 import os
 import re
 import sys
 
-from describe import MODULES, class_comment, classes, words_of
+from describe import class_comment, classes, modules, words_of
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 GUIDES = (os.path.join("Documentation", "Filters.md"), os.path.join("Documentation", "Readers.md"))
@@ -24,7 +23,7 @@ PROPERTY_TABLE = re.compile(re.escape("\n" + MARK) + r"(?:\|.*\n)+")
 def briefs():
     """Return the briefs of all classes of which users make objects, by name."""
     found = {}
-    for module in map(importlib.import_module, MODULES):
+    for module in modules():
         for name, class_ in vars(module).items():
             if inspect.isclass(class_) and name.startswith("vtk"):
                 try:
