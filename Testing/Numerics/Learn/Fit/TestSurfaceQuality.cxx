@@ -249,7 +249,7 @@ TEST(SurfaceQuality, FindsTheDistanceOfTwoLayersAndNoneInNoise)
 
 // Flat triangles lie below a sphere by a hundredth of its radius: at their corners and within, the
 // offsets of points have two values.
-TEST(SurfaceVerdict, DoesNotTakeTheTrianglesOfACoarseMeshForLayers)
+TEST(SurfaceQuality, DoesNotTakeTheTrianglesOfACoarseMeshForLayers)
 {
   for (const int frequency : { 2, 3, 4, 6 })
   {
@@ -262,14 +262,14 @@ TEST(SurfaceVerdict, DoesNotTakeTheTrianglesOfACoarseMeshForLayers)
           std::to_string(frequency) + " " + std::to_string(size) + " " + std::to_string(scale));
         Mesh mesh = coarse;
         mesh.Positions *= scale;
-        EXPECT_EQ(verdictOn(mesh, spheres::spiral(size)).LayerDistance, 0.0);
-        EXPECT_EQ(verdictOn(mesh, spheres::random(size)).LayerDistance, 0.0);
+        EXPECT_EQ(qualityOn(mesh, spheres::spiral(size)).LayerDistance, 0.0);
+        EXPECT_EQ(qualityOn(mesh, spheres::random(size)).LayerDistance, 0.0);
       }
     }
   }
 }
 
-TEST(SurfaceVerdict, FindsLayersOfFewPointsAroundACoarseMesh)
+TEST(SurfaceQuality, FindsLayersOfFewPointsAroundACoarseMesh)
 {
   for (const Index size : { 800, 3000, 10000 })
   {
@@ -279,6 +279,6 @@ TEST(SurfaceVerdict, FindsLayersOfFewPointsAroundACoarseMesh)
     {
       layers.row(i) *= random.uniform() < 0.5 ? 0.98 : 1.02;
     }
-    EXPECT_NEAR(verdictOn(makeGeodesicSphere(8), layers).LayerDistance, 0.04, 0.004) << size;
+    EXPECT_NEAR(qualityOn(makeGeodesicSphere(8), layers).LayerDistance, 0.04, 0.004) << size;
   }
 }
