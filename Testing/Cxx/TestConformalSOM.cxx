@@ -691,19 +691,19 @@ TEST(ConformalSOM, PointsThatAreNotFiniteAreDroppedAndCounted)
 // it.
 TEST(ConformalSOM, PointsFarFromAllOthersAreLeftOutAndCounted)
 {
-  for (const int lattice : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+  for (const int meshType : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
   {
     auto clean = MakeFilter(MakeCloud(1000));
-    clean->SetLattice(lattice);
+    clean->SetMeshType(meshType);
     clean->Update();
     for (const double distance : { 30.0, 900.0, 3e4, 3e9, 3e15, 3e200 })
     {
-      SCOPED_TRACE(std::to_string(lattice) + " " + std::to_string(distance));
+      SCOPED_TRACE(std::to_string(meshType) + " " + std::to_string(distance));
       auto cloud = MakeCloud(1000);
       cloud->GetPoints()->InsertNextPoint(distance, 0.0, 0.0);
       cloud->GetPoints()->InsertNextPoint(0.1 * distance, -distance, 0.3 * distance);
       auto filter = MakeFilter(cloud);
-      filter->SetLattice(lattice);
+      filter->SetMeshType(meshType);
       contract::Observed observed(filter);
       filter->Update();
       observed.ExpectWarning("2 of 1002 points lie far from all others and are left out");

@@ -390,16 +390,16 @@ TEST_F(GenusZeroHull, SkipsGhostPointsAndThoseNotFinite)
 
 TEST_F(GenusZeroHull, LeavesOutPointsFarFromAllOthers)
 {
-  for (const int indicator :
+  for (const int method :
     { vtkGenusZeroHull::DISTANCE, vtkGenusZeroHull::WINDING_NUMBERS, vtkGenusZeroHull::AUTOMATIC })
   {
-    SCOPED_TRACE(indicator);
+    SCOPED_TRACE(method);
     vtkNew<vtkGenusZeroHull> clean;
     clean->SetInputData(this->Cloud);
     clean->SetSpacing(0.05);
-    clean->SetIndicator(indicator);
+    clean->SetMethod(method);
     clean->Update();
-    this->Filter->SetIndicator(indicator);
+    this->Filter->SetMethod(method);
     vtkPoints* points = clean->GetOutput()->GetPoints();
     for (const double distance : { 1e2, 1e4, 1e15, 1e200 })
     {
