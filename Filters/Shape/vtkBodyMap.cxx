@@ -265,13 +265,15 @@ int vtkBodyMap::RequestData(
       AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
       AddPoles(result, coordinates, frame);
-      SetGraticule(graticule, conformal::makeGraticule(body, spacing, steps.next()), frame);
-      graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
+      const std::vector<conformal::GraticuleLine> lines =
+        conformal::makeGraticule(body, spacing, steps.next());
       const conformal::Run placing = steps.next();
       if (places)
       {
         SetPlaces(placed, places, body, frame, placing);
       }
+      SetGraticule(graticule, lines, frame);
+      graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
       output->ShallowCopy(result);
     });
 }
