@@ -750,7 +750,7 @@ Outcome BuildAndAsk(const Input& input, int height)
   vtkNew<vtkCurvedSeamlessMap> map;
   vtkNew<vtkCurvedSeamlessSurface> settings;
   settings->SetDomeHeight(height);
-  const bool isBuilt = map->Build(vtkPolyData::SafeDownCast(data), good, settings);
+  const bool isBuilt = settings->BuildMap(vtkPolyData::SafeDownCast(data), good, map);
   if (isBuilt != map->IsBuilt() || isBuilt == (messages.errors() > 0))
   {
     return { Verdict::Wrong, "built " + std::to_string(isBuilt) + ", but " + messages.first() };

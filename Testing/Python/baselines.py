@@ -24,7 +24,7 @@ RENDERERS = os.path.join(FOLDER, "renderers.txt")
 LEFT_OVERS = os.environ.get("CONFORMALSOM_PICTURES", ".")
 # A pixel may be off by GRAY_LEVELS, and what goes beyond may add up to PIXELS turned from black to
 # white. Mesa with other processors' instructions stays at 0.0; points moved by 1e-5 give 67.
-# One Mesa draws edges otherwise on other processors, which it compiles for: by up to 7.5 pixels.
+# The picture of a surface learned on another processor differed by 7.5.
 GRAY_LEVELS, PIXELS = 4, 10.0
 # Other versions filter textures and draw lines otherwise, which changes the average of a square of
 # SQUARE x SQUARE pixels by 4.6 at most. A shift of the picture by a pixel changes it by 9 at least.
