@@ -46,9 +46,14 @@ def concrete_classes():
     return classes
 
 
+def methods_of(class_):
+    """Names of the methods that a class has besides those of its base, also where Python derives from it."""
+    return set(vars(getattr(sys.modules[class_.__module__], class_.__name__)))
+
+
 def enumeration_values(class_):
     """Pairs of a property and a name of a value that is not its default."""
-    for method in sorted(vars(class_)):
+    for method in sorted(methods_of(class_)):
         match = re.fullmatch(r"Set([A-Z]\w*)To([A-Z]\w*)", method)
         if match:
             object_ = class_()
@@ -60,9 +65,10 @@ def enumeration_values(class_):
 
 def switches(class_):
     """Properties that are on or off, with the value that is not the default: 0 or 1."""
-    for method in sorted(vars(class_)):
+    methods = methods_of(class_)
+    for method in sorted(methods):
         match = re.fullmatch(r"([A-Z]\w*)On", method)
-        if match and {match[1] + "Off", "Get" + match[1]} <= set(vars(class_)):
+        if match and {match[1] + "Off", "Get" + match[1]} <= methods:
             yield match[1], 0 if getattr(class_(), "Get" + match[1])() else 1
 
 

@@ -3,6 +3,7 @@ import glob
 import os
 import pydoc
 import re
+import sys
 import unittest
 
 import conformalsom
@@ -19,11 +20,17 @@ def classes_of_modules():
                 yield from re.findall(r"^class VTK\w+_EXPORT (vtk\w+)", file.read(), flags=re.M)
 
 
+def methods_of(name):
+    """The methods that the header of a class declares, also where Python derives from it."""
+    class_ = getattr(conformalsom, name)
+    return vars(getattr(sys.modules[class_.__module__], name))
+
+
 def enumerations():
     """Classes, their properties that are enumerations, and the names of the values of each."""
     for name in classes_of_modules():
         values = {}
-        for method in vars(getattr(conformalsom, name)):
+        for method in methods_of(name):
             match = re.fullmatch(r"Set([A-Z]\w*)To([A-Z]\w*)", method)
             if match:
                 values.setdefault(match[1], []).append(match[2])
@@ -49,7 +56,7 @@ class TestPackage(unittest.TestCase):
 
     def test_help_tells_what_a_property_means(self):
         for name in classes_of_modules():
-            methods = vars(getattr(conformalsom, name))
+            methods = methods_of(name)
             for method in methods:
                 if method.startswith("Set") and "G" + method[1:] in methods:
                     with self.subTest(f"{name}.{method}"):
