@@ -164,9 +164,11 @@ def documented(line, text):
 
 def main():
     """Write the stubs."""
-    classes = {}
-    for class_ in filter(inspect.isclass, vars(conformalsom).values()):
-        classes.setdefault(class_.__module__, []).append(class_)
+    # Of the wrapped modules, since the package derives some classes for the errors of old names.
+    modules = [module for name, module in vars(conformalsom).items()
+               if name.startswith("vtk") and inspect.ismodule(module)]
+    classes = {module.__name__: [class_ for class_ in vars(module).values() if inspect.isclass(class_)]
+               for module in modules}
     bases = dict.fromkeys(base for module in classes.values() for class_ in module for base in class_.__mro__)
     foreign = [base for base in bases if base.__module__.startswith("vtkmodules.") and not has_stubs(base.__module__)]
     stubs = {name: Stub(module).text("from conformalsom._types import Values\n")
