@@ -133,18 +133,11 @@ vtkNew<vtkPolyData> BlockOf(
 vtkNew<vtkPolyData> MeanOf(vtkObject* self, const Remeshed& remeshed, const conformal::Run& run)
 {
   const std::vector<vtkPolyData*> surfaces = remeshed.Surfaces.pointers();
-  std::vector<const conformal::ResampleWeights*> parts;
-  std::vector<conformal::Index> sizes;
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-  {
-    parts.push_back(&remeshed.Common.Weights[s]);
-    sizes.push_back(surfaces[s]->GetNumberOfPoints());
-  }
   const std::vector<double> shares(surfaces.size(), 1.0 / static_cast<double>(surfaces.size()));
   vtkNew<vtkPolyData> mean;
   SetShape(mean, remeshed.Common, remeshed.Modes.Mean, remeshed.Cells->GetPolys(), remeshed.Frame);
-  glue::CarryPointArrays(
-    self, surfaces, conformal::blended(parts, sizes, shares), mean->GetPointData(), run);
+  glue::CarryPointArrays(self, surfaces,
+    glue::BlendedWeights(remeshed.Common.Weights, surfaces, shares), mean->GetPointData(), run);
   AddModes(mean, remeshed.Modes, remeshed.Frame);
   return mean;
 }

@@ -114,20 +114,6 @@ std::vector<double> CostOf(const glue::Surfaces& surfaces, bool isKept,
       100.0 * points });
   return cost;
 }
-
-// Weights of the points of all surfaces, of which each has its share.
-conformal::ResampleWeights Blend(const conformal::ConsistentMeshes& meshes,
-  const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares)
-{
-  std::vector<const conformal::ResampleWeights*> parts;
-  std::vector<conformal::Index> sizes;
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-  {
-    parts.push_back(&meshes.Weights[s]);
-    sizes.push_back(surfaces[s]->GetNumberOfPoints());
-  }
-  return conformal::blended(parts, sizes, shares);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -244,7 +230,7 @@ int vtkSphericalMorph::RequestData(
         conformal::morphShapes(meshes.Sphere, meshes.Positions, shares, options, steps.next()),
         meshes.Sphere.Triangles, common->Frame);
       steps.next();
-      const conformal::ResampleWeights blend = Blend(meshes, held, shares);
+      const conformal::ResampleWeights blend = glue::BlendedWeights(meshes.Weights, held, shares);
       glue::CarryPointArrays(this, held, blend, result->GetPointData(), steps.next());
       steps.next();
       glue::ActivateScalarsOf(held.front(), result);

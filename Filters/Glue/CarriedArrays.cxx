@@ -196,6 +196,20 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
 }
 
 //------------------------------------------------------------------------------
+conformal::ResampleWeights BlendedWeights(const std::vector<conformal::ResampleWeights>& weights,
+  const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares)
+{
+  std::vector<const conformal::ResampleWeights*> parts;
+  std::vector<conformal::Index> sizes;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+  {
+    parts.push_back(&weights[s]);
+    sizes.push_back(surfaces[s]->GetNumberOfPoints());
+  }
+  return conformal::blended(parts, sizes, shares);
+}
+
+//------------------------------------------------------------------------------
 void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target)
 {
   if (vtkDataArray* scalars = source->GetPointData()->GetScalars())

@@ -27,6 +27,12 @@ namespace glue
 void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
   const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run = {});
 
+/// Blend the weights by which points are made of each surface into weights of all surfaces.
+/// @param[in] weights  #S, of the points of each surface
+/// @param[in] shares   #S, of each surface
+conformal::ResampleWeights BlendedWeights(const std::vector<conformal::ResampleWeights>& weights,
+  const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares);
+
 /// Make the array of the target's points active that has the name of the source's active scalars.
 void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target);
 
