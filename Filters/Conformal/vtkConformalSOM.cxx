@@ -5,6 +5,7 @@
 #include "Glue/CloudInput.h"
 #include "Glue/CloudNormals.h"
 #include "Glue/CloudWarnings.h"
+#include "Glue/LearningStages.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
@@ -17,6 +18,7 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -312,7 +314,7 @@ void FillHistory(vtkTable* table, const Records& history)
 vtkConformalSOM::vtkConformalSOM()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
@@ -334,7 +336,8 @@ int vtkConformalSOM::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkConformalSOM::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  static const char* const types[] = { "vtkPolyData", "vtkTable", "vtkMultiBlockDataSet" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
 
@@ -354,9 +357,15 @@ int vtkConformalSOM::RequestData(
   const auto start = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
-  const conformal::ConformalSOMOptions options = OptionsOf(this);
+  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector, 2);
+  conformal::ConformalSOMOptions options = OptionsOf(this);
+  std::vector<conformal::LearningStage> stages;
+  if (this->GenerateStages)
+  {
+    options.Observer = [&](const conformal::LearningStage& stage) { stages.push_back(stage); };
+  }
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
-  const bool measuresErrors = this->GenerateErrorScalars, inPieces = this->DistributeOutput;
+  const bool inPieces = this->DistributeOutput;
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
@@ -370,8 +379,7 @@ int vtkConformalSOM::RequestData(
         options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
       // Shares of the time, measured: reading, normals and mesh of the polygons, learning, errors,
       // the vertex shift, the output.
-      conformal::Steps steps(
-        processes.run(), { 0.01, 0.01, 0.02, 0.9, measuresErrors ? 0.02 : 0.0, 0.02, 0.01 });
+      conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
@@ -417,15 +425,16 @@ int vtkConformalSOM::RequestData(
       glue::SetSurface(surface, result.Positions, result.Triangles, frame);
       glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
       glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
-      const conformal::Run measuring = steps.next();
-      if (measuresErrors)
-      {
-        glue::AddLengths(surface->GetPointData(), "QuantizationError",
-          conformal::quantizationErrors(samples, result, measuring), frame);
-      }
+      glue::AddLengths(surface->GetPointData(), "QuantizationError",
+        conformal::quantizationErrors(samples, result, steps.next()), frame);
       const conformal::Run shifting = steps.next();
       const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
       AddFigures(surface->GetFieldData(), samples, result, shift, frame);
+      glue::SetStages(blocks, stages, frame);
+      if (!processes.isFirst())
+      {
+        blocks->Initialize();
+      }
       steps.next();
       glue::KeepOwnShare(surface, inPieces, processes);
       output->ShallowCopy(surface);
@@ -458,7 +467,7 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "StartingShape: " << shapes[this->StartingShape] << "\n";
   os << indent << "HullMethod: " << methods[this->HullMethod] << "\n";
-  os << indent << "GenerateErrorScalars: " << (this->GenerateErrorScalars ? "On" : "Off") << "\n";
+  os << indent << "GenerateStages: " << (this->GenerateStages ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -27,8 +27,8 @@
  * (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, falling to
  *   0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
- * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
- *   square distance between a neuron and the input points it stands for.
+ * - point array "QuantizationError" (double, 1 component): root mean square distance between a
+ *   neuron and the input points it stands for; 0 without points.
  * - field data "AffineRank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0
  *   for equal points; below 3 the mesh is right but flat, and there is a warning.
  * - field data "UnsupportedFraction" (1 value): share of the mesh's area without points where some
@@ -68,6 +68,12 @@
  * "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t), "MeanSquareError" of
  * the points presented, to the mesh, and "MeanDisplacement" of the neurons; both in the unit of
  * training, in which the cloud's largest distance from its centroid is 1.
+ *
+ * Output port 2: vtkMultiBlockDataSet, empty without GenerateStages: the surfaces that learning
+ * went through, on the first process. The block name has the number of the start, the start and
+ * the stage, such as "1 sphere: level 4", "2 hull: turn 1", "2 hull: fit" and "2 hull: kept". Each
+ * block is a vtkPolyData with the field data "StartNumber", "DefectScore" (above 1 the surface is
+ * bad), "UncoveredFraction", "InvertedFraction" and "FoldedFraction"; Online they are 0.
  *
  * The conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), section 2: neurons on
@@ -335,12 +341,15 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array "QuantizationError": root mean square distance of each point of
-   * the mesh to the input points that it stands for. Default is off.
+   * Whether output port 2 has the surfaces that learning went through: the start, each level or
+   * turn, the fit, and the result, each with its quality. For figures, and for finding the cause of
+   * a bad result. Default is off.
+   *
+   * Each stage is evaluated, which takes some tenths of a second, and held in memory.
    */
-  vtkSetMacro(GenerateErrorScalars, bool);
-  vtkGetMacro(GenerateErrorScalars, bool);
-  vtkBooleanMacro(GenerateErrorScalars, bool);
+  vtkSetMacro(GenerateStages, bool);
+  vtkGetMacro(GenerateStages, bool);
+  vtkBooleanMacro(GenerateStages, bool);
   ///@}
 
   ///@{
@@ -391,7 +400,7 @@ private:
   double Smoothness = 0.01;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
-  bool GenerateErrorScalars = false;
+  bool GenerateStages = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;
 };

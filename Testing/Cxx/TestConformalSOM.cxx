@@ -5,6 +5,7 @@
 #include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkConformalDistortion.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -14,6 +15,7 @@
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -149,7 +151,6 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
   {
     auto filter = MakeFilter(cloud);
     filter->SetTrainingMode(mode);
-    filter->GenerateErrorScalarsOn();
     contract::Observed observed(filter);
     filter->Update();
     EXPECT_FALSE(observed.Error() || observed.Warning());
@@ -189,7 +190,6 @@ TEST(ConformalSOM, AnAdaptiveMeshHasTheNeuronsWanted)
   auto filter = MakeFilter(MakeCloud(3000));
   filter->SetMeshTypeToAdaptive();
   filter->SetNumberOfNeurons(345);
-  filter->GenerateErrorScalarsOn();
   contract::Observed observed(filter);
   filter->Update();
   EXPECT_FALSE(observed.Error() || observed.Warning());
@@ -205,6 +205,55 @@ TEST(ConformalSOM, AnAdaptiveMeshHasTheNeuronsWanted)
   filter->Update();
   EXPECT_NE(observed.ErrorMessage().find("Batch"), std::string::npos);
   ExpectEmpty(filter);
+}
+
+// The stages are those of the search: levels of the sphere, then the fit, each as the options
+// state, and the last one is the output.
+TEST(ConformalSOM, StagesEndWithTheOutput)
+{
+  auto filter = MakeFilter(MakeCloud(3000));
+  auto* stages = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(2));
+  filter->Update();
+  EXPECT_EQ(stages->GetNumberOfBlocks(), 0U);
+  filter->GenerateStagesOn();
+  const auto namesFor = [&](int mode, int type, int shape)
+  {
+    filter->SetTrainingMode(mode);
+    filter->SetMeshType(type);
+    filter->SetStartingShape(shape);
+    filter->Update();
+    std::vector<std::string> names;
+    for (unsigned int i = 0; i < stages->GetNumberOfBlocks(); ++i)
+    {
+      names.emplace_back(stages->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+      auto* surface = vtkPolyData::SafeDownCast(stages->GetBlock(i));
+      EXPECT_EQ(surface->GetNumberOfPolys(), 2 * surface->GetNumberOfPoints() - 4) << names.back();
+      EXPECT_EQ(surface->GetFieldData()->GetArray("StartNumber")->GetTuple1(0), 1.0);
+    }
+    auto* kept = vtkPolyData::SafeDownCast(stages->GetBlock(stages->GetNumberOfBlocks() - 1));
+    vtkPolyData* output = filter->GetOutput();
+    EXPECT_EQ(kept->GetNumberOfPoints(), output->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double a[3], b[3];
+      kept->GetPoint(i, a);
+      output->GetPoint(i, b);
+      EXPECT_EQ(vtkMath::Distance2BetweenPoints(a, b), 0.0) << i;
+    }
+    return names;
+  };
+  using F = vtkConformalSOM;
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(
+    namesFor(F::ONLINE, F::GEODESIC, F::SPHERE), (Names{ "1 sphere: start", "1 sphere: kept" }));
+  EXPECT_EQ(namesFor(F::BATCH, F::GEODESIC, F::SPHERE),
+    (Names{ "1 sphere: level 6", "1 sphere: fit", "1 sphere: kept" }));
+  EXPECT_EQ(namesFor(F::BATCH, F::ADAPTIVE, F::SPHERE),
+    (Names{ "1 sphere: level 4", "1 sphere: start", "1 sphere: remeshed", "1 sphere: turn 1",
+      "1 sphere: fit", "1 sphere: kept" }));
+  EXPECT_EQ(namesFor(F::BATCH, F::ADAPTIVE, F::HULL),
+    (Names{ "1 hull: start", "1 hull: remeshed", "1 hull: turn 1", "1 hull: turn 2",
+      "1 hull: turn 3", "1 hull: fit", "1 hull: kept" }));
 }
 
 TEST(ConformalSOM, StartsFromTheMeshOnPortOne)
@@ -520,7 +569,7 @@ TEST(ConformalSOM, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetTrainingModeToOnline(); });
   for (const char* property : { "MeshType", "NumberOfNeurons", "TrainingMode", "PriorityArrayName",
          "RandomSeed", "ReferencePoint", "NumberOfEpochs", "SamplesPerEpoch", "OnlineConstants",
-         "FitIterations", "Smoothness", "StartingShape", "HullMethod", "GenerateErrorScalars",
+         "FitIterations", "Smoothness", "StartingShape", "HullMethod", "GenerateStages",
          "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(filter, property);

@@ -303,7 +303,6 @@ std::vector<Case> Cases()
     vtkNew<vtkConformalSOM> filter;
     filter->SetInputData(Cloud(scale, 600));
     filter->SetNumberOfNeurons(162);
-    filter->GenerateErrorScalarsOn();
     filter->SetNumberOfEpochs(3);
     filter->SetSamplesPerEpoch(1000);
     set(filter.Get());

@@ -362,12 +362,11 @@ TEST(Progress, OfTheLearner)
         som->SetNumberOfEpochs(8);
       }));
   const auto large = Head(300);
-  ExpectProgress("ConformalSOM large head, error scalars",
+  ExpectProgress("ConformalSOM large head",
     Of<SOM>(large,
       [](SOM* som)
       {
         som->SetNumberOfNeurons(4002);
-        som->SetGenerateErrorScalars(true);
       }));
 }
 

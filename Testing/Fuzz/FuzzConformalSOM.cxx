@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   learner->SetMeshType(source.below(3));
   learner->SetHullMethod(source.below(3));
   learner->SetFitIterations(source.below(3));
-  learner->SetGenerateErrorScalars(source.flag());
+  learner->SetGenerateStages(source.flag());
   learner->SetDistributeOutput(source.flag());
   const int odd = source.byte();
   learner->SetPriorityArrayName(odd % 4 == 3 ? "Priority" : nullptr);

@@ -84,7 +84,7 @@ void MakeQuick(vtkConformalSOM* filter)
   filter->SetNumberOfEpochs(3);
   filter->SetSamplesPerEpoch(200);
   filter->SetFitIterations(2);
-  filter->GenerateErrorScalarsOn();
+  filter->GenerateStagesOn();
 }
 
 std::vector<SetUp> Learners()
@@ -105,7 +105,7 @@ std::vector<SetUp> Learners()
     Integer("FitIterations", &F::SetFitIterations), Number("Smoothness", &F::SetSmoothness),
     Integer("StartingShape", &F::SetStartingShape), Integer("HullMethod", &F::SetHullMethod),
     Integer("MeshType", &F::SetMeshType),
-    Switch("GenerateErrorScalars", &F::SetGenerateErrorScalars),
+    Switch("GenerateStages", &F::SetGenerateStages),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
   SetUp adaptive = { "vtkConformalSOM", "Adaptive", true,
     make(

@@ -101,7 +101,7 @@ FILTERS = {
     "distortion": lambda: with_inputs(vtkConformalDistortion, surface()),
     "learning": lambda: with_inputs(
         vtkConformalSOM, cloud(), NumberOfNeurons=92, PriorityArrayName="Weights",
-        GenerateErrorScalars=True, StartingShape=1),
+        GenerateStages=True, StartingShape=1),
     "learning on": lambda: with_inputs(vtkConformalSOM, cloud(), surface(3), NumberOfNeurons=92),
     "learning online": lambda: with_inputs(
         vtkConformalSOM, cloud(), NumberOfNeurons=92, TrainingMode=1, NumberOfEpochs=1),

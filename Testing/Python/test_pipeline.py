@@ -30,7 +30,6 @@ def chain(frequency=18, surface_frequency=40):
     network = vtkConformalSOM()
     network.SetInputData(scan)
     network.SetNumberOfNeurons(10 * frequency**2 + 2)
-    network.GenerateErrorScalarsOn()
     surface = vtkCurvedSeamlessSurface()
     surface.SetInputConnection(network.GetOutputPort())
     surface.SetFrequency(surface_frequency)

@@ -19,7 +19,6 @@ vtkSmartPointer<vtkConformalSOM> MakeFilter(vtkPolyData* cloud)
   filter->SetStartingShapeToSphere();
   filter->SetNumberOfEpochs(10);
   filter->SetSamplesPerEpoch(9000); // more than are drawn at a time
-  filter->GenerateErrorScalarsOn();
   return filter;
 }
 

@@ -99,6 +99,25 @@ Points firstWeights(
   return weights;
 }
 
+/// Hand a surface in the samples' unit to options.Observer, not evaluated.
+void observe(const TrainingSamples& samples, const ConformalSOMOptions& options,
+  const std::string& start, const std::string& name, const Mesh& surface)
+{
+  if (!options.Observer)
+  {
+    return;
+  }
+  LearningStage stage;
+  stage.Start = start;
+  stage.Name = name;
+  stage.Surface = surface;
+  for (Index i = 0; i < stage.Surface.Positions.rows(); ++i)
+  {
+    stage.Surface.Positions.row(i) = samples.restore(stage.Surface.Positions.row(i));
+  }
+  options.Observer(stage);
+}
+
 ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const MappedMesh* mesh, const Run& run)
 {
@@ -110,9 +129,12 @@ ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSO
   Steps steps(run, { 0.02, 0.96, 0.02 }); // first weights, learning, support
   const Mesh network = makeGeodesicSphere(online.Frequency, run.unwatched());
   const Points weights = firstWeights(samples, network.Positions, mesh, steps.next());
+  const std::string start = mesh ? "given mesh" : "sphere";
+  observe(samples, options, start, "start", { weights, network.Triangles });
   ConformalSOMResult result;
   static_cast<LearnedMesh&>(result) = trainOnline(samples, network, weights, online, steps.next());
   result.FromMesh = mesh;
+  observe(samples, options, start, "kept", result);
   result.Supported = supportOfVertices(samples, result.Positions, result.Triangles, steps.next());
   return result;
 }

@@ -9,6 +9,7 @@
 #include "Learn/Fit/FitOptions.h"
 #include "Learn/Fit/LearnedMesh.h"
 #include "Learn/Fit/SurfaceQuality.h"
+#include "Learn/LearningStage.h"
 #include "Learn/Online/OnlineTraining.h"
 #include "Learn/Online/ReferencePoint.h"
 
@@ -59,6 +60,7 @@ struct ConformalSOMOptions
   BatchOptions Batch;
   FitOptions Fit;              ///< Batch
   unsigned int RandomSeed = 1; ///< the only source of randomness
+  StageObserver Observer;      ///< called with all that learning goes through; may be empty
 };
 
 /// Properties of the surface that learning started from.

@@ -92,8 +92,8 @@ void requireNear(const Points& mesh)
   }
 }
 
-std::optional<FirstSurface> firstSurfaceFromSphere(
-  const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
+std::optional<FirstSurface> firstSurfaceFromSphere(const TrainingSamples& samples,
+  const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run)
 {
   BatchTrainingOptions coarse;
   static_cast<BatchOptions&>(coarse) = options.Batch;
@@ -101,6 +101,7 @@ std::optional<FirstSurface> firstSurfaceFromSphere(
     static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
   coarse.ReferencePoint = options.ReferencePoint;
   coarse.RandomSeed = options.RandomSeed;
+  coarse.Observer = observer;
   const bool anyway = options.StartingShape == StartingShape::Sphere;
   std::optional<FittedMesh> learned = learnFromSphere(
     samples, coarse,

@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace conformal
@@ -26,6 +27,24 @@ enum class Start
   Hull,
   OtherHull
 };
+
+std::string nameOf(Start start)
+{
+  switch (start)
+  {
+    case Start::GivenMesh:
+      return "given mesh";
+    case Start::OwnMesh:
+      return "own mesh";
+    case Start::Sphere:
+      return "sphere";
+    case Start::Hull:
+      return "hull";
+    case Start::OtherHull:
+      return "other hull";
+  }
+  return {};
+}
 
 constexpr double ToleratedWebs = 0.001; // share of the area
 
@@ -102,6 +121,8 @@ public:
         continue;
       }
       const double end = done + share * (1.0 - done);
+      this->StartNumber = tried + 1;
+      this->StartName = nameOf(start);
       std::optional<ConformalSOMResult> result = this->learnFrom(start, run.part(done, end));
       done += (result ? 1.0 : ShareOfFirst) * (end - done);
       if (result)
@@ -111,6 +132,12 @@ public:
       }
     }
     this->Best->NumberOfStarts = tried;
+    this->StartNumber = this->BestStart.first;
+    this->StartName = this->BestStart.second;
+    if (const MeshObserver observer = this->observerFor(this->Samples, run))
+    {
+      observer("kept", *this->Best);
+    }
     if (this->Best->Supported.empty())
     {
       this->Best->Supported = supportOfVertices(
@@ -174,7 +201,30 @@ private:
       defectScore(result.Quality) < defectScore(this->Best->Quality))
     {
       this->Best = std::move(result);
+      this->BestStart = { this->StartNumber, this->StartName };
     }
+  }
+
+  /// Observer of meshes in the unit of the samples, which evaluates them for options.Observer.
+  /// @param[in] samples  must outlive the observer
+  MeshObserver observerFor(const TrainingSamples& samples, const Run& run) const
+  {
+    if (!this->Options.Observer)
+    {
+      return {};
+    }
+    return
+      [this, &samples, quiet = run.unwatched()](const std::string& name, const FittedMesh& mesh)
+    {
+      LearningStage stage;
+      stage.StartNumber = this->StartNumber;
+      stage.Start = this->StartName;
+      stage.Name = name;
+      stage.Surface = { restored(mesh.Positions, samples), mesh.Triangles };
+      stage.Quality = evaluateSurface(samples, mesh.Positions, mesh.Triangles, mesh.Noise, quiet);
+      stage.DefectScore = defectScore(stage.Quality);
+      this->Options.Observer(stage);
+    };
   }
 
   std::optional<ConformalSOMResult> learnFrom(Start start, const Run& run)
@@ -193,8 +243,8 @@ private:
         return this->learnFromOwnMesh(run);
       case Start::Sphere:
       {
-        const std::optional<FirstSurface> learned =
-          firstSurfaceFromSphere(this->Samples, this->Options, first);
+        const std::optional<FirstSurface> learned = firstSurfaceFromSphere(
+          this->Samples, this->Options, this->observerFor(this->Samples, run), first);
         return learned ? std::optional(this->finish(this->Samples, *learned, rest)) : std::nullopt;
       }
       case Start::Hull:
@@ -216,6 +266,7 @@ private:
     options.ReferencePoint = this->Options.ReferencePoint;
     options.Fit = this->Options.Fit;
     options.RandomSeed = this->Options.RandomSeed;
+    options.Observer = this->observerFor(this->Samples, run);
     ConformalSOMResult result;
     static_cast<FittedMesh&>(result) =
       trainBatch(this->Samples, options, run.part(0.0, 1.0 - ShareOfQuality));
@@ -275,6 +326,7 @@ private:
     options.NumberOfVertices = this->Options.NumberOfNeurons;
     options.SamplesPerVertex = this->Options.Batch.SamplesPerNeuron;
     options.RandomSeed = this->Options.RandomSeed;
+    options.Observer = this->observerFor(samples, run);
     Steps steps(run, { ShareOfFit, ShareOfQuality });
     ConformalSOMResult result;
     static_cast<FittedMesh&>(result) = fitAdaptively(samples, options, first, steps.next());
@@ -294,6 +346,9 @@ private:
   const MappedMesh* const Mesh;
   const bool IsGeodesic, IsSolid;
   std::optional<ConformalSOMResult> Best;
+  int StartNumber = 0; ///< of the start that is tried, counted from 1
+  std::string StartName;
+  std::pair<int, std::string> BestStart;       ///< number and name of the start that led to Best
   HullMethod LastHull = HullMethod::Automatic; ///< method of the last hull tried
 };
 }

@@ -16,14 +16,13 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// Learn in Batch mode from one start after the other, as far as each is wanted, and return the
 /// best result.
 ///
-/// | start           | wanted | | --------------- |
-/// --------------------------------------------------------------------------- | | mesh given |
-/// where there is one with SpherePositions; then nothing else                    | | own mesh |
-/// where there is one without SpherePositions                                    | | sphere |
-/// StartingShape Sphere, or Automatic while there is no good result; always for  | | | a geodesic
-/// mesh, and then nothing else                                        | | hull            |
-/// StartingShape Hull, or Automatic while there is no good result                | | the other hull
-/// | HullMethod Automatic, where the best result is bad and a hull was tried       |
+/// - A mesh with SpherePositions is the only start where it is given.
+/// - A mesh without SpherePositions, the samples' own mesh, comes first where it is given.
+/// - The sphere follows with StartingShape Sphere, or with Automatic while there is no good result.
+///   For a geodesic mesh it is the only start.
+/// - A hull follows with StartingShape Hull, or with Automatic while there is no good result.
+/// - The hull of the other method comes last, with HullMethod Automatic, where the best result is
+///   bad and a hull was tried.
 ///
 /// A result is bad where a defect of its quality (SurfaceQuality.h) is more than tolerated, and not
 /// good from the sphere where it has webs. Of two results the one with the lower defectScore() is

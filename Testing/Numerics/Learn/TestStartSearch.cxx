@@ -158,7 +158,7 @@ TEST(StartSearch, LearnsFromTheSphereWhereThereAreNoLimbs)
   {
     ConformalSOMOptions options = adaptive(2562);
     options.StartingShape = shape;
-    return firstSurfaceFromSphere(TrainingSamples{ conformal::PointView(points) }, options)
+    return firstSurfaceFromSphere(TrainingSamples{ conformal::PointView(points) }, options, {})
       .has_value();
   };
   EXPECT_TRUE(isLearned(egg.Positions, StartingShape::Automatic));

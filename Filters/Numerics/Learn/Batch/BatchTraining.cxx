@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -264,6 +265,10 @@ std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
       result.Noise = std::sqrt(noiseVariance(typicalErrors[0], typicalErrors[1]));
     }
     typicalErrors[0] = typicalErrors[1];
+    if (options.Observer)
+    {
+      options.Observer("level " + std::to_string(f), result);
+    }
     if (goesOn && !goesOn(result, masses))
     {
       return std::nullopt;
@@ -289,6 +294,10 @@ FittedMesh trainBatch(
   fit.RandomSeed = options.RandomSeed;
   const double areaAtFirst = surfaceArea(result.Positions, result.Triangles);
   const std::vector<double> masses = leastSquaresFit(samples, fit, result, steps.next());
+  if (options.Observer)
+  {
+    options.Observer("fit", result);
+  }
   steps.next();
   result.AreaRatio = surfaceArea(result.Positions, result.Triangles) / areaAtFirst;
   result.UnsupportedFraction =

@@ -29,10 +29,11 @@ struct BatchTrainingOptions : BatchOptions
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic; ///< Affine
   FitOptions Fit;
   unsigned int RandomSeed = 1;
+  MeshObserver Observer; ///< called after each level and after the fit; may be empty
 };
 
 /// Whether to go on, from the mesh of a level and the weight of the samples in each triangle.
-using LevelTest = std::function<bool(const LearnedMesh&, const std::vector<double>&)>;
+using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double>&)>;
 
 /// Learn on networks of rising frequency up to options.Frequency, without a fit. Each pass is Eq. 3
 /// of \cite Liou2008 summed over its patterns, the weights kept still meanwhile: w_i becomes the

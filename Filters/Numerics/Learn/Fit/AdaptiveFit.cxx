@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace conformal
@@ -161,7 +162,16 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   FittedMesh result;
   static_cast<LearnedMesh&>(result) = start;
   const double areaAtFirst = surfaceArea(result.Positions, result.Triangles);
+  const auto observe = [&](const std::string& name)
+  {
+    if (options.Observer)
+    {
+      options.Observer(name, result);
+    }
+  };
+  observe("start");
   remesh(result, remeshingTo(vertices, FirstIterations), steps.next());
+  observe("remeshed");
   RemeshingOptions remeshing = remeshingTo(vertices, Iterations);
   for (int turn = 0; turn < start.Turns; ++turn)
   {
@@ -173,6 +183,7 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
     {
       leastSquaresFit(samples, fitting, result, steps.next());
     }
+    observe("turn " + std::to_string(turn + 1));
     remeshing.MeetNumber = turn + 1 == start.Turns;
     remesh(result, remeshing, steps.next());
   }
@@ -185,6 +196,7 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   last.AutomaticPriority = options.AutomaticPriority && noise.ToDetail < LittleNoise;
   const std::vector<double> masses = leastSquaresFit(samples, last, result, steps.next());
   sharpenEdges(result, steps.next());
+  observe("fit");
   steps.next();
   result.UnsupportedFraction =
     unsupportedFraction(samples, result.Positions, result.Triangles, masses);

@@ -21,6 +21,7 @@ struct AdaptiveFitOptions : FitOptions
   Index NumberOfVertices = 12962;
   Index SamplesPerVertex = 12; ///< in an iteration of the last fit
   unsigned int RandomSeed = 1;
+  MeshObserver Observer; ///< called with the start, remeshed; each turn; and the fit; may be empty
 };
 
 /// Closed surface of genus zero near the samples, in their unit, from which the fit starts.

@@ -5,6 +5,8 @@
 
 #include "Mesh/Mesh.h"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace conformal
@@ -34,6 +36,9 @@ struct FittedMesh : LearnedMesh
   double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
   double AreaRatio = 1.0;           ///< area of the mesh over that of the surface before the fit
 };
+
+/// Function called with an intermediate mesh, in the samples' unit, and its name.
+using MeshObserver = std::function<void(const std::string& name, const FittedMesh& mesh)>;
 }
 
 #endif

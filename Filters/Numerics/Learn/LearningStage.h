@@ -1,0 +1,30 @@
+/// Intermediate surfaces of learning, for figures and for finding the cause of a bad result; own
+/// construction.
+
+#ifndef ConformalLearningStage_h
+#define ConformalLearningStage_h
+
+#include "Learn/Fit/SurfaceQuality.h"
+#include "Mesh/Mesh.h"
+
+#include <functional>
+#include <string>
+
+namespace conformal
+{
+/// Surface that learning went through, in the points' own coordinates.
+struct LearningStage
+{
+  int StartNumber = 1;      ///< of the start that led to it, counted from 1
+  std::string Start;        ///< such as "sphere" or "hull"
+  std::string Name;         ///< such as "level 8", "turn 1", "fit" or "kept"
+  Mesh Surface;             ///< closed, of genus zero
+  SurfaceQuality Quality;   ///< zeros for points in a plane
+  double DefectScore = 0.0; ///< of the quality; above 1 the surface is bad
+};
+
+/// Function called with each stage, on the thread that called the computation.
+using StageObserver = std::function<void(const LearningStage&)>;
+}
+
+#endif
