@@ -70,7 +70,8 @@
  * training, in which the cloud's largest distance from its centroid is 1.
  *
  * Output port 2: vtkMultiBlockDataSet, empty without GenerateStages: the surfaces that learning
- * went through, on the first process. The block name has the number of the start, the start and
+ * went through, on the first process. The block name has the number of the start, from 1 and with
+ * abandoned ones counted, the start and
  * the stage, such as "1 sphere: level 4", "2 hull: turn 1", "2 hull: fit" and "2 hull: kept". Each
  * block is a vtkPolyData with the field data "StartNumber", "DefectScore" (above 1 the surface is
  * bad), "UncoveredFraction", "InvertedFraction" and "FoldedFraction"; Online they are 0.

@@ -12,6 +12,7 @@
 #include "vtkGenusZeroCheck.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"

@@ -13,6 +13,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 import baselines
+import how_it_works
 import webs
 from baselines import expect_picture, require_display
 from helpers import textures
@@ -524,6 +525,17 @@ class TestWebs(unittest.TestCase):
             drawn.SetFileName(path)
             drawn.Update()
             expect_picture(self, drawn, "Webs")
+
+
+class TestHowItWorks(unittest.TestCase):
+    def test_each_stage(self):
+        for name, drawn in how_it_works.draw().items():
+            expect_picture(self, drawn, "HowItWorks" + name)
+
+    def test_flow_of_the_page(self):
+        page = os.path.join(os.path.dirname(__file__), "..", "..", "Documentation", "HowItWorks", "flow.svg")
+        with open(page, encoding="ascii") as file:
+            self.assertEqual(file.read(), how_it_works.flow())
 
 
 if __name__ == "__main__":

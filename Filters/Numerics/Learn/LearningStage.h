@@ -15,7 +15,7 @@ namespace conformal
 /// Surface that learning went through, in the points' own coordinates.
 struct LearningStage
 {
-  int StartNumber = 1;      ///< of the start that led to it, counted from 1
+  int StartNumber = 1;      ///< of the start that led to it, from 1, abandoned ones counted
   std::string Start;        ///< such as "sphere" or "hull"
   std::string Name;         ///< such as "level 8", "turn 1", "fit" or "kept"
   Mesh Surface;             ///< closed, of genus zero

@@ -121,7 +121,7 @@ public:
         continue;
       }
       const double end = done + share * (1.0 - done);
-      this->StartNumber = tried + 1;
+      ++this->StartNumber;
       this->StartName = nameOf(start);
       std::optional<ConformalSOMResult> result = this->learnFrom(start, run.part(done, end));
       done += (result ? 1.0 : ShareOfFirst) * (end - done);
