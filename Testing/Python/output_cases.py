@@ -1,10 +1,10 @@
 """Runs of every class of the package whose outputs record_outputs.py records.
 
-CASES has one entry for each class. The run `default` sets no property but those that the class does not
-work without; it gets its input from the chain of defaults that learns the built-in bear, or from a surface
-made by code. The run `small` sets sizes too, so that it is fast, on inputs made by code. All other runs
-differ from `small` in what their names state: one for each value of each enumeration, one for each switch,
-and those of CASES.
+CASES has one entry for each class; that of a filter of mapped surfaces can be derived. The run `default`
+sets no property but those that the class does not work without; it gets its input from the chain of
+defaults that learns the built-in bear, or from a surface made by code. The run `small` sets sizes too, so
+that it is fast, on inputs made by code. All other runs differ from `small` in what their names state: one
+for each value of each enumeration, one for each switch, and those of CASES.
 """
 import functools
 import os
@@ -626,3 +626,13 @@ CASES = {
         needs={"DecimalComma=1": {"cloud.csv": "0,5;1,25;2\n1,5;0;0\n"},
                "SkipMalformedLines=1": {"cloud.xyz": TEXT_FILES[3]}}),
 }
+
+
+def add_derived_cases():
+    """Add a case for each filter without one: mapped surfaces on all ports, and its enumerations and switches."""
+    for name, class_ in concrete_classes().items():
+        if name not in CASES and not name.endswith(("Reader", "Writer")):
+            CASES[name] = Filter(inputs(*[mapped] * class_().GetNumberOfInputPorts()))
+
+
+add_derived_cases()
