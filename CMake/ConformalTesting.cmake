@@ -18,6 +18,8 @@ function (conformal_add_tests layer)
   add_executable(${program} ${sources})
   target_link_libraries(${program}
     PRIVATE ${arg_LIBRARIES} GTest::gtest_main conformalBuild conformalWarnings)
+  # Two thirds of the time of -O2 to compile; the work is done in the libraries.
+  target_compile_options(${program} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
   foreach (source IN LISTS sources)
     get_filename_component(unit "${source}" NAME_WE)
     string(REGEX REPLACE "^Test" "" unit "${unit}")
