@@ -48,9 +48,9 @@ Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const R
 /// Call a visitor with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 
-/// Partition vertices into sets without neighbors, so that the vertices of one set can move
-/// concurrently. Greedy coloring: each vertex joins the first set without a neighbor of it, in the
-/// given order.
+/// Partition vertices into sets of which no two members are neighbors, so that the vertices of one
+/// set can move concurrently. Greedy coloring: each vertex joins the first set without a neighbor
+/// of it, in the given order.
 /// @param[in] vertices  ids in [0, numberOfVertices), each once
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);
