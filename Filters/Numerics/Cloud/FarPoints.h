@@ -18,8 +18,8 @@ struct FarPoints
 {
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, far ones included
-  double Distance =
-    0.0; ///< distance of the nearest far point, in units of the radius of the cloud; 0 without any
+  /// Distance of the nearest far point, in units of the radius of the cloud; 0 without any
+  double Distance = 0.0;
   /// Maximum over the points that are not far; 0 without far points
   double LargestCoordinate = 0.0;
 

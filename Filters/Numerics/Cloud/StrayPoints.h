@@ -41,11 +41,12 @@ bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
 /// @throws Aborted
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {});
 
-/// Mark points far from all others, by the distance to their eighth neighbor. It must exceed 3
-/// times the typical value of the eight neighbors, or `farthest` times that of the cloud.
+/// Mark points far from all others, by the distance to their eighth neighbor. A point is marked if
+/// that distance exceeds 3 times the median of its eight neighbors, or `farthest` times that of the
+/// cloud.
 ///
-/// Noise and sparse parts of a surface are kept. If a quarter of the candidates around a candidate
-/// lie flat, in a plane with their neighbors, it is not marked.
+/// Noise and sparse parts of a surface are kept. A point is not marked if a quarter of the 32
+/// nearest such points lie flat, in a plane with their neighbors.
 ///
 /// @param[in] points    #P by 3, finite
 /// @param[in] farthest  maximum distance of the eighth neighbor, in units of the typical one

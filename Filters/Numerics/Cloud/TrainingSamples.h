@@ -16,8 +16,8 @@ namespace conformal
 /// Samples, the patterns x in X of \cite Liou2008, section 2, read in place and normalized on
 /// access. The center is the weighted centroid, the maximum radius 1.
 ///
-/// The samples may be one rank's part of a cloud that is distributed over several. The frame is
-/// then that of the whole cloud, and all ranks must call the same functions.
+/// The samples may be the part of one rank of a cloud that is distributed over several ranks. The
+/// frame is then that of the whole cloud, and all ranks must call the same functions.
 class TrainingSamples
 {
 public:

@@ -8,8 +8,7 @@
 namespace conformal
 {
 /// Map of the unit ball to itself that is conformal on the sphere and preserves orientation. A
-/// point of the ball is moved to its center by a pure translation of the ball model, then the ball
-/// is rotated.
+/// point of the ball is moved to the center without rotation, then the ball is rotated.
 struct MoebiusTransform
 {
   Vector3 Center = Vector3::Zero(); ///< point that is moved to 0, of length below 1

@@ -22,7 +22,6 @@ struct SphereDensity
 
   /// Directions dense enough to sample every detail of the density between the points of a coarse
   /// mesh.
-  /// #3 by 3 unit vectors
   Points Directions; ///< #D by 3 unit vectors, at least one
   /// #D areas of the sphere represented by the directions, in any unit; finite, at least 0
   std::vector<double> Areas;

@@ -51,10 +51,9 @@ private:
   struct Corners
   {
     Vector3 Positions[3];
-    // Edge k, opposite to corner k: position in Tree.Items of the triangle across, and whether the
-    // edge ascends by id
+    // Edge k is opposite to corner k: position in Tree.Items of the triangle across.
     int Across[3] = { -1, -1, -1 };
-    bool Ascending[3] = {}; // and whether it runs from its lower to its higher id
+    bool Ascending[3] = {}; // whether the edge runs from its lower to its higher id
   };
   static double side(const Corners& corners, int opposite, const Vector3& direction);
   static Vector3 sidesOf(const Corners& corners, const Vector3& direction);

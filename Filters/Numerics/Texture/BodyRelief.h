@@ -18,12 +18,12 @@ struct ReferenceEllipsoid
   Vector3 Radii = Vector3::Ones(); ///< semi-axes along the columns of Axes, in descending order
 };
 
-/// Compute the sphere with the volume of a body around its center of volume.
+/// Compute the sphere of the same volume as a body, around the centroid of that volume.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceSphere(const Mesh& body);
 
-/// Compute the ellipsoid with the volume of a body, its principal axes of inertia, and radii in the
-/// ratio of its moments.
+/// Compute the ellipsoid of the same volume as a body, along its principal axes of inertia. The
+/// radii are in the ratio of the square roots of its second moments.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceEllipsoid(const Mesh& body);
 

@@ -28,7 +28,7 @@ struct KnownFields
 {
   const char* Array;
   std::vector<std::string> Names; ///< one name for each component
-  bool (*Fits)(ScalarType);       ///< type required for all fields
+  bool (*Fits)(ScalarType);       ///< predicate for the type of all fields
 };
 
 /// Normals, colors and texture coordinates. Writers use the first of several lists of an array.
