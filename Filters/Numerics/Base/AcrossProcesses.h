@@ -58,7 +58,7 @@ struct Minimum
 };
 
 /// Compute the element-wise minimum over all ranks.
-/// @param[in] own  as many numbers on every rank
+/// @param[in] own  equally many numbers on every rank
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
@@ -82,7 +82,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 }
 
 /// Compute the element-wise maximum over all ranks.
-/// @param[in] own  as many numbers on every rank
+/// @param[in] own  equally many numbers on every rank
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);

@@ -62,7 +62,7 @@ public:
   Vector3 restore(const Vector3& x) const { return x * this->Scale + this->Center; }
   double scale() const { return this->Scale; }
 
-  /// Return the number of points left out because a coordinate is not finite, on all ranks.
+  /// Return the number of points with a coordinate that is not finite, over all ranks.
   Index numberOfNonFinite() const { return this->NonFinite; }
 
   /// Return the affine rank: 0 for no or equal points, 1 for points on a line, 2 in a plane, else

@@ -76,7 +76,7 @@ void joinBounds(BoxTree& tree, int node)
   bounds.extend(tree.Nodes[tree.Nodes[node].Second].Bounds);
 }
 
-/// @return the next node after those of the range
+/// @return the node after all nodes of the range
 int build(
   BoxTree& tree, std::vector<Center>& centers, const std::vector<Box>& boxes, const Range& range)
 {

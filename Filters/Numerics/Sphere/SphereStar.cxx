@@ -150,7 +150,8 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
     const double angle = source.Area * power(dirichlet * inverseArea, energy.AngleExponent);
     const double main = angle * terms.Main, guard = angle * terms.Guard;
 
-    // Relative derivatives of D and A; multiples of the identity hold the curvature of the sphere.
+    // Relative derivatives of D and A; multiples of the identity represent the curvature of the
+    // sphere.
     const Vector2 ofD =
       -2.0 * inverseDirichlet * (cotangents[1] * q.head<2>() + cotangents[2] * p.head<2>());
     const double curvatureOfD =

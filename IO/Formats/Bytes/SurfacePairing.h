@@ -16,7 +16,7 @@ using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
 /// Read the file of a sphere with the same polygons. Its points become the array "SpherePosition"
 /// (Float64, unit length) of the surface, and replace an existing one. Nothing is done if the name
-/// is empty or the surface was not read. A failure becomes that of the surface.
+/// is empty or the surface was not read. A failure becomes the status of the surface.
 void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 
 /// Read a file of point arrays and append them with unique names.

@@ -153,7 +153,7 @@ std::string makeFile(const std::string& fileMetaData, const std::vector<FileArra
     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
     std::to_string(arrays.size()) + "\">\n" + fileMetaData + "\n<LabelTable/>\n";
-  // Compression is nearly all of the time.
+  // Compression dominates the cost.
   double all = 0.0;
   for (const FileArray& array : arrays)
   {
