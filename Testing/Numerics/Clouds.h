@@ -10,7 +10,7 @@
 
 namespace clouds
 {
-/// Those points for which the test holds, in their order.
+/// Select the points that pass a test, in their order.
 inline conformal::Points where(
   const conformal::Points& all, const std::function<bool(const conformal::Vector3&)>& test)
 {
@@ -26,7 +26,7 @@ inline conformal::Points where(
   return points.topRows(size);
 }
 
-/// Coordinates in [0, 1), in no order at all.
+/// Generate coordinates in [0, 1) in random order.
 inline conformal::Points inUnitCube(conformal::Index size, unsigned int seed)
 {
   conformal::Random random(seed);

@@ -38,7 +38,7 @@ inline Mesh sphere(int frequency)
   return fromCore(conformal::makeGeodesicSphere(frequency));
 }
 
-/// A sphere with handles that are 12 edges around.
+/// Build a sphere with handles of 12 edges around.
 inline conformal::Mesh sphereWithHandles(int count, int frequency = 40)
 {
   Mesh mesh = sphere(frequency);
@@ -46,7 +46,8 @@ inline conformal::Mesh sphereWithHandles(int count, int frequency = 40)
   return toCore(mesh);
 }
 
-/// A ring of so many quads around and along, of radii 1 and 0.4; a = turns[0], b = turns[1].
+/// Build a torus of major radius 1 with `around` by `along` quads, each divided into two triangles.
+/// `radius` is the minor radius.
 inline conformal::Mesh torus(int around, int along, double radius = 0.4)
 {
   conformal::Mesh mesh;

@@ -1,4 +1,4 @@
-/// Bodies to be registered, and known warps of their maps.
+/// Bodies for tests of registration, and known warps of their maps.
 
 #ifndef ConformalTestHeads_h
 #define ConformalTestHeads_h
@@ -11,8 +11,8 @@
 
 namespace heads
 {
-/// How far a head's surface is from its center: with a nose, an ear and a tail, so that no turn and
-/// no mirror leaves it as it is.
+/// Compute the distance of the surface of a head from its center. A nose, an ear and a tail exclude
+/// symmetry under rotations and reflections.
 inline double radiusAt(const conformal::Vector3& n, double nose = 0.7)
 {
   using conformal::Vector3;
@@ -22,7 +22,7 @@ inline double radiusAt(const conformal::Vector3& n, double nose = 0.7)
     0.9 * bump({ -0.8, -0.3, -0.6 }, 0.25);
 }
 
-/// A head, flattened, with its directions as its map.
+/// Build a flattened head, with directions from its center as its sphere map.
 inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
 {
   conformal::RegisteredSurface result;
@@ -36,7 +36,7 @@ inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
   return result;
 }
 
-/// A smooth deformation of the sphere, then a turn.
+/// Apply a smooth deformation of the sphere, then a rotation.
 inline conformal::Vector3 warped(const conformal::Vector3& n, double angle)
 {
   using conformal::Vector3;
@@ -53,7 +53,7 @@ inline conformal::RegisteredSurface withWarpedMap(
   return surface;
 }
 
-/// In degrees.
+/// Compute the mean distance of corresponding unit vectors, as an angle in degrees.
 inline double meanAngle(const conformal::Points& a, const conformal::Points& b)
 {
   return (a - b).rowwise().norm().mean() * 180.0 / conformal::Pi;

@@ -1,4 +1,4 @@
-/// Several processes, played by threads.
+/// Simulation of several ranks by threads.
 
 #ifndef ConformalTestRanks_h
 #define ConformalTestRanks_h
@@ -12,7 +12,7 @@
 
 namespace ranks
 {
-/// The sum of what all bring, handed out when the last one has come.
+/// Sum over all ranks, distributed when the last rank has contributed.
 class Meeting
 {
 public:
@@ -50,7 +50,7 @@ private:
   std::condition_variable Changed;
 };
 
-/// Run body(reduce) once for each rank, at the same time.
+/// Run body(reduce) once for each rank, concurrently.
 inline void run(int size, const std::function<void(const conformal::Reduce&)>& body)
 {
   Meeting meeting(size);

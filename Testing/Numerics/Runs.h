@@ -1,4 +1,5 @@
-/// What tests lend to the core: threads in an odd order, watchers that check what they hear.
+/// Execution contexts for tests: threads in an unusual order, and progress callbacks that check
+/// their input.
 
 #ifndef ConformalTestRuns_h
 #define ConformalTestRuns_h
@@ -12,7 +13,8 @@
 
 namespace runs
 {
-/// Two threads, each from its last block to its first: nothing may depend on who comes first.
+/// Run blocks on two threads, each from its last block to its first: results must not depend on the
+/// order.
 inline conformal::Run backwards()
 {
   return { [](conformal::Index count, const std::function<void(conformal::Index)>& body)
@@ -30,13 +32,13 @@ inline conformal::Run backwards()
     } };
 }
 
-/// Told to stop when as much is done.
+/// Abort when the given fraction is done.
 inline conformal::Run stoppingAt(double fraction)
 {
   return { {}, [fraction](double done) { return done < fraction; } };
 }
 
-/// Expects progress that never falls and stays within [0, 1].
+/// Check that progress never decreases and stays within [0, 1].
 class Watch
 {
 public:
@@ -52,7 +54,7 @@ public:
       } };
   }
 
-  /// 0 before the first report.
+  /// Return the last fraction; 0 before the first report.
   double last() const { return this->Fractions.empty() ? 0.0 : this->Fractions.back(); }
   int calls() const { return static_cast<int>(this->Fractions.size()); }
   const std::vector<double>& fractions() const { return this->Fractions; }

@@ -1,4 +1,4 @@
-/// Shapes over the sphere, shared by tests.
+/// Shapes parameterized by the sphere, shared by tests.
 
 #ifndef ConformalTestShapes_h
 #define ConformalTestShapes_h
@@ -9,7 +9,7 @@
 
 namespace shapes
 {
-/// What place(n) says for each direction n.
+/// Return the position place(n) for each direction n.
 template <typename Place>
 conformal::Points over(const conformal::Points& directions, Place place)
 {
@@ -22,7 +22,7 @@ conformal::Points over(const conformal::Points& directions, Place place)
   return points;
 }
 
-/// Scaled, turned about an axis that is no axis of anything, then shifted.
+/// Scale, rotate about a general axis, then translate.
 inline conformal::Points moved(
   const conformal::Points& points, double angle, const conformal::Vector3& by, double scale = 1.0)
 {

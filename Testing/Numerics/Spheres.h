@@ -12,14 +12,14 @@
 
 namespace spheres
 {
-/// Points of a geodesic sphere for which the test holds.
+/// Select the points of a geodesic sphere that pass a test.
 inline conformal::Points geodesicWhere(
   int frequency, const std::function<bool(const conformal::Vector3&)>& test)
 {
   return clouds::where(conformal::makeGeodesicSphere(frequency).Positions, test);
 }
 
-/// Thrown at random, as densely everywhere, or a hundredth as densely where x is below 0.
+/// Sample the sphere at random, with uniform density, or with a hundredth of it for x below 0.
 inline conformal::Points random(conformal::Index size, bool sparseHalf = false)
 {
   conformal::Random random(5);
@@ -37,7 +37,7 @@ inline conformal::Points random(conformal::Index size, bool sparseHalf = false)
   return points;
 }
 
-/// Spread evenly along a spiral.
+/// Spread points evenly along a spiral.
 inline conformal::Points spiral(conformal::Index size)
 {
   conformal::Points points(size, 3);

@@ -1,4 +1,4 @@
-// Models and views that the tests of textures share.
+// Models and views shared by tests of textures.
 #ifndef TextureFixtures_h
 #define TextureFixtures_h
 
@@ -6,7 +6,7 @@
 
 namespace fixtures
 {
-// An egg with a dent: no symmetry a view could profit from.
+// Build an egg with a dent, a model without symmetry.
 inline conformal::Points egg(const conformal::Points& n)
 {
   conformal::Points points(n.rows(), 3);

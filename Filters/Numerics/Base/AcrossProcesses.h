@@ -1,4 +1,4 @@
-/// Exchange of data between processes, as sums over all of them.
+/// Gather, minimum, maximum and ordered sums over all ranks, built on Reduce.
 
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
@@ -16,8 +16,8 @@
 
 namespace conformal
 {
-/// The rows of all processes one after the other, in the order of their ranks, on each of them.
-/// Whole numbers must be exact as doubles.
+/// Concatenate the rows of all ranks in rank order, on every rank.
+/// @param[in] own  any number of rows; integers must be exact as doubles
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 {
@@ -34,9 +34,10 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// The triangles of all processes, over the points of all, likewise.
+/// Concatenate the triangles of all ranks in rank order, on every rank. Vertex ids are shifted so
+/// that they count the points of all ranks.
 /// @param[in] own     ids in [0, points)
-/// @param[in] points  of this process
+/// @param[in] points  number of points of this rank
 /// @throws std::length_error if ids do not fit into an int
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
@@ -49,19 +50,20 @@ inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index poin
   return gatherRows(reduce, own);
 }
 
-/// The least of a number that each process has, and the first process that has it.
+/// Minimum of a number over all ranks, and the lowest rank that holds it.
 struct Minimum
 {
   double Value = std::numeric_limits<double>::infinity();
   int Rank = 0;
 };
 
-/// Of each of the numbers, as many on all processes.
+/// Compute the element-wise minimum over all ranks.
+/// @param[in] own  equally many numbers on every rank
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
   std::vector<Minimum> result(size);
-  constexpr Index ChunkSize = 1 << 16; // all of it from all processes would be much
+  constexpr Index ChunkSize = 1 << 16; // bounds the memory for the numbers of all ranks
   for (Index first = 0; first < size; first += ChunkSize)
   {
     const Index count = std::min(ChunkSize, size - first);
@@ -79,7 +81,8 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
   return result;
 }
 
-/// Of each number the largest over all processes.
+/// Compute the element-wise maximum over all ranks.
+/// @param[in] own  equally many numbers on every rank
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);
@@ -91,11 +94,11 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
   return most;
 }
 
-/// Processes go on with numbers one after the other, in the order of their ranks, each from where
-/// the one before it has left them; all end with those of the last. So sums of floating-point
-/// numbers come out as if one process had added all of them, to the bit. Takes its time: the
-/// numbers are sent once for each process.
-/// @param[in,out] numbers  the same on all processes
+/// Reduce serially in rank order: each rank continues from the numbers of the rank before it. The
+/// result is broadcast to all ranks. Floating-point sums thus equal those of one process bit by
+/// bit. Slow: the numbers are sent once for each rank.
+/// @param[in,out] numbers  `count` of them, equal on all ranks
+/// @param[in] goOn         update `numbers` with the data of this rank
 inline void inTurn(
   const Reduce& reduce, double* numbers, Index count, const std::function<void()>& goOn)
 {

@@ -10,13 +10,14 @@ namespace conformal
 {
 namespace
 {
-/// The power of two at or below a positive number, 1 for 0.
+/// Return the maximum power of two not above a positive number, or 1 for 0.
 double unitOf(double largest)
 {
   return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
 }
 
-/// In its own unit first: a length of subnormal numbers has few digits, of the largest it has none.
+/// Normalize a vector. Scale it by a power of two first: subnormal lengths have few digits, and the
+/// length of huge vectors overflows.
 template <typename Vector>
 void normalize(Vector& v)
 {

@@ -1,4 +1,4 @@
-/// Disjoint sets that are merged, by union-find with path halving (Tarjan and van Leeuwen 1984).
+/// Disjoint sets: union-find with path halving, \cite Tarjan1984.
 #ifndef ConformalDisjointSets_h
 #define ConformalDisjointSets_h
 
@@ -10,7 +10,8 @@
 
 namespace conformal
 {
-/// Sets of the ids 0 .. size - 1, at first one for each id. The name of a set is one of its ids.
+/// Partition of the ids 0 .. size - 1 into sets. Initially each id is a set of its own. Each set is
+/// named by one of its ids.
 class DisjointSets
 {
 public:

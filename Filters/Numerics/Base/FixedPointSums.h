@@ -1,4 +1,5 @@
-/// Fixed-point sums: the result does not depend on the order of addition.
+/// Fixed-point sums: the result does not depend on the order of addition. Own construction: integer
+/// addition is associative, so threads and ranks may add in any order.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h
@@ -13,9 +14,8 @@
 
 namespace conformal
 {
-/// Sums of numbers of magnitude up to about 1, in integer steps of 2^-38. Integers add the same in
-/// any order, so threads and processes may add as they come and the bits stay the same. There is
-/// room for 2^24 addends of magnitude 2 in one sum.
+/// Sums of numbers of magnitude up to about 1, in integer steps of 2^-38. Threads and ranks may add
+/// in any order: the bits of the sums stay the same. A sum holds up to 2^24 addends of magnitude 2.
 class FixedPointSums
 {
 public:
@@ -26,10 +26,10 @@ public:
   void add(Index i, double value) { this->Steps[i] += std::llrint(value * Unit); }
   double operator[](Index i) const { return static_cast<double>(this->Steps[i]) / Unit; }
 
-  /// All sums back to zero.
+  /// Reset all sums to zero.
   void clear() { std::fill(this->Steps.begin(), this->Steps.end(), 0); }
 
-  /// Add what the other processes have.
+  /// Add the sums of all ranks, element by element.
   void reduce(const Reduce& reduce)
   {
     reduce.sum(this->Steps.data(), static_cast<Index>(this->Steps.size()));

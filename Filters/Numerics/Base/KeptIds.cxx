@@ -23,7 +23,7 @@ Index KeptIds::operator[](Index i) const
   std::uint64_t bits = this->Words[word];
   for (; rest > 0; --rest)
   {
-    bits &= bits - 1; // without its lowest
+    bits &= bits - 1; // clear the lowest bit
   }
   return 64 * word + static_cast<Index>(std::bitset<64>((bits & (~bits + 1)) - 1).count());
 }

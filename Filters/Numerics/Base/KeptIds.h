@@ -1,4 +1,4 @@
-/// A compact set of the indices that are kept, of many.
+/// Compact list of the ids that pass a test: one bit for each id.
 
 #ifndef ConformalKeptIds_h
 #define ConformalKeptIds_h
@@ -10,15 +10,15 @@
 
 namespace conformal
 {
-/// The ids that a test lets through, by their rank among these. Ten million points with a few that
-/// are not finite would otherwise cost a list of all the others.
+/// List of the ids in [0, size) that pass a test, in ascending order. Storage is one bit for each
+/// id: a list of ids would cost 64 bits for each of ten million points.
 class KeptIds
 {
 public:
   KeptIds() = default;
 
-  /// @param[in] size  how many ids there are, from 0
-  /// @param[in] keep  called once for each, in order
+  /// @param[in] size  number of ids, from 0
+  /// @param[in] keep  predicate, called once for each id, in ascending order
   template <typename Keep>
   KeptIds(Index size, const Keep& keep)
     : Words((size + 63) / 64, 0)
@@ -39,13 +39,13 @@ public:
 
   Index size() const { return this->Size; }
 
-  /// Id of the i-th that is kept, i in [0, size()). Costs about the logarithm of the ids' number.
+  /// Return the i-th kept id, for i in [0, size()). The cost is logarithmic in the number of ids.
   Index operator[](Index i) const;
 
 private:
   static constexpr Index IdsPerBlock = 512;
   std::vector<std::uint64_t> Words; ///< a bit for each id
-  std::vector<Index> Before;        ///< how many are kept before each block
+  std::vector<Index> Before;        ///< number of kept ids before each block
   Index Size = 0;
 };
 }

@@ -5,9 +5,9 @@
 
 namespace conformal
 {
-/// GCC's and Clang's vectors: + - * < ?: work lane by lane, on whatever units there are, and give
-/// the same bits on all of them. They may lie anywhere in memory. Used in the few loops that a
-/// compiler does not see through.
+/// Vector types of GCC and Clang. Operators + - * < ?: act lane by lane and give the same bits on
+/// every SIMD unit. Vectors need only the alignment of their elements. Used in the few loops that
+/// compilers do not vectorize on their own.
 using Floats = float __attribute__((vector_size(32), aligned(4)));
 using Doubles = double __attribute__((vector_size(32), aligned(8)));
 constexpr int FloatLanes = 8;

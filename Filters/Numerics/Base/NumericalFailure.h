@@ -1,4 +1,4 @@
-/// The failure of a method that may be followed by another.
+/// Exception for a method that fails on valid input, so that another method can be tried.
 
 #ifndef ConformalNumericalFailure_h
 #define ConformalNumericalFailure_h
@@ -7,8 +7,8 @@
 
 namespace conformal
 {
-/// Thrown where a method has no result for an input that is valid: equations without a usable
-/// solution, a map without room for a vertex. Callers try another method.
+/// Thrown by a method that has no result for a valid input. Examples: equations without a usable
+/// solution, or a map that leaves no feasible position for a vertex. Callers try another method.
 class NumericalFailure : public std::runtime_error
 {
 public:

@@ -1,4 +1,4 @@
-/// Pseudorandom numbers that are the same on every machine for the same seed.
+/// Pseudorandom numbers with equal values on every machine for the same seed.
 
 #ifndef ConformalRandom_h
 #define ConformalRandom_h
@@ -11,7 +11,8 @@
 
 namespace conformal
 {
-/// The standard fixes the engine's numbers but not those of its distributions, hence this.
+/// Pseudorandom numbers from the Mersenne Twister. The C++ standard fixes the numbers of the engine
+/// but not those of its distributions, so the conversions are defined here.
 class Random
 {
 public:
@@ -20,10 +21,10 @@ public:
   {
   }
 
-  /// In [0, 1).
+  /// Return a uniformly distributed number in [0, 1).
   double uniform() { return static_cast<double>(this->Engine() >> 11) * 0x1p-53; }
 
-  /// In [0, size).
+  /// Return a uniformly distributed id in [0, size).
   Index index(Index size)
   {
     return std::min(static_cast<Index>(this->uniform() * static_cast<double>(size)), size - 1);

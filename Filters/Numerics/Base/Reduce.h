@@ -1,4 +1,4 @@
-/// How processes that hold parts of one cloud add up what they found.
+/// Sums over the ranks that hold the parts of one cloud.
 
 #ifndef ConformalReduce_h
 #define ConformalReduce_h
@@ -14,14 +14,14 @@
 
 namespace conformal
 {
-/// How processes that hold parts of one cloud add up what they found. Called by all of them, in the
-/// same order and with the same counts. Sums of integers are the same in any order, hence the same
-/// bits for any number of processes; what is not a sum is written as one.
+/// Sum over the ranks that hold the parts of one cloud. All ranks call it in the same order and
+/// with the same counts. Integer sums do not depend on the order of addition, so results have the
+/// same bits for any number of ranks. Every other reduction is expressed as an integer sum.
 struct Reduce
 {
-  int Rank = 0; ///< of this process, in [0, NumberOfRanks)
+  int Rank = 0; ///< rank of this process, in [0, NumberOfRanks)
   int NumberOfRanks = 1;
-  /// Replace each of count values by its sum over all processes; empty where there is one.
+  /// Replace each of `count` values by its sum over all ranks. Empty for a single rank.
   std::function<void(std::int64_t* values, Index count)> Sum;
 
   void sum(std::int64_t* values, Index count) const
@@ -33,12 +33,11 @@ struct Reduce
   }
 };
 
-/// Where a process's part stands in that of all, which lie one after the other in the order of
-/// ranks.
+/// Position of the data of one rank in the concatenation of all ranks, in rank order.
 struct Share
 {
-  std::int64_t Before = 0; ///< of the processes of lower rank
-  std::int64_t Total = 0;  ///< of all processes
+  std::int64_t Before = 0; ///< number of items of the lower ranks
+  std::int64_t Total = 0;  ///< number of items of all ranks
 };
 
 inline Share shareOf(const Reduce& reduce, std::int64_t own)
@@ -50,7 +49,7 @@ inline Share shareOf(const Reduce& reduce, std::int64_t own)
     std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0)) };
 }
 
-/// The numbers of all processes one after the other, in the order of their ranks, on each of them.
+/// Concatenate the numbers of all ranks in rank order, on every rank.
 inline std::vector<double> gather(const Reduce& reduce, const std::vector<double>& own)
 {
   if (reduce.NumberOfRanks == 1)
@@ -58,7 +57,7 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
     return own;
   }
   const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
-  // Bit patterns, each added to zeros, so that they arrive as they are.
+  // Sum bit patterns with zeros, so that each number arrives unchanged.
   std::vector<std::int64_t> bits(size, 0);
   std::transform(own.begin(), own.end(), bits.begin() + first,
     [](double number)

@@ -1,8 +1,7 @@
-/// What a caller lends to a computation: threads to run on, and somebody who watches and may stop
-/// it.
+/// Execution context: thread pool and a progress callback that may abort.
 ///
-/// Results do not depend on the number of threads: work is cut into blocks of a fixed size,
-/// whatever runs them, and blocks never add into each other's results.
+/// Results do not depend on the number of threads: work is divided into blocks of fixed size, which
+/// write only their own results.
 
 #ifndef ConformalRun_h
 #define ConformalRun_h
@@ -16,22 +15,22 @@
 
 namespace conformal
 {
-/// Runs body(i) once for every i in [0, count), in any order, perhaps at the same time.
+/// Run body(i) once for every i in [0, count), in any order and possibly concurrently.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
 
-/// Called with the fraction done, in [0, 1], never falling, always from the calling thread.
-/// Returns whether to go on; after a false the core throws Aborted.
+/// Progress callback. The argument is the completed fraction in [0, 1] and never decreases. It is
+/// always called from the calling thread. Return false to abort; the core then throws Aborted.
 using Progress = std::function<bool(double)>;
 
-/// Thrown by every function of the core whose Progress returns false.
+/// Thrown by the core after the progress callback returned false.
 class Aborted : public std::exception
 {
 public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// The context of one computation. Functions take it as their last argument; the default runs on
-/// the calling thread and reports to nobody.
+/// Execution context of one computation, passed as the last argument. The default runs on the
+/// calling thread and reports no progress.
 class Run
 {
 public:
@@ -43,8 +42,8 @@ public:
   }
 
   /// Report progress.
-  /// @param[in] fraction  done, in [0, 1], never falling
-  /// @throws Aborted if the watcher says stop
+  /// @param[in] fraction  completed fraction in [0, 1]; must not decrease
+  /// @throws Aborted if the progress callback returns false
   void report(double fraction) const
   {
     if (this->Watcher && !this->Watcher(fraction))
@@ -53,7 +52,7 @@ public:
     }
   }
 
-  /// A part of this run: its [0, 1] is [begin, end] of the whole.
+  /// Return a run whose progress [0, 1] is [begin, end] of this run.
   Run part(double begin, double end) const
   {
     if (!this->Watcher)
@@ -65,13 +64,15 @@ public:
             } };
   }
 
-  /// The same threads; nobody watches. For parts that are too short to be reported.
+  /// Return a run with the same threads and without progress reports, for steps too short to
+  /// report.
   Run unwatched() const { return { this->Threads }; }
 
-  /// The same threads, and another watcher.
+  /// Return a run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// The same watcher; blocks run one after the other. For bodies that depend on their order.
+  /// Return a run with the same progress callback that executes blocks serially, for bodies that
+  /// depend on their order.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
   /// Run body(i) once for every i in [0, count), on all threads.
@@ -101,9 +102,10 @@ inline void forBlocks(
     [&](Index block) { body(block * blockSize, std::min(size, (block + 1) * blockSize)); });
 }
 
-/// The same with a report now and then, always from the calling thread: after a sixteenth of the
-/// blocks, but no more than 256 and no less than 64, which keep many threads busy.
-/// @throws Aborted if the watcher says stop
+/// Run body(begin, end) over [0, size) in blocks of blockSize and report progress from the calling
+/// thread. A report follows each sixteenth of the blocks, limited to [64, 256] blocks so that many
+/// threads stay busy.
+/// @throws Aborted if the progress callback returns false
 inline void forBlocksReporting(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)
 {

@@ -1,4 +1,4 @@
-/// Divides the progress of a task among its steps, so that it is even in time.
+/// Divide the progress of a task among its steps in proportion to their estimated cost.
 
 #ifndef ConformalSteps_h
 #define ConformalSteps_h
@@ -12,20 +12,19 @@
 
 namespace conformal
 {
-/// Shares progress out to steps by the work that is expected of them:
+/// Divide the progress of a run among steps by their estimated cost:
 ///
 ///     Steps steps(run, { 500.0 * triangles, 900.0 * points });
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Work is what a step takes on one core, in nanoseconds where it is added to that of others; only
-/// the ratios matter. It was measured with a clock around each step, in a release build, on meshes
-/// of 3,000 to 600,000 vertices (2026). What machines and meshes make of it stays within the
-/// factor to which Testing/Cxx/TestProgress.cxx holds every filter.
+/// Only the ratios of the costs matter. They were measured on one core, in a release build, on
+/// meshes of 3,000 to 600,000 vertices (2026). Testing/Cxx/TestProgress.cxx bounds the deviation on
+/// other meshes for every filter.
 class Steps
 {
 public:
-  /// @param[in] work  expected of each step
+  /// @param[in] work  estimated cost of each step, in any unit
   Steps(Run whole, std::vector<double> work)
     : Whole(std::move(whole))
     , Work(std::move(work))
@@ -33,8 +32,8 @@ public:
   }
 
   /// Report that the next step begins.
-  /// @return the run of that step, which short ones need not report
-  /// @throws Aborted if the watcher says stop
+  /// @return the run of that step; a short step need not report progress
+  /// @throws Aborted if the progress callback returns false
   Run next()
   {
     const double left = std::accumulate(this->Work.begin() + this->Next, this->Work.end(), 0.0);
@@ -44,7 +43,7 @@ public:
     return this->Whole.part(begin, this->End);
   }
 
-  /// From here on other steps are left: they share what is left of the progress.
+  /// Replace the steps that follow: the new ones share the remaining progress.
   void replan(std::vector<double> work)
   {
     this->Work = std::move(work);
@@ -55,7 +54,7 @@ private:
   Run Whole;
   std::vector<double> Work;
   std::size_t Next = 0;
-  double End = 0.0; ///< of the steps so far
+  double End = 0.0; ///< progress at the end of the current step
 };
 }
 

@@ -15,11 +15,11 @@ using Index = Eigen::Index;
 using Vector3 = Eigen::Vector3d;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< of numbers, by columns
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;    ///< column-major
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// The corner of a triangle that comes after one, counter-clockwise, and the one before it.
+/// Return the next corner of a triangle (0, 1 or 2), counter-clockwise; previous() is its inverse.
 constexpr int next(int corner)
 {
   return corner == 2 ? 0 : corner + 1;
@@ -29,8 +29,8 @@ constexpr int previous(int corner)
   return corner == 0 ? 2 : corner - 1;
 }
 
-/// View of points in memory owned elsewhere, as packed floats or doubles, so that ten million of
-/// them need no copy. Seen in a unit of length, see CoordinateFrame.
+/// View of packed float or double points in memory owned elsewhere, so that ten million points need
+/// no copy. Coordinates are divided by a unit of length, see CoordinateFrame.
 class PointView
 {
 public:
@@ -70,7 +70,7 @@ private:
   double Unit = 1.0;
 };
 
-/// View of numbers in memory owned elsewhere.
+/// View of floats or doubles in memory owned elsewhere.
 class NumberView
 {
 public:

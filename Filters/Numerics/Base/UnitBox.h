@@ -1,4 +1,4 @@
-/// Scales coordinates to a unit box, so that products neither overflow nor underflow.
+/// Scale coordinates to a unit box, so that products neither overflow nor underflow.
 
 #ifndef ConformalUnitBox_h
 #define ConformalUnitBox_h
@@ -8,26 +8,27 @@
 
 namespace conformal
 {
-/// Moves and scales a bounding box so that its longest side is [0, 1].
+/// Translation and scaling that map the longest side of a bounding box to [0, 1].
 struct UnitBox
 {
   Vector3 Lower = Vector3::Zero();
-  double Half = 1.0; ///< of the longest side; halves, since a difference may overflow
+  double Half = 1.0; ///< half of the longest side, since the difference of coordinates may overflow
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
 
-  /// Of a point that may lie outside, by inUnits().
+  /// Convert a point that may lie outside of the box, by inUnits().
   Vector3 fromAfar(const Vector3& p) const
   {
     return inUnits(0.5 * p - 0.5 * this->Lower, this->Half);
   }
 };
 
-/// @throws std::invalid_argument with their number, if points are not finite
+/// Compute the unit box of points.
+/// @throws std::invalid_argument with the number of points that are not finite, if there are any
 UnitBox unitBoxOf(const PointView& points);
 
-/// Points in their unit box. For measures that do not depend on place and size.
-/// @throws std::invalid_argument with their number, if points are not finite
+/// Convert points into their unit box, for measures that depend neither on position nor on size.
+/// @throws std::invalid_argument with the number of points that are not finite, if there are any
 Points inUnitBox(const PointView& points);
 }
 

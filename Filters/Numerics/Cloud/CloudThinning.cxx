@@ -24,7 +24,7 @@ Vector3 direction(const Vector3& x)
   return length > 0.0 && std::isfinite(length) ? Vector3(x / length) : Vector3(Vector3::Zero());
 }
 
-// Points by the cubes they are in, and among those of a cube by their place in the cloud.
+// Sort points by their cubes, and points of one cube by id.
 using Cubes = std::vector<std::pair<std::uint64_t, int>>;
 
 Cubes cubesOf(const Points& points, const Vector3& origin, double spacing)
@@ -116,7 +116,7 @@ OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8
 OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run)
 {
   constexpr int steps = 12; // of bisection
-  // Keys have 21 bits an axis.
+  // Keys have 21 bits for each axis.
   constexpr double finest = 1e-6;
   if (cloud.Positions.rows() <= count)
   {
@@ -132,7 +132,7 @@ OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run)
   {
     return cloud;
   }
-  // In ratios, between one cube and the finest.
+  // Bisect the logarithm of the spacing, between one cube and the finest grid.
   double low = finest * size, high = 2.0 * size;
   Cubes cubes;
   for (int step = 0; step < steps; ++step)

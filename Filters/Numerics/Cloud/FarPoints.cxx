@@ -20,11 +20,11 @@ namespace
 using Place = std::array<double, 3>;
 
 constexpr Index BlockSize = 1 << 14;
-constexpr Index MinimumPlaces = 20; // fewer have no typical distance
+constexpr Index MinimumPlaces = 20; // fewer positions have no typical distance
 constexpr Index SampledPoints = 20000;
 constexpr double RadiusQuantile = 0.9;
 
-// Gaps, in shells of a quarter of an octave: 8 shells from R to 4 R.
+// Gaps are found in shells of a quarter octave: 8 shells from R to 4 R.
 constexpr double Gap = 4.0, Farthest = 32.0;
 constexpr int ShellsPerOctave = 4, ShellsOfGap = 8;
 constexpr Index MostInGap = 3;
@@ -47,7 +47,7 @@ void removeDuplicates(std::vector<Place>& places)
   places.erase(std::unique(places.begin(), places.end()), places.end());
 }
 
-// Places of all processes, each once, in an order that does not depend on the processes.
+// Gather distinct positions of all ranks in an order that does not depend on the ranks.
 std::vector<Place> gatherPlaces(const Reduce& reduce, const std::vector<Place>& own)
 {
   std::vector<double> numbers;
@@ -73,7 +73,7 @@ double quantile(std::vector<double>& values, double share)
   return values[static_cast<std::size_t>(at)];
 }
 
-/// One search, all lengths in quarters.
+/// State of one search; all lengths are quarters.
 class Search
 {
 public:
@@ -115,7 +115,7 @@ private:
 
   double distance(const Vector3& quarter) const { return maximumNorm(quarter - this->Center); }
 
-  // Center and radius, from about SampledPoints points in the order of all processes.
+  // Compute center and radius from about SampledPoints points in the order of all ranks.
   bool findCloud()
   {
     const Index stretch = std::max<Index>(1, this->OfAll.Total / SampledPoints);
@@ -123,7 +123,7 @@ private:
     std::vector<Place> places;
     for (Index block = first / stretch; block * stretch < last; ++block)
     {
-      // Not always the same one of a stretch: scans have rhythms of their own.
+      // Select a varying point of each stretch, since scans may be periodic.
       const std::uint64_t mixed = static_cast<std::uint64_t>(block) * 0x9e3779b97f4a7c15U;
       const Index id = block * stretch +
         static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(stretch)) - first;
@@ -151,7 +151,7 @@ private:
     return this->Radius > 0.0;
   }
 
-  // Largest distance of the points' bounding box on all processes.
+  // Compute the maximum distance of the bounding box of the points on all ranks.
   double extent() const
   {
     std::vector<Box> boxes((this->View.size() + BlockSize - 1) / BlockSize);
@@ -184,16 +184,16 @@ private:
     {
       return 0;
     }
-    // A quotient of doubles may overflow, their logarithms do not.
+    // Use logarithms, since the quotient of doubles may overflow.
     const double octaves =
       std::isfinite(radii) ? std::log2(radii) : std::log2(distance) - std::log2(this->Radius);
     return 1 + static_cast<int>(octaves * ShellsPerOctave);
   }
 
-  // How many points of all processes are in each shell.
+  // Count the points of all ranks in each shell.
   std::vector<std::int64_t> countByShell() const
   {
-    constexpr int octaves = 2200; // of doubles, from the smallest to the largest
+    constexpr int octaves = 2200; // range of doubles, from minimum to maximum
     std::vector<std::int64_t> counts(octaves * ShellsPerOctave, 0);
     for (Index i = 0; i < this->View.size(); ++i)
     {
@@ -206,7 +206,7 @@ private:
     return counts;
   }
 
-  // Where the first gap ends; infinite without any.
+  // Find the end of the first gap; infinite without any.
   double beyondGap(const std::vector<std::int64_t>& counts) const
   {
     const auto size = static_cast<int>(counts.size());
@@ -222,12 +222,13 @@ private:
     return std::numeric_limits<double>::infinity();
   }
 
-  // Count what lies beyond the reach, and test whether it is few or scattered.
+  // Count the points beyond the reach, and test whether they are few or scattered.
   bool accept(FarPoints& far) const
   {
     std::vector<Place> places;
     double nearest = std::numeric_limits<double>::infinity(), largest = 0.0;
-    std::int64_t counts[] = { 0, 0, 0 }; // far, examined, places of this process
+    // Numbers of far points, of examined points, and of positions of this rank
+    std::int64_t counts[] = { 0, 0, 0 };
     for (Index i = 0; i < this->View.size(); ++i)
     {
       if (!this->examines(i))
@@ -268,13 +269,13 @@ private:
     return true;
   }
 
-  // Whether a quarter of the places lie flat among neighbors that are nearer than the cloud. The
-  // neighbors of outliers at ever larger distances are toward the cloud, and flat by chance.
+  // Test whether a quarter of the positions lie flat among neighbors nearer than the cloud.
+  // Outliers at increasing distances have neighbors towards the cloud, which are flat by chance.
   bool isSurface(const std::vector<Place>& places) const
   {
     constexpr Index asked = 2000, share = 4;
     constexpr int neighbors = 8;
-    constexpr double near = 0.5; // of the distance from the cloud
+    constexpr double near = 0.5; // fraction of the distance from the cloud
     const auto size = static_cast<Index>(places.size());
     Points points(size, 3);
     for (Index i = 0; i < size; ++i)

@@ -12,7 +12,7 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-// An item and the cell of a grid in which it lies, numbered so that neighbors are close.
+// Item and its grid cell, with a number that is close for neighboring cells.
 struct Cell
 {
   std::uint32_t Key, Item;
@@ -20,7 +20,7 @@ struct Cell
 
 constexpr int BitsOfAxis = 10, BitsOfKey = 3 * BitsOfAxis;
 
-// The bits of a number below 1024, two zeros before each.
+// Spread the bits of a number below 1024, with two zeros before each.
 std::uint32_t spreadBits(std::uint32_t x)
 {
   x = (x | x << 16) & 0x030000ffu;
@@ -29,7 +29,7 @@ std::uint32_t spreadBits(std::uint32_t x)
   return (x | x << 2) & 0x09249249u;
 }
 
-// Morton's order on a grid over the patterns, whose largest radius is 1.
+// Compute the Morton order on a grid over the samples, of maximum radius 1.
 std::uint32_t keyOf(const Vector3& x)
 {
   constexpr double cells = 1 << BitsOfAxis;
@@ -42,7 +42,7 @@ std::uint32_t keyOf(const Vector3& x)
   return key;
 }
 
-// By keys, items of equal keys in their old order.
+// Sort stably by keys.
 void sortByKey(std::vector<Cell>& cells)
 {
   constexpr int bitsOfDigit = 10;
@@ -73,10 +73,10 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
-  constexpr Index ChunkSize = 64 * BlockSize; // a hundredth of a second or two between reports
+  constexpr Index ChunkSize = 64 * BlockSize; // 10 to 20 ms between reports
   const auto id = [&](Index i) { return idOf ? idOf(i) : i; };
   std::vector<FootPoint> found(std::min(count, ChunkSize)), feet(found.size());
-  Index delivered = 0, first = 0; // patterns [delivered, first) are in found
+  Index delivered = 0, first = 0; // closest points of samples [delivered, first) are in `found`
   const auto deliver = [&]()
   {
     for (Index i = delivered; i < first; ++i)
@@ -96,7 +96,7 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
           deliver();
           return;
         }
-        // The one before is often a neighbor in space: the last triangle is a hint.
+        // The previous sample is often a neighbor in space: use its triangle as the hint.
         int hint = -1;
         for (Index i = (job - 1) * BlockSize; i < std::min(size, job * BlockSize); ++i)
         {
@@ -117,7 +117,7 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
-  constexpr Index MaximumSorted = 1 << 20; // at a time, which bounds the memory
+  constexpr Index MaximumSorted = 1 << 20; // at a time, to bound the memory
   const ClosestPoint closest = [&](Index, const Vector3& x, int hint)
   { return surface.closestPoint(x, hint); };
   std::vector<Cell> cells;

@@ -1,4 +1,5 @@
-/// Closest surface points of many samples, computed in parallel and delivered one after the other.
+/// Closest surface points of many samples, computed in parallel and delivered serially. Own
+/// construction: Morton order and bounded chunks keep memory small and the order of results fixed.
 
 #ifndef ConformalFootPoints_h
 #define ConformalFootPoints_h
@@ -12,26 +13,26 @@
 
 namespace conformal
 {
-/// The closest point of a surface.
-/// @param[in] id    of the pattern
-/// @param[in] x     the pattern
+/// Find the closest point of a surface.
+/// @param[in] id    of the sample
+/// @param[in] x     the sample
 /// @param[in] hint  a triangle that may be near, or -1
 using ClosestPoint = std::function<FootPoint(Index id, const Vector3& x, int hint)>;
 
-/// Call body(id, x, foot) for patterns of the samples, one after the other and in order, where x is
-/// the pattern and foot its closest point on the surface. A bounded number of feet is kept. The
-/// body may run on any thread, while others look for the next feet.
-/// @param[in] closest  called by all threads, once for each pattern
-/// @param[in] count    how many patterns
-/// @param[in] idOf     id of the i-th of them; identity where empty
+/// Call body(id, x, foot) for samples serially and in order, where x is the sample and foot its
+/// closest point on the surface. A bounded number of closest points is stored. The body may run on
+/// any thread, concurrently with the search for the next closest points.
+/// @param[in] closest  called by all threads, once for each sample
+/// @param[in] count    number of samples
+/// @param[in] idOf     id of the i-th sample; identity if empty
 /// @throws Aborted
 void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});
 
-/// Call body(i, x, foot) with the closest points on triangles, for each i in [0, count) once, one
-/// after the other: neighbors in space follow each other, so that the triangles around them are at
-/// hand. For sums whose order does not matter (FixedPointSums.h).
+/// Call body(i, x, foot) with the closest point on triangles once for each i in [0, count),
+/// serially. Samples are visited in spatial order, so that nearby triangles stay in the cache. Use
+/// it for sums whose order does not matter (FixedPointSums.h).
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});

@@ -8,15 +8,15 @@ namespace conformal
 namespace
 {
 constexpr int Rings = 2;
-/// Larger distances count as this many times the last scale: a few outliers hardly matter, many far
-/// patterns together raise the scale from round to round until they are in.
+/// Limit of distances in units of the last scale. A few outliers then have little effect, while
+/// many far samples raise the scale from round to round until they are included.
 constexpr double MaximumRatio = 6.0;
 
-/// Squares of larger distances, in units of the largest radius, would not fit into the sums.
-/// Nothing lies as far apart as this.
+/// Upper bound of distances, in units of the maximum radius: larger squares do not fit into the
+/// sums.
 constexpr double MaximumSquare = 16.0;
 
-/// Nothing is an outlier that lies as close as this, in units of the largest radius.
+/// Lower bound of the distance of outliers, in units of the maximum radius.
 constexpr double MinimumSquareScale = 1e-12;
 }
 
@@ -38,7 +38,7 @@ double LocalScale::squareAt(const FootPoint& foot, const conformal::Triangles& t
   double square = 0.0;
   for (int k = 0; k < 3; ++k)
   {
-    if (foot.Barycentric[k] > 0.0) // no product of zero and infinity
+    if (foot.Barycentric[k] > 0.0) // avoids the product of zero and infinity
     {
       square += foot.Barycentric[k] * this->SquareScale[triangles(foot.Triangle, k)];
     }

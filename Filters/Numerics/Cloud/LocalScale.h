@@ -1,4 +1,5 @@
-/// Local distance scale of the samples around each neuron, for outlier rejection.
+/// Local scale of distances between samples and surface, for outlier rejection. Own construction: a
+/// scale at each vertex, so that a feature not learned yet is not rejected.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h
@@ -11,29 +12,30 @@
 
 namespace conformal
 {
-/// The root mean square distance of the patterns around each neuron, over a few rings. A pattern
-/// so much farther than its like around it does not belong to the surface: an outlier. Those of a
-/// feature still to be learned lie together and are far together.
+/// Root mean square distance of the samples around each vertex, over a few rings of neighbors. A
+/// sample much farther than this is an outlier. Samples of a feature still to be learned are far
+/// together, so they raise the local scale and are kept.
 class LocalScale
 {
 public:
-  /// @param[in] outlierRatio  how many times as far
+  /// @param[in] outlierRatio  ratio of distance to local scale above which a sample is an outlier
   LocalScale(Index neurons, double outlierRatio);
 
-  /// By the distances of the last update; false before the first one.
+  /// Test whether a sample is an outlier by the scale of the last update; false before the first
+  /// update.
   bool outlying(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
-  /// Count a pattern for the next update.
+  /// Add the distance of a sample for the next update.
   void add(const FootPoint& foot, const conformal::Triangles& triangles, double weight);
 
-  /// Take over the distances that were added since the last time, on all processes.
+  /// Update the scale from the distances added since the last update, on all ranks.
   void update(const Adjacency& neighbors, const Reduce& reduce);
 
 private:
   double squareAt(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
   double OutlierRatio;
-  FixedPointSums Sums; ///< for each neuron the weight and the weighted square distance
+  FixedPointSums Sums; ///< weight and weighted square distance of each vertex
   std::vector<double> SquareScale;
 };
 }

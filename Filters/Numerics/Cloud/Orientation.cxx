@@ -38,7 +38,7 @@ Points orient(const WindingNumbers& cloud, const OrientationOptions& options, co
     const double rise = cloud.atPoints(step, width, run).cwiseAbs2().dot(weights);
     if (!(rise > 0.0))
     {
-      break; // nothing is missing, or nothing can be done about it
+      break; // converged, or no descent is possible
     }
     areas += gradient.cwiseProduct(step).sum() / rise * step;
     const Points descent = cloud.descentAtPoints(areas, width, run);
@@ -108,8 +108,8 @@ Points areaVectors(const Points& points, const Points& normals, const Run& run)
 //------------------------------------------------------------------------------
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run)
 {
-  // 1/2 at the points of a whole surface; less beside large holes and where noise is stronger than
-  // the points are dense, about none where signs are anyhow.
+  // Winding numbers are 1/2 at the points of a complete surface. They are less near large holes and
+  // for noise above the point distance, and about zero for random signs.
   constexpr double telling = 0.15, majority = 0.75;
   if (cloud.size() == 0)
   {
@@ -130,7 +130,7 @@ PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
 {
   constexpr int neighbors = 16;
   constexpr Index blockSize = 256;
-  constexpr double toDeviation = 1.4826; // from the median of its size
+  constexpr double toDeviation = 1.4826; // from the median of its absolute value
   const Index size = points.rows();
   PointNoise noise;
   noise.Offsets = Eigen::VectorXd::Zero(size);
@@ -161,7 +161,7 @@ PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
         noise.Offsets[i] = around[i].empty() ? 0.0 : sum / static_cast<double>(around[i].size());
       }
     });
-  // A bend of the surface offsets neighbors alike.
+  // A bend of the surface offsets neighboring points equally.
   std::vector<double> differences(size, 0.0);
   for (Index i = 0; i < size; ++i)
   {

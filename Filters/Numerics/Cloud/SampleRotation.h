@@ -1,4 +1,5 @@
-/// Deterministic subsets of the samples, a different one at each turn.
+/// Deterministic subsets of the samples, a different one for each pass. Own construction: shifts by
+/// multiples of the golden section spread the subsets evenly.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -11,9 +12,9 @@
 
 namespace conformal
 {
-/// Which patterns a pass takes: all where they are few, else evenly spaced ones in the scan's own
-/// order, from a start that moves from turn to turn so that all are used. Of a cloud spread over
-/// processes each takes its own; together they are those that one process would take.
+/// Selection of the samples of a pass: all if they are few, else evenly spaced ones in the order of
+/// the scan. The start moves from pass to pass, so that all samples are used. Each rank selects
+/// from its part; together the ranks select the samples that one process would.
 class SampleRotation
 {
 public:
@@ -25,11 +26,12 @@ public:
   {
   }
 
-  /// @param[in] wanted  how many patterns the next pass should take, on all processes
+  /// Select the samples of the next pass.
+  /// @param[in] wanted  number of samples on all ranks
   void turn(Index wanted)
   {
     this->TotalCount = std::min(wanted, this->Total);
-    constexpr double GoldenSection = 0.6180339887498949; // its multiples spread evenly
+    constexpr double GoldenSection = 0.6180339887498949; // its multiples modulo 1 spread evenly
     this->Start = std::fmod(this->Start + GoldenSection, 1.0);
     this->Begin = this->firstFrom(this->First);
     this->End = this->firstFrom(this->Last);
@@ -37,9 +39,9 @@ public:
 
   Index totalCount() const { return this->TotalCount; }
   Index count() const { return this->End - this->Begin; }
-  /// Place of this process's first pattern among those of the turn.
+  /// Position of the first sample of this rank among those of the pass.
   Index begin() const { return this->Begin; }
-  /// Of TrainingSamples, i in [0, count()).
+  /// Return the id in TrainingSamples of the i-th sample of this rank, for i in [0, count()).
   Index id(Index i) const { return this->idOfTotal(this->Begin + i) - this->First; }
 
 private:
@@ -50,7 +52,7 @@ private:
       static_cast<Index>((static_cast<double>(i) + this->Start) * spacing), this->Total - 1);
   }
 
-  /// The first of the turn whose id is not below this one.
+  /// Find the first sample of the pass with an id not below the given one.
   Index firstFrom(Index id) const
   {
     Index low = 0, high = this->TotalCount;

@@ -14,8 +14,8 @@ namespace
 {
 constexpr int Neighbors = 8;
 
-/// Sparse parts of a surface are no outliers: where a quarter of the suspects around a suspect lie
-/// flat, which few points scattered in space do by chance, it is free.
+/// Unmark sparse parts of a surface. A candidate is unmarked if a quarter of the candidates around
+/// it lie flat, which is unlikely for a few points scattered in space.
 void acquitSurfaces(
   const Points& points, const PointTree& tree, std::vector<std::uint8_t>& suspects, const Run& run)
 {
@@ -66,7 +66,7 @@ NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector
 {
   std::vector<Neighbor> nearest;
   tree.nearest(place, count + 1, nearest);
-  // The first is the point itself, or one at the same place.
+  // The first neighbor is the point itself, or one at the same position.
   const auto others = static_cast<Index>(nearest.size()) - 1;
   Eigen::Matrix<double, 3, Eigen::Dynamic> around(3, others);
   for (Index k = 0; k < others; ++k)
@@ -86,7 +86,7 @@ NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector
 
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
 {
-  constexpr double thickness = 0.1; // its square, of that of the second axis
+  constexpr double thickness = 0.1; // ratio of squares, relative to the second axis
   for (const int count : { Neighbors, 2 * Neighbors })
   {
     const NearestPlane plane = planeNear(points, tree, place, count);

@@ -1,4 +1,5 @@
-/// Detects stray points: off the surface sampled by the others, or far from all of them.
+/// Detect outliers: points off the surface sampled by the others, or far from all of them. Own
+/// construction: planes through eight neighbors need neither normals nor a scale.
 
 #ifndef ConformalStrayPoints_h
 #define ConformalStrayPoints_h
@@ -12,38 +13,43 @@
 
 namespace conformal
 {
-/// The plane through the points that are nearest to a place, one at the place itself left out.
+/// Plane through the points nearest to a position, without a point at the position itself.
 struct NearestPlane
 {
   Vector3 Normal;       ///< unit length
-  double Offset = 0.0;  ///< of the plane from the place, along the normal
-  Vector3 SquareWidths; ///< mean squares along the principal axes, ascending
+  double Offset = 0.0;  ///< signed distance of the plane from the position, along the normal
+  Vector3 SquareWidths; ///< mean square extents along the principal axes, ascending
 };
 
-/// @param[in] tree  of the points, more than `count`
+/// Fit a plane to the points nearest to a position.
+/// @param[in] tree   of the points, more than `count`
+/// @param[in] count  number of points
 NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
-/// Test whether a place lies in the plane of its eight or sixteen nearest points, which lie in one.
+/// Test whether a position and its nearest points lie in one plane, for the eight or the sixteen
+/// nearest points.
 /// @param[in] tree  of the points, more than eight
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
 
-/// Mark points that lie off the surface which the points around them make up: farther from the
-/// plane through the eight nearest other points, along its normal, than 0.8 times the root mean
-/// square width of these in it. Points at sharp tips and some of a very noisy cloud are marked too.
+/// Mark points off the surface that the points around them form. The limit of the distance from the
+/// plane through the eight nearest other points is 0.8 times their root mean square width in that
+/// plane. Points at sharp tips and some points of a very noisy cloud are marked too.
 ///
 /// @param[in] points  #P by 3, finite
-/// @return #P, 1 for a stray point, else 0; all 0 for up to eight points
+/// @return #P, 1 for an outlier, else 0; all 0 for up to eight points
 /// @throws Aborted
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {});
 
-/// Mark points that are far from all others: whose eighth neighbor is more than 3 times as far as
-/// those of its eight neighbors typically are, or more than `farthest` times as far as the typical
-/// point's.
-/// Noise is kept, and so are sparse parts of a surface: where a quarter of the points that would be
-/// marked lie flat, in a plane with their neighbors, they are none of them.
+/// Mark points far from all others, by the distance to their eighth neighbor. A point is marked if
+/// that distance exceeds 3 times the median of its eight neighbors, or `farthest` times that of the
+/// cloud.
 ///
-/// @param[in] points  #P by 3, finite
+/// Noise and sparse parts of a surface are kept. A point is not marked if a quarter of the 32
+/// nearest such points lie flat, in a plane with their neighbors.
+///
+/// @param[in] points    #P by 3, finite
+/// @param[in] farthest  maximum distance of the eighth neighbor, in units of the typical one
 /// @return #P, 1 for an isolated point, else 0; all 0 for up to eight points
 /// @throws Aborted
 std::vector<std::uint8_t> isolatedPoints(

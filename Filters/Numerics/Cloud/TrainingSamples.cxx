@@ -18,8 +18,8 @@ namespace
 {
 constexpr Index BlockSize = 1 << 12;
 
-/// Mass, first and second moments. Sums of numbers up to 1 in integer steps of 2^-50, in two parts
-/// that leave room for 2^38 addends, so that blocks and processes may be added in any order.
+/// Mass, first and second moments. Sums of numbers up to 1 in integer steps of 2^-50, in two parts,
+/// hold 2^38 addends. Blocks and ranks may thus be added in any order.
 class Moments
 {
 public:
@@ -181,8 +181,8 @@ void TrainingSamples::findFrame(const Run& run)
   this->MaximumWeight = this->weighted() ? extremes[6] : 1.0;
   const Vector3 lower(-extremes[0], -extremes[1], -extremes[2]);
   const Vector3 upper(extremes[3], extremes[4], extremes[5]);
-  // First in the box's own unit: sums of very large, very small or very distant coordinates would
-  // overflow, vanish or lose their digits. Halves first, for the same reason.
+  // Compute the sums in the unit box first. Otherwise sums of very large, very small or very
+  // distant coordinates overflow, vanish or lose digits. Halves avoid overflow too.
   this->Center = 0.5 * lower + 0.5 * upper;
   const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
   this->Scale = half > 0.0 ? half : 1.0;
@@ -204,7 +204,7 @@ void TrainingSamples::findFrame(const Run& run)
   const Vector3 spread =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(total.covariance(), Eigen::EigenvaluesOnly)
       .eigenvalues();
-  constexpr double Negligible = 1e-14; // square of a thickness of 1e-7
+  constexpr double Negligible = 1e-14; // square of a relative thickness of 1e-7
   this->Dimension = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
 
   const Vector3 centroid = this->Center + this->Scale * total.mean();

@@ -10,11 +10,11 @@ namespace conformal
 {
 namespace
 {
-constexpr double Farness = 4.0; // half sides from which a cluster counts as a whole
+constexpr double Farness = 4.0; // distance, in half sides, beyond which a cluster counts as a whole
 constexpr int LeafSize = 8, GroupSize = 16, RunSize = 64;
 constexpr Index GroupsPerBlock = 8;
 
-// Places that ask together, as many as a SIMD unit may hold.
+// Positions evaluated together, as many as SIMD lanes.
 constexpr int NumberOfLanes = 8;
 using Lanes = Eigen::Array<float, NumberOfLanes, 1>;
 
@@ -23,7 +23,7 @@ struct LanePlaces
   std::array<Lanes, 3> X;
 };
 
-// From places to a source, and the kernel's divisor there.
+// Differences from positions to a source, and the divisor of the kernel.
 struct Way
 {
   Way(const LanePlaces& places, const Eigen::Vector3f& to, float squareWidth)
@@ -71,7 +71,7 @@ std::array<Lanes, 3> descentOf(
   return sum;
 }
 
-// Of charges, the first components of the strengths.
+// Sum over charges, the first components of the strengths.
 std::array<Lanes, 3> attractionOf(
   const LanePlaces& places, const std::vector<WindingNumbers::Source>& list, float squareWidth)
 {
@@ -88,8 +88,7 @@ std::array<Lanes, 3> attractionOf(
   return sum;
 }
 
-// Call body(first, count, lanes) for lanes full of places; the last is repeated where there are
-// less.
+// Call body(first, count, lanes) for lanes full of positions; the last position fills unused lanes.
 template <typename PlaceOf, typename Body>
 void forLanes(int first, int last, const PlaceOf& placeOf, const Body& body)
 {
@@ -113,7 +112,7 @@ float squareOf(double width)
   return static_cast<float>(width * width);
 }
 
-// The part of one point in the sum of its cluster.
+// Contribution of one point to the sum of its cluster.
 Vector3 strengthOf(const Points& areas, int point)
 {
   return areas.row(point);
@@ -136,7 +135,8 @@ WindingNumbers::WindingNumbers(const Points& points, const Run& run)
   BoxTree tree = buildBoxTree(boxes, run);
   this->Order.swap(tree.Items);
   const int size = static_cast<int>(tree.Nodes.size());
-  // Of the tree's nodes: the points below and the node after, from the last up.
+  // For each node, from the last to the first: the range of its points, and the next node outside
+  // of it.
   std::vector<int> first(size), last(size), next(size);
   for (int i = size - 1; i >= 0; --i)
   {
@@ -146,7 +146,7 @@ WindingNumbers::WindingNumbers(const Points& points, const Run& run)
     last[i] = leaf ? node.First + node.Count : last[node.Second];
     next[i] = leaf ? i + 1 : next[node.Second];
   }
-  // Clusters end where few points are left.
+  // Clusters of few points are not divided.
   std::vector<int> clusterOf(size + 1);
   std::vector<int> nodes;
   for (int i = 0; i < size;)
@@ -161,7 +161,7 @@ WindingNumbers::WindingNumbers(const Points& points, const Run& run)
     i = after;
   }
   clusterOf[size] = static_cast<int>(nodes.size());
-  int grouped = 0; // points that are in a group
+  int grouped = 0; // points already in a group
   for (const int node : nodes)
   {
     const Box& bounds = tree.Nodes[node].Bounds;
@@ -244,7 +244,7 @@ void WindingNumbers::gather(const Sources& sources, const Vector3& lower, const 
     const Cluster& cluster = this->Clusters[i];
     const double square =
       (lower - cluster.Center).cwiseMax(cluster.Center - upper).cwiseMax(0.0).squaredNorm();
-    // Within the width the kernel is another one: no cluster may reach into it.
+    // The kernel differs within the width: no cluster may reach into it.
     const double far = std::max(Farness * cluster.HalfSide, width + 2.0 * cluster.HalfSide);
     if (square > far * far)
     {

@@ -1,4 +1,5 @@
 /// Nodes and weights of Gauss-Legendre quadrature.
+/// Newton iteration as in \cite Hale2013.
 
 #ifndef ConformalGaussLegendre_h
 #define ConformalGaussLegendre_h

@@ -1,4 +1,5 @@
 /// Fits spherical harmonics to values at the vertices of a surface that is mapped to the sphere.
+/// Own construction: a quadrature grid replaces the dense equations of \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicFit_h
 #define ConformalHarmonicFit_h

@@ -1,4 +1,5 @@
 /// Fast transforms between harmonics and values on a grid of the sphere.
+/// Separation of variables as in \cite Schaeffer2013.
 
 #ifndef ConformalHarmonicGrid_h
 #define ConformalHarmonicGrid_h

@@ -1,4 +1,5 @@
 /// Surfaces made of spherical harmonics.
+/// Representation of \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicSurface_h
 #define ConformalHarmonicSurface_h

@@ -1,4 +1,5 @@
 /// Normalized associated Legendre functions of high degree.
+/// Extended exponents as in \cite Fukushima2012.
 
 #ifndef ConformalLegendreFunctions_h
 #define ConformalLegendreFunctions_h

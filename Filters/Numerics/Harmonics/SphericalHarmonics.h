@@ -1,4 +1,5 @@
 /// Real spherical harmonics at any directions.
+/// Own construction: direct sums over blocks of directions, for arbitrary directions.
 
 #ifndef ConformalSphericalHarmonics_h
 #define ConformalSphericalHarmonics_h

@@ -1,4 +1,5 @@
 /// Distance to a point cloud at the nodes of a grid around it.
+/// Propagation of nearest samples as in \cite Danielsson1980.
 
 #ifndef ConformalCloudDistance_h
 #define ConformalCloudDistance_h

@@ -1,4 +1,5 @@
 /// Classifies grid nodes as inside or outside of a point cloud that may have holes.
+/// Persistence of \cite Edelsbrunner2002.
 
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h

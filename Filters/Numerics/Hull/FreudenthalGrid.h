@@ -1,4 +1,5 @@
 /// Freudenthal triangulation of a cubic grid, on which sets of nodes have an unambiguous topology.
+/// Triangulation of \cite Freudenthal1942.
 
 #ifndef ConformalFreudenthalGrid_h
 #define ConformalFreudenthalGrid_h

@@ -1,4 +1,5 @@
 /// Closed surface of genus zero around a point cloud.
+/// Own construction: a grid solid without handles bounds a surface of genus zero for any cloud.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h

@@ -1,4 +1,5 @@
 /// Makes sets of grid nodes solid: connected and without handles.
+/// Own construction: growth by simple nodes in order of distance cuts handles at thin places.
 
 #ifndef ConformalGridSolid_h
 #define ConformalGridSolid_h

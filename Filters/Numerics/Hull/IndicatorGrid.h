@@ -1,4 +1,5 @@
 /// Winding numbers at the nodes of a grid around a cloud.
+/// Winding numbers of \cite Barill2018.
 
 #ifndef ConformalIndicatorGrid_h
 #define ConformalIndicatorGrid_h

@@ -1,4 +1,5 @@
 /// The inside of a point cloud by winding numbers, as a ball of grid nodes.
+/// Own construction: the kernel width follows noise and topology without parameters.
 
 #ifndef ConformalIndicatorSolid_h
 #define ConformalIndicatorSolid_h

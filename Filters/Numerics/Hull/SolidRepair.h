@@ -1,4 +1,5 @@
 /// Makes the solid of an indicator one ball, by the changes that the indicator minds least.
+/// Own construction: changes are ordered by their cost in the indicator.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h

@@ -1,4 +1,5 @@
 /// Options and result of trainConformalSOM().
+/// Parameters of \cite Liou2008.
 
 #ifndef ConformalConformalSOMOptions_h
 #define ConformalConformalSOMOptions_h

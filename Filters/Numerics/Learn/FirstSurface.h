@@ -1,4 +1,5 @@
 /// Surfaces from which an adaptive mesh is fitted; used by StartSearch.h.
+/// Own construction: several starts, since no single one suits all shapes.
 
 #ifndef ConformalFirstSurface_h
 #define ConformalFirstSurface_h

@@ -1,4 +1,5 @@
-/// Preconditioned conjugate gradients that can be stopped. Eigen's cannot.
+/// Preconditioned conjugate gradients with progress and abort, \cite Hestenes1952. Eigen's solver
+/// supports neither.
 
 #ifndef ConformalConjugateGradients_h
 #define ConformalConjugateGradients_h
@@ -11,18 +12,19 @@ namespace conformal
 {
 struct ConjugateGradientsOptions
 {
-  int NumberOfSteps = 0; ///< at most
-  /// Of the residual's square, as the preconditioner measures it, against that of the start.
+  int NumberOfSteps = 0; ///< maximum number of steps
+  /// Square residual, in the norm of the preconditioner, relative to the initial one at which to
+  /// stop.
   double Accuracy = 0.0;
 };
 
-/// A linear map, written into its second argument, which has the size of the first.
+/// Linear map: writes its result into the second argument, of the size of the first.
 using LinearMap = std::function<void(const Points&, Points&)>;
 
-/// Solve A x = b from x = 0, where A and the preconditioner are symmetric and positive definite.
-/// @param[in] residual        b, which is used up
-/// @param[in] product         A x
-/// @param[in] preconditioned  about A^-1 x
+/// Solve A x = b from x = 0 for symmetric positive definite A and preconditioner.
+/// @param[in,out] residual    b; on return the residual b - A x
+/// @param[in] product         compute A x
+/// @param[in] preconditioned  approximate A^-1 x
 /// @return x
 /// @throws Aborted
 inline Points conjugateGradients(Points& residual, const LinearMap& product,

@@ -8,7 +8,8 @@ namespace conformal
 {
 namespace
 {
-// Cotangents of the corners; all zero for triangles of no area, whose ids are listed.
+// Compute cotangents of the corners, zero for triangles of zero area, and list the ids of these
+// triangles.
 Points cotangentsOf(
   const Points& points, const Triangles& triangles, std::vector<Index>& withoutArea)
 {
@@ -23,7 +24,7 @@ Points cotangentsOf(
       const Vector3 u = points.row(triangles(r, next(k))).transpose() - a;
       const Vector3 v = points.row(triangles(r, previous(k))).transpose() - a;
       const double sine = u.cross(v).norm(), cosine = u.dot(v);
-      constexpr double smallest = 1e-12; // below, the angle is rounding
+      constexpr double smallest = 1e-12; // smaller angles are rounding error
       finite = finite && sine > smallest * (u.squaredNorm() + v.squaredNorm());
       row[k] = cosine / sine;
     }
@@ -80,8 +81,8 @@ StringConstants harmonicStrings(const Points& points, const Triangles& triangles
   StringConstants result;
   result.Strings =
     cotangentWeights(triangles, points.rows(), cotangentsOf(points, triangles, withoutArea));
-  constexpr double rounding = -1e-9;            // of right angles on both sides
-  const auto& weights = result.Strings.Weights; // each edge is there twice
+  constexpr double rounding = -1e-9;            // rounding error of the weight for two right angles
+  const auto& weights = result.Strings.Weights; // each edge is stored twice
   result.NumberOfNegative =
     std::count_if(weights.begin(), weights.end(), [](double weight) { return weight < rounding; }) /
     2;

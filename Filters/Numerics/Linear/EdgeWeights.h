@@ -1,4 +1,5 @@
-/// Edge weights of a triangle mesh: uniform, cotangent and harmonic.
+/// Edge weights of a triangle mesh: uniform \cite Tutte1963, cotangent and harmonic \cite
+/// Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h
@@ -10,7 +11,8 @@
 
 namespace conformal
 {
-/// A symmetric matrix of the edges; entry i belongs to the edge to Neighbors.Ids[i].
+/// Symmetric matrix with one entry for each directed edge: Weights[i] belongs to the edge to
+/// Neighbors.Ids[i].
 struct EdgeWeights
 {
   Adjacency Neighbors;
@@ -27,29 +29,31 @@ struct EdgeWeights
   }
 };
 
-/// One for each edge: with them a planar map into a convex boundary never folds \cite Tutte1963.
+/// Assign weight 1 to each edge. A planar map into a convex boundary with these weights never folds
+/// \cite Tutte1963.
 EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 
-/// Half the sum of the cotangents of the angles opposite to each edge: the string constants of the
-/// harmonic energy \cite Pinkall1993.
+/// Compute cotangent weights, half the sum of the cotangents of the angles opposite to each edge.
+/// They are the string constants of the harmonic energy \cite Pinkall1993.
 /// @param[in] cotangents  #F by 3, of the corners
 EdgeWeights cotangentWeights(
   const Triangles& triangles, Index numberOfVertices, const Points& cotangents);
 
-/// What Gu and Yau call string constants, and how many of them break a harmonic map.
+/// String constants of \cite GuYau2002, and the number of edges that break a harmonic map.
 struct StringConstants
 {
-  EdgeWeights Strings;        ///< cotangentWeights, triangles without area left out
-  Index NumberOfNegative = 0; ///< edges between angles that add up to more than pi
-  Index NumberOfInfinite = 0; ///< edges of triangles without area
+  EdgeWeights Strings;        ///< cotangent weights without triangles of zero area
+  Index NumberOfNegative = 0; ///< edges with opposite angles of sum above pi
+  Index NumberOfInfinite = 0; ///< edges of triangles of zero area
 };
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
-/// Twice the area of the triangles around each vertex, six times its share; all one if the surface
-/// has none.
+/// Compute twice the area of the triangles around each vertex, six times the area share of the
+/// vertex. All values are one if the surface has no area.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
-/// The energy of places on the sphere, or anywhere: half the sum of weight times squared length.
+/// Compute the string energy: half the sum of weight times squared edge length.
+/// @param[in] places  #V by 3 vertex positions, on the sphere or elsewhere
 double stringEnergy(const EdgeWeights& strings, const Points& places);
 }
 

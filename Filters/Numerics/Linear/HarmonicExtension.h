@@ -1,4 +1,5 @@
-/// Harmonic extension: solves for the free vertices of a mesh whose other vertices are fixed.
+/// Harmonic extension: solve for the free vertices of a mesh with fixed values at all other
+/// vertices, \cite Pinkall1993.
 
 #ifndef ConformalHarmonicExtension_h
 #define ConformalHarmonicExtension_h
@@ -11,12 +12,13 @@
 
 namespace conformal
 {
-/// Put the free vertices where the weighted sum of the edges at each of them is zero: with Eigen's
-/// sparse Cholesky factor, or, if there are many, with MultifrontalCholesky.
-/// @param[in] places      #V by 3 points of the surface, for the order of elimination
-/// @param[in] free        ids of the vertices that move, each once
+/// Compute values of the free vertices so that the weighted sum of the edges at each of them is
+/// zero. Solved by Eigen's sparse Cholesky factorization, or for many vertices by
+/// MultifrontalCholesky.
+/// @param[in] places      #V by 3 points of the surface, for the elimination order
+/// @param[in] free        ids of the free vertices, each once
 /// @param[in,out] values  #V by the number of columns
-/// @throws NumericalFailure if the weights are not those of a membrane: not positive definite
+/// @throws NumericalFailure if the matrix of the weights is not positive definite
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
   const std::vector<int>& free, Columns& values, const Run& run = {});
 }

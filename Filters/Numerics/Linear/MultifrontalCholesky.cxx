@@ -14,14 +14,14 @@ namespace conformal
 namespace
 {
 constexpr Index PanelSize = 96;
-constexpr Index LargeFront = 500; // rows; these are done one after the other
+constexpr Index LargeFront = 500; // rows; larger fronts run one after the other
 }
 
 //------------------------------------------------------------------------------
 MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
   const std::vector<double>& diagonal, const Points& places, const Run& run)
 {
-  // The last step takes about 15 n^1.5 multiplications, at half a nanosecond.
+  // The last step needs about 15 n^1.5 multiplications, at half a nanosecond each.
   const double size = static_cast<double>(places.rows());
   Steps steps(run, { 160.0 * size, 90.0 * size, 100.0 * size + 7.5 * size * std::sqrt(size) });
   steps.next();
@@ -38,7 +38,7 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
     levels[level].push_back(part);
     total += this->work(part);
   }
-  // A surface's dissection takes about 15 n^1.5 multiplications.
+  // The dissection of a surface needs about 15 n^1.5 multiplications.
   if (total > 1e8 + 300.0 * size * std::sqrt(size))
   {
     throw NumericalFailure("the surface cannot be cut into small parts");
@@ -116,7 +116,7 @@ void MultifrontalCholesky::findBoundaries(const Adjacency& graph)
 }
 
 //------------------------------------------------------------------------------
-// Multiplications, about.
+// Estimate the number of multiplications.
 double MultifrontalCholesky::work(std::size_t part) const
 {
   const NestedDissection::Part& own = this->Dissection.Parts[part];
@@ -195,7 +195,7 @@ void MultifrontalCholesky::eliminate(std::size_t part, const Run& run)
       throw NumericalFailure("the matrix is not positive definite");
     }
     const auto lower = corner.triangularView<Eigen::Lower>();
-    // A block of rows, then a block of columns at a time, each by one thread.
+    // Process a block of rows, then a block of columns, each on one thread.
     forBlocks(run, rows - end, 2 * PanelSize,
       [&](Index from, Index to)
       {

@@ -1,4 +1,4 @@
-/// Multifrontal Cholesky solver for mesh Laplacians.
+/// Multifrontal Cholesky solver for mesh Laplacians, \cite Duff1983.
 
 #ifndef ConformalMultifrontalCholesky_h
 #define ConformalMultifrontalCholesky_h
@@ -12,32 +12,34 @@
 
 namespace conformal
 {
-/// The Cholesky factor of a positive definite matrix, front by front (\cite Duff1983): each part of
-/// a nested dissection is a dense matrix of its own unknowns and of those later ones that it
-/// touches. Parts of one level are independent, so they are done at the same time; large ones are
-/// done a panel at a time, with a report after each, so that no step is long.
+/// Cholesky factor of a positive definite matrix by fronts (\cite Duff1983). Each part of a nested
+/// dissection has a dense front: its own unknowns and the later unknowns connected to it. Parts of
+/// one level are independent and run concurrently. Large fronts are factored panel by panel with a
+/// progress report after each, so that no step is long.
 ///
-/// Eigen's own sparse factorizations go column by column, on one thread and without a report; for
-/// Igea's 134,342 unknowns they take 0.7 s, this one 0.2 s.
+/// Eigen's sparse factorizations work column by column, on one thread and without progress. For the
+/// 134,342 unknowns of Igea they take 0.7 s, this solver 0.2 s.
 class MultifrontalCholesky
 {
 public:
-  /// Of the matrix with the given diagonal and the negative weights beside it.
-  /// @param[in] places  a point for each unknown, for the order of elimination
-  /// @throws NumericalFailure if the matrix is not positive definite, or its factor is so full
-  ///         that it would take too long: neighbors are far apart
+  /// Factor the matrix with the given diagonal and the negative weights as off-diagonal entries.
+  /// @param[in] places  a point for each unknown, for the elimination order
+  /// @throws NumericalFailure if the matrix is not positive definite. Also if its factor is too
+  ///   full, because neighbors are far apart.
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
     const Points& places, const Run& run = {});
 
+  /// Solve for all columns.
   /// @param[in,out] columns  right-hand sides, then solutions
   void solve(Columns& columns) const;
 
 private:
   struct Front
   {
-    std::vector<int> Boundary; // later places in the order, ascending
-    Columns Factor;            // rows of the part and of its boundary, columns of the part
-    Columns Update;            // what is left for the parent, lower half
+    std::vector<int> Boundary; // later unknowns by position in the order, ascending
+    // Rows: unknowns of the part and of its boundary; columns: unknowns of the part
+    Columns Factor;
+    Columns Update; // Schur complement for the parent, lower triangle
   };
 
   void findBoundaries(const Adjacency& graph);

@@ -20,7 +20,7 @@ public:
   {
   }
 
-  // Returns the part's index.
+  // Return the index of the part.
   int part(int begin, int end, int level)
   {
     std::vector<int> children;
@@ -39,7 +39,7 @@ public:
   }
 
 private:
-  // Reorders [begin, end) to left half, right half and separator; returns the ends of the halves.
+  // Reorder [begin, end) to left half, right half and separator; return the ends of the halves.
   std::pair<int, int> cut(int begin, int end)
   {
     auto* ids = this->Result.Order.data();
@@ -77,7 +77,7 @@ private:
   const Adjacency& Graph;
   const Points& Places;
   NestedDissection& Result;
-  std::vector<int> Sides; // stamp of the last cut in whose right half a point was
+  std::vector<int> Sides; // stamp of the last cut with the point in the right half
   int Stamp = 0;
 };
 }

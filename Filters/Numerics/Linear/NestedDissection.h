@@ -1,4 +1,4 @@
-/// Nested dissection: an elimination order for the unknowns of a surface mesh.
+/// Nested dissection: an elimination order for the unknowns of a surface mesh, \cite George1973.
 
 #ifndef ConformalNestedDissection_h
 #define ConformalNestedDissection_h
@@ -10,22 +10,23 @@
 
 namespace conformal
 {
-/// Unknowns in an order in which each part follows the parts that it keeps apart \cite George1973.
+/// Elimination order in which each part, a separator, follows the parts it separates \cite
+/// George1973.
 struct NestedDissection
 {
   struct Part
   {
-    int Begin, End;            ///< of Order
-    int Level;                 ///< 0 for the last one, one more for the parts it keeps apart
-    std::vector<int> Children; ///< the parts that it keeps apart, none or two
+    int Begin, End;            ///< range of positions in Order
+    int Level;                 ///< 0 for the last part, one more for the parts it separates
+    std::vector<int> Children; ///< the parts it separates, none or two
   };
-  std::vector<int> Order;     ///< the unknown at each place
-  std::vector<int> Positions; ///< the place of each unknown
-  std::vector<Part> Parts;    ///< children first
+  std::vector<int> Order;     ///< unknown at each position
+  std::vector<int> Positions; ///< position of each unknown
+  std::vector<Part> Parts;    ///< each after its children
 };
 
-/// Cut in halves by the median of the longest side of the bounding box, again and again; a half's
-/// points with neighbors in the other one are what keeps both apart.
+/// Bisect the unknowns recursively by the median along the longest side of the bounding box. The
+/// separator is the set of unknowns of one half with neighbors in the other.
 /// @param[in] graph   symmetric, without loops
 /// @param[in] places  a point for each unknown
 NestedDissection dissect(const Adjacency& graph, const Points& places);

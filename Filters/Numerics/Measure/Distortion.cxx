@@ -27,7 +27,7 @@ double angleAt(const Corners& t, int k)
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-// Mean over the corners, in degrees.
+// Compute the mean over the corners, in degrees.
 double angleChange(const Corners& a, const Corners& b)
 {
   double sum = 0.0;
@@ -54,20 +54,20 @@ struct Flat
   }
 };
 
-// Ratio of the singular values of the linear map from a to b; not finite where there is none.
+// Compute the ratio of the singular values of the linear map from a to b; not finite without a map.
 double dilatation(const Corners& a, const Corners& b)
 {
   const Flat from(a), to(b);
   const double xx = to.Base / from.Base, yy = to.Height / from.Height;
   const double xy = (to.Offset - xx * from.Offset) / from.Height;
   const double squares = xx * xx + xy * xy + yy * yy, determinant = xx * yy;
-  // The discriminant as a product, which cannot be negative.
+  // Product form of the discriminant, which cannot be negative.
   const double root =
     std::sqrt(((xx - yy) * (xx - yy) + xy * xy) * ((xx + yy) * (xx + yy) + xy * xy));
   return (squares + root) / (2.0 * determinant);
 }
 
-// Area of the spherical triangle, negative if it is clockwise seen from outside.
+// Compute the area of the spherical triangle, negative if clockwise seen from outside.
 double solidAngle(const Corners& n)
 {
   return 2.0 *
@@ -97,7 +97,7 @@ struct Measured
   }
 };
 
-// Means over the triangles that count; the others are set to no distortion.
+// Compute means over the valid triangles; set the others to no distortion.
 void summarize(Distortion& result, const Measured& measured)
 {
   const double meshArea = sumOf(measured.MeshAreas), sphereArea = sumOf(measured.SphereAreas);

@@ -1,4 +1,4 @@
-/// Aligns one map to the sphere with another.
+/// Align one sphere map with another by a rotation \cite Kabsch1976 or a Moebius transform.
 
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h
@@ -12,27 +12,29 @@ namespace conformal
 {
 enum class AlignmentKind
 {
-  Rotation, ///< keeps angles and areas
-  Moebius   ///< keeps angles
+  Rotation, ///< preserves angles and areas
+  Moebius   ///< preserves angles
 };
 
 struct SphericalAlignmentResult
 {
   MoebiusTransform Transform;
-  double Error = 0.0; ///< weighted root mean square distance that is left, on the unit sphere
+  /// Weighted root mean square distance after the transform, on the unit sphere
+  double Error = 0.0;
 };
 
-/// The transform that brings places on the sphere closest to those they correspond to.
+/// Find the transform that minimizes the weighted mean square distance between corresponding
+/// positions on the sphere.
 /// @param[in] from, to  #P by 3 unit vectors
-/// @param[in] weights   #P, not negative
-/// @throws std::invalid_argument if there are too few places to fix the transform: two for a
-///         rotation, three for a Moebius transform
+/// @param[in] weights   #P, >= 0
+/// @throws std::invalid_argument if there are too few positions: two for a rotation, three for a
+///   Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});
 
-/// Where the points of one surface lie on the sphere according to another one's map: each takes the
-/// place of the nearest point of the other surface, both being laid over each other.
+/// Carry the sphere map of one surface to the points of another in the same pose. Each point
+/// receives the sphere position of the closest point of the mapped surface.
 /// @param[in] points  #P by 3, finite
 /// @param[in] other   a surface with its map
 /// @return #P by 3 unit vectors

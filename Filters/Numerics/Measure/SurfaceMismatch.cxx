@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-// The reference's center at the origin, the unit of length 1.
+// Frame with the center of the reference at the origin and the unit of length 1.
 struct Frame
 {
   Vector3 Center = Vector3::Zero();
@@ -46,7 +46,7 @@ Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const 
     box.Lower = -Eigen::Map<const Vector3>(ends.data());
     box.Upper = Eigen::Map<const Vector3>(ends.data() + 3);
   }
-  // Half each, since a sum may overflow.
+  // Sum halves, since the sum may overflow.
   const Vector3 middle = 0.5 * box.Lower + 0.5 * box.Upper;
   Frame frame;
   Vector3 sum = Vector3::Zero();
@@ -96,7 +96,7 @@ void requireFinite(const PointView& points, const char* what, const Reduce& redu
   }
 }
 
-// Points as triangles of one corner, which the tree takes as they are.
+// Represent points as degenerate triangles of one corner, which the tree supports.
 Triangles asTriangles(const std::vector<int>& vertices)
 {
   Triangles triangles(static_cast<Index>(vertices.size()), 3);
@@ -139,7 +139,7 @@ TriangleTree treeOf(const Points& points, const Triangles& triangles, const Run&
   return TriangleTree(points, asTriangles(all), run);
 }
 
-// Points spread evenly over the area of a mesh (over its triangles, where it has no area).
+// Spread points evenly over the area of a mesh, or over its triangles if it has no area.
 Points spreadSamples(const Points& points, const Triangles& triangles, int count, int seed)
 {
   const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
@@ -158,11 +158,11 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
       break;
     }
   }
-  // Even steps through the area; inside the triangles the additive recurrence of the plastic
-  // number, any run of which fills the unit square evenly, so that large triangles are covered as
-  // well as many small ones. Random is only where both begin.
+  // Step evenly through the area. Inside triangles use the additive recurrence of the plastic
+  // number: any run of it fills the unit square evenly, for large and small triangles. Only the
+  // start of both is random.
   std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
-  // The standard fixes the engine's numbers, but not those of its distributions.
+  // The C++ standard fixes the numbers of the engine but not those of its distributions.
   const auto uniform = [&]() { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   constexpr double plastic = 1.32471795724474602596;
   const double step = uniform(), startU = uniform(), startV = uniform();
@@ -186,7 +186,7 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
   return samples;
 }
 
-// Square distances of so many points to a mesh.
+// Compute square distances of points to a mesh.
 template <typename Query>
 std::vector<double> squareDistances(
   const TriangleTree& tree, Index size, const Query& query, const Run& run)
@@ -196,7 +196,7 @@ std::vector<double> squareDistances(
   forBlocksReporting(run, size, blockSize,
     [&](Index begin, Index end)
     {
-      int hint = -1; // neighbors in the list are often neighbors in space
+      int hint = -1; // consecutive points are often neighbors in space
       for (Index i = begin; i < end; ++i)
       {
         const FootPoint foot = tree.closestPoint(query(i), hint);
@@ -207,7 +207,7 @@ std::vector<double> squareDistances(
   return squares;
 }
 
-// Of values that are spread over processes, or that there are once.
+// Statistics of values distributed over ranks, or held once.
 double meanOf(const std::vector<double>& values, Index total, const Reduce& reduce = {})
 {
   double sum = 0.0;
@@ -222,7 +222,7 @@ double meanOf(const std::vector<double>& values, Index total, const Reduce& redu
   return sum / static_cast<double>(total);
 }
 
-// None is below 0.
+// No value is below 0.
 double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
 {
   double most = 0.0;
@@ -233,7 +233,7 @@ double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
   return maximum(reduce, { most })[0];
 }
 
-// Of square distances to the parts of a cloud those to all of it.
+// Compute square distances to the whole cloud from those to its parts.
 std::vector<double> toNearestPart(const Reduce& reduce, std::vector<double> squares)
 {
   const std::vector<Minimum> nearest = minimum(reduce, squares);
@@ -310,8 +310,8 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
     meanOf(
       measure(TriangleTree(model, asTriangles(vertices), steps.next()), size, data), total, reduce);
 
-  // Feet on edges may differ by rounding from triangle to triangle, and with them what a tree of
-  // some triangles finds; of points there is one nearest distance.
+  // Closest points on edges may differ by rounding between triangles, and so between trees of parts
+  // of the triangles. Points have one nearest distance.
   Points referenceFrame = frame(referencePoints);
   Triangles triangles = referenceTriangles;
   if (!isCloud)
@@ -342,7 +342,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
   result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
   result.ReferenceDistances = rootsTimes(forward, distanceUnit);
-  constexpr double minimumSquare = 0x1p-960; // smaller squares beside would lose digits
+  constexpr double minimumSquare = 0x1p-960; // smaller squares would lose digits
   if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < minimumSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {

@@ -25,7 +25,7 @@ void requireScale(double scale, double least, const char* name)
   }
 }
 
-// A corner of a triangle and the edges that leave it.
+// Corner of a triangle and the edges at it.
 struct Corner
 {
   Corner(const Mesh& surface, Index triangle, int k)
@@ -39,7 +39,7 @@ struct Corner
   }
 
   Vector3 ToNext, ToPrevious;
-  double Sine, Cosine; // times the product of the lengths
+  double Sine, Cosine; // times the product of the edge lengths
 };
 }
 
@@ -114,7 +114,7 @@ Columns smoothDensities(
   const Mesh& surface, const Eigen::VectorXd& areas, double time, Columns integrals, const Run& run)
 {
   const Index size = surface.Positions.rows();
-  // Strings without negative ones keep it a mean of values.
+  // Without negative strings the result is a mean of values.
   EdgeWeights strings = harmonicStrings(surface.Positions, surface.Triangles).Strings;
   for (double& string : strings.Weights)
   {
@@ -147,7 +147,7 @@ SurfaceShape measureSurfaceShape(
   {
     throw std::invalid_argument("the surface has no area");
   }
-  constexpr double speck = 1e-9; // of the mean: keeps densities of needles finite
+  constexpr double speck = 1e-9; // relative to the mean: keeps densities of needles finite
   areas = areas.cwiseMax(speck * area / static_cast<double>(size));
   Columns integrals(size, 2);
   integrals << meanCurvatureIntegrals(surface), gaussianCurvatureIntegrals(surface);

@@ -1,4 +1,5 @@
-/// The shape of a closed surface around each vertex: curvatures, and how deep it lies in a fold.
+/// Curvatures and sulcal depth of a closed surface at each vertex, \cite CohenSteiner2003 and \cite
+/// Boucher2009.
 
 #ifndef ConformalSurfaceShape_h
 #define ConformalSurfaceShape_h
@@ -11,48 +12,51 @@ namespace conformal
 {
 struct SurfaceShapeOptions
 {
-  double CurvatureScale = 0.01; ///< of the area's square root, in [0, 1]; 0 smooths nothing
-  double DepthScale = 0.1;      ///< of the area's square root, in [0.001, 1]
+  /// In units of the square root of the area, in [0, 1]; 0 for no smoothing
+  double CurvatureScale = 0.01;
+  double DepthScale = 0.1; ///< in units of the square root of the area, in [0.001, 1]
 };
 
-/// One number for each vertex.
+/// Shape of a surface: one number for each vertex.
 struct SurfaceShape
 {
-  Eigen::VectorXd MeanCurvature;     ///< above 0 where the surface bulges out
-  Eigen::VectorXd GaussianCurvature; ///< above 0 on domes and pits, below 0 on saddles
-  Eigen::VectorXd SulcalDepth;       ///< above 0 in folds, below 0 on ridges; of mean 0
+  Eigen::VectorXd MeanCurvature;     ///< positive on bulges
+  Eigen::VectorXd GaussianCurvature; ///< positive on domes and pits, negative on saddles
+  Eigen::VectorXd SulcalDepth;       ///< positive in folds, negative on ridges; of mean 0
 };
 
-/// Curvatures are those of \cite CohenSteiner2003, of edges and of vertices, over the vertices'
-/// areas of \cite Meyer2003, and then smoothed by one implicit step of a diffusion: over a distance
-/// of about the scale. Depth is the depth potential u of \cite Boucher2009 with
+/// Measure curvatures and depth of a surface.
+///
+/// Curvatures are the integrals of \cite CohenSteiner2003 over edges and vertices, divided by the
+/// vertex areas of \cite Meyer2003. They are then smoothed by one implicit step of a diffusion over
+/// a distance of about the scale. Depth is the depth potential u of \cite Boucher2009 with
 ///
 ///     u / s^2 - Laplacian u = 2 (mean of H - H),
 ///
-/// H being the mean curvature and s the scale: where the surface is nearly flat over that distance,
-/// its height below its neighborhood.
+/// with H the mean curvature and s the scale. Where the surface is nearly flat over that distance,
+/// u is its height below its neighborhood.
 /// @throws std::invalid_argument if a scale is out of range, or the surface has no area
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SurfaceShape measureSurfaceShape(
   const Mesh& surface, const SurfaceShapeOptions& options = {}, const Run& run = {});
 
-/// The integral of the mean curvature around each vertex: of each of its edges half of the angle
-/// between the two normals times half of the length, which the vertex at the other end shares.
+/// Integrate the mean curvature around each vertex. Each edge contributes half its length times
+/// half the angle between its two normals; the vertex at the other end receives an equal share.
 Eigen::VectorXd meanCurvatureIntegrals(const Mesh& surface);
 
-/// The integral of the Gaussian curvature: two pi less the angles around the vertex. All of a
-/// closed surface add up to two pi times its Euler number.
+/// Integrate the Gaussian curvature around each vertex: two pi minus the sum of its angles. The
+/// total over a closed surface is two pi times its Euler number.
 Eigen::VectorXd gaussianCurvatureIntegrals(const Mesh& surface);
 
-/// The area that is nearer to a vertex than to others of its triangles; of obtuse triangles a half
-/// and two quarters. With it the curvatures of vertices on a sphere are right wherever they lie.
+/// Compute the area nearest to each vertex within its triangles. An obtuse triangle is divided into
+/// a half and two quarters. These areas give correct curvatures for vertices anywhere on a sphere.
 Eigen::VectorXd nearestAreas(const Mesh& surface);
 
-/// The density whose integrals around the vertices are given, after one implicit step of a
-/// diffusion. No value becomes larger or smaller than all of them were, sums are kept.
-/// @param[in] areas  around the vertices, above 0
-/// @param[in] time   square of the length over which it is smoothed
+/// Compute a density from its integrals around the vertices, after one implicit step of a
+/// diffusion. The step keeps the sum and the bounds of all values.
+/// @param[in] areas      around the vertices, above 0
+/// @param[in] time       square of the smoothing length
 /// @param[in] integrals  one column for each function
 Columns smoothDensities(const Mesh& surface, const Eigen::VectorXd& areas, double time,
   Columns integrals, const Run& run = {});

@@ -1,4 +1,5 @@
-/// Whether a mesh has the even triangles that remeshing makes.
+/// Test whether a mesh has the even triangles that remeshing makes. Own construction: thresholds
+/// between those measured on scans and on remeshed surfaces.
 
 #ifndef ConformalEvenTriangles_h
 #define ConformalEvenTriangles_h
@@ -7,9 +8,10 @@
 
 namespace conformal
 {
-/// Whether a closed mesh is likely to come from remesh(): a mean smallest angle of at least 46
-/// degrees, and 99 of 100 vertices with five to seven triangles. Scans stay below both, learned
-/// adaptive lattices of some thousand vertices above; other remeshed surfaces may be above too.
+/// Test whether a closed mesh likely results from remesh(). The mean over the triangles of their
+/// minimum angle must be at least 46 degrees. At least 99 % of the vertices must have five to seven
+/// triangles. Scans stay below both limits. Learned adaptive meshes of some thousand vertices
+/// exceed them, and other remeshed surfaces may.
 bool hasEvenTriangles(const Mesh& mesh);
 }
 

@@ -21,13 +21,13 @@ bool repeatsVertex(const Triangles& triangles, Index r)
     triangles(r, 2) == triangles(r, 0);
 }
 
-// One side of one triangle.
+// Half-edge: a directed edge of a triangle.
 struct Side
 {
   int Low;
   int High;
   int Triangle;
-  bool Upwards; // from the smaller to the greater id
+  bool Upwards; // runs from the smaller to the larger id
 
   bool sameEdge(const Side& other) const
   {
@@ -42,7 +42,8 @@ struct Side
 
 using Sides = std::vector<Side>;
 
-// Sides of one edge lie next to each other. First put together by their smaller id, then sorted.
+// Sort the half-edges so that those of one edge are adjacent: by smaller id first, then by larger
+// id.
 Sides sortedSides(const Triangles& triangles, const Run& run = {})
 {
   Steps steps(run, { 11.0, 36.0, 22.0 }); // for each triangle
@@ -90,7 +91,7 @@ void forEachEdge(const Sides& sides, const Body& body)
   }
 }
 
-// Count the sets of the members. Each of the other ids must be in a set of its own.
+// Count the sets that contain members. Each id that is not a member must be a set of its own.
 Index countSets(DisjointSets& sets, const std::vector<char>& isMember)
 {
   Index count = 0;
@@ -101,8 +102,8 @@ Index countSets(DisjointSets& sets, const std::vector<char>& isMember)
   return count;
 }
 
-// The neighbors of a vertex, joined by its triangles, form one arc or ring unless several fans
-// meet there.
+// Test whether several fans of triangles meet at a vertex. Within one fan, triangles connect all
+// neighbors of the vertex.
 bool hasSeveralFans(const Triangles& triangles, const Adjacency& around, int v)
 {
   std::vector<int> ring;
@@ -116,7 +117,7 @@ bool hasSeveralFans(const Triangles& triangles, const Adjacency& around, int v)
       }
     }
   }
-  std::vector<int> neighbors = ring; // the vertices of a triangle follow each other in the ring
+  std::vector<int> neighbors = ring; // the two other vertices of each triangle are consecutive
   std::sort(neighbors.begin(), neighbors.end());
   neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
   const auto place = [&](int id)
@@ -135,11 +136,12 @@ bool hasSeveralFans(const Triangles& triangles, const Adjacency& around, int v)
 struct Orientation
 {
   std::vector<char> Turned;    // relative to the first triangle of the connected set
-  std::vector<int> FirstOfSet; // which triangle that is
-  bool Consistent = true;      // whether turning these makes all neighbors agree
+  std::vector<int> FirstOfSet; // id of the first triangle of the set
+  // Whether reversing the marked triangles makes all neighbors consistent
+  bool Consistent = true;
 };
 
-// Spread the orientation of a first triangle across all edges of two triangles.
+// Propagate the orientation of the first triangle of each set across edges of two triangles.
 Orientation spreadOrientation(const Triangles& triangles, const Sides& sides)
 {
   Triangles across = Triangles::Constant(triangles.rows(), 3, -1);
@@ -209,7 +211,8 @@ bool hasNoArea(const PointView& points, const Triangles& triangles, Index r)
 {
   const Vector3 a = points[triangles(r, 0)];
   const Vector3 u = points[triangles(r, 1)] - a, v = points[triangles(r, 2)] - a;
-  // Below this the cross product is rounding alone. Scaled, so that no square over- or underflows.
+  // Bound of the cross product below which it is rounding error. Lengths are scaled so that squares
+  // neither overflow nor underflow.
   const double scale = std::max(u.lpNorm<Eigen::Infinity>(), v.lpNorm<Eigen::Infinity>());
   return !(scale > 0.0) ||
     !((u / scale).cross(v / scale).norm() > 4.0 * std::numeric_limits<double>::epsilon());
@@ -383,7 +386,7 @@ double signedVolume(const PointView& points, const Triangles& triangles)
   {
     return 0.0;
   }
-  const Vector3 origin = points[triangles(0, 0)]; // near the mesh, against cancellation
+  const Vector3 origin = points[triangles(0, 0)]; // near the mesh, to avoid cancellation
   double volume = 0.0;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
@@ -461,7 +464,8 @@ Index dropRepeatedVertices(Triangles& triangles)
 Index orientConsistently(Triangles& triangles)
 {
   const Orientation orientation = spreadOrientation(triangles, sortedSides(triangles));
-  std::vector<Index> majority(triangles.rows(), 0); // per first triangle: kept minus turned
+  // Per first triangle: number of kept minus number of reversed triangles
+  std::vector<Index> majority(triangles.rows(), 0);
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     majority[orientation.FirstOfSet[r]] += orientation.Turned[r] ? -1 : 1;

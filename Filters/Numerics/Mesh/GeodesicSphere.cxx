@@ -17,7 +17,7 @@ namespace
 constexpr int NumberOfCorners = 12;
 constexpr int NumberOfSides = 20;
 
-// Poles 0 and 11; upper ring 1..5, lower ring 6..10, half a step further round.
+// Poles 0 and 11; upper ring 1..5; lower ring 6..10, rotated by half a step.
 Points icosahedronCorners()
 {
   const double z = 1.0 / std::sqrt(5.0), r = 2.0 / std::sqrt(5.0);
@@ -70,7 +70,7 @@ Mesh makeGeodesicSphere(int f, const Run& run)
   sphere.Triangles.resize(20 * Index(f) * f, 3);
   sphere.Positions.topRows(NumberOfCorners) = corners;
 
-  // Points inside edges come after the corners, points inside sides after those.
+  // Points inside edges follow the corners, points inside faces follow these.
   std::map<std::pair<int, int>, int> firstOnEdge;
   int nextId = NumberOfCorners;
   for (const auto& side : sides)
@@ -94,8 +94,8 @@ Mesh makeGeodesicSphere(int f, const Run& run)
     return first + (from < to ? step : f - step) - 1;
   };
 
-  // Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite, and the
-  // triangles between them and the row above.
+  // Row i of a face has i + 1 points, from its corner 0 to the opposite edge. Add the triangles
+  // between each row and the row above.
   const int firstInside = nextId, numberInside = (f - 1) * (f - 2) / 2;
   const auto idAt = [&](int side, int i, int j)
   {

@@ -10,16 +10,16 @@ namespace
 {
 constexpr Index BlockSize = 512;
 
-/// What makes it as stiff as the uniform Laplacian.
+/// Factor that makes the form as stiff as the uniform Laplacian.
 constexpr double LikeLaplacian = 1.0 / 14.0;
 
-/// The hinges of needles are no stiffer than this, or equations could not be solved with them.
-/// Measured: 8 draws triangles together at creases, 3 lets thin ones fold half as often again.
+/// Upper bound of the stiffness of hinges of needles, for a solvable system. Measured: with 8,
+/// triangles contract at creases; with 3, thin triangles fold half as often again.
 constexpr double MaximumNumber = 4.0;
 
 double cotangent(const Vector3& a, const Vector3& b)
 {
-  constexpr double smallest = 1e-12; // of sines
+  constexpr double smallest = 1e-12; // lower bound of sines
   return a.dot(b) / std::max(a.cross(b).norm(), smallest * a.norm() * b.norm() + 1e-300);
 }
 }
@@ -31,8 +31,7 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
   , HingeOf(triangles.rows(), 3)
 {
   const conformal::Triangles across = triangleNeighbors(triangles, around, run);
-  // Each edge is numbered by the lower of its triangles; where a block of them starts is counted
-  // first.
+  // The triangle of smaller id numbers an edge. First count where each block of triangles starts.
   std::vector<Index> firstOfBlock((triangles.rows() + BlockSize - 1) / BlockSize + 1, 0);
   forBlocks(run, triangles.rows(), BlockSize,
     [&](Index begin, Index end)
@@ -92,8 +91,8 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
     });
 }
 
-/// Visit each hinge that a vertex is a corner of and its number there: of each triangle around it
-/// the edge that starts there, and the one opposite.
+/// Visit each hinge with its local index of the vertex. The hinges of a triangle at the vertex
+/// belong to the edge that starts there and to the opposite edge.
 template <typename Visitor>
 void HingeBending::forHingesOf(int vertex, const Visitor& visit) const
 {

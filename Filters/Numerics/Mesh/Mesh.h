@@ -9,14 +9,14 @@
 
 namespace conformal
 {
-/// Vertices and the triangles between them.
+/// Triangle mesh: vertex positions and triangles.
 struct Mesh
 {
   Points Positions;               ///< #V by 3
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
 
-/// Normal of a triangle, as long as its area is large.
+/// Compute the normal of a triangle, with the area as its length.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
 {
   const Vector3 a = positions.row(triangles(triangle, 0)),
@@ -25,7 +25,7 @@ inline Vector3 areaVector(const Points& positions, const Triangles& triangles, I
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// A closed mesh that knows its place on the sphere.
+/// Closed mesh with its map to the unit sphere.
 struct MappedMesh : Mesh
 {
   Points SpherePositions; ///< #V by 3 unit vectors

@@ -16,7 +16,7 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run)
   {
     throw std::invalid_argument("a closed surface must have at least 4 vertices");
   }
-  // For each vertex, but collapsing.
+  // for each vertex, without collapsing
   const auto size = static_cast<double>(mesh.Positions.rows());
   const double collapsed = std::max(0.0, size - static_cast<double>(numberOfVertices));
   Steps steps(run, { 580.0 * size, 600.0 * size, 9000.0 * collapsed, 50.0 * size });

@@ -1,4 +1,4 @@
-/// Decimation of a closed surface.
+/// Decimate a closed surface of genus zero by quadric error, \cite Garland1997.
 
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h
@@ -10,18 +10,18 @@
 
 namespace conformal
 {
-/// Some of the given points in their order, #W of them, with 2 #W - 4 triangles.
+/// Decimated mesh: #W of the given points in their order, and 2 #W - 4 triangles.
 struct DecimatedMesh : Mesh
 {
-  std::vector<int> PointIds; ///< #W: which of the given points each is
+  std::vector<int> PointIds; ///< #W ids of the given points
 };
 
-/// Take vertices out of a closed surface of genus zero by half-edge collapses (QuadricCollapse),
-/// so that it stays one.
+/// Remove vertices of a closed surface of genus zero by half-edge collapses (QuadricCollapse),
+/// which keep its topology.
 ///
-/// @param[in] mesh              finite, consistently oriented; points of no triangle are dropped
-/// @param[in] numberOfVertices  #W to be left, at least 4; nothing is done if there are no more
-/// @throws std::invalid_argument with what is wrong, if the surface is another one
+/// @param[in] mesh              finite, consistently oriented; points without triangles are dropped
+/// @param[in] numberOfVertices  #W, at least 4; a mesh without more vertices is returned unchanged
+/// @throws std::invalid_argument with the faults, if the surface is not closed and of genus zero
 DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run = {});
 }
 

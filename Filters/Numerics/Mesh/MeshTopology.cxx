@@ -6,7 +6,7 @@ namespace conformal
 {
 namespace
 {
-/// The triangle that an edge of this direction belongs to, or -1.
+/// Find the triangle that contains a directed edge, or -1.
 int triangleWithEdge(const Triangles& triangles, const Adjacency& around, int from, int to)
 {
   for (const int* r = around.begin(from); r != around.end(from); ++r)
@@ -111,7 +111,7 @@ std::vector<std::vector<int>> independentSets(
 {
   std::vector<int> setOf(numberOfVertices, -1);
   std::vector<std::vector<int>> sets;
-  std::vector<int> takenBy; // for each set, the last vertex that found a neighbor in it
+  std::vector<int> takenBy; // for each set, the last vertex with a neighbor in it
   for (const int v : vertices)
   {
     visitNeighbors(v,

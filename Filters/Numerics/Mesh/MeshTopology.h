@@ -11,7 +11,7 @@
 
 namespace conformal
 {
-/// Lists of ids, one list an item: list i is Ids[Offsets[i]] ... Ids[Offsets[i + 1] - 1].
+/// Lists of ids, one for each item: list i is Ids[Offsets[i]] ... Ids[Offsets[i + 1] - 1].
 struct Adjacency
 {
   std::vector<int> Offsets;
@@ -22,33 +22,35 @@ struct Adjacency
   int size(Index i) const { return this->Offsets[i + 1] - this->Offsets[i]; }
 };
 
-/// Triangles around each vertex, ids ascending.
-/// @param[in] triangles             #F by 3 ids in [0, numberOfVertices)
+/// List the triangles around each vertex in ascending order.
+/// @param[in] triangles         #F by 3 ids in [0, numberOfVertices)
 /// @param[in] numberOfVertices  #V
 Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 
-/// Vertices that share an edge with each vertex, ids ascending, each once.
+/// List the vertices that share an edge with each vertex, each once, in ascending order.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
-/// Across each edge: entry (r, k) is the triangle that shares edge (k, k + 1 mod 3) of triangle r
-/// with the opposite sense, or -1 where none does.
-/// @pre no directed edge belongs to two triangles (checkGenusZero tells)
+/// Find the triangle across each edge. Entry (r, k) is the triangle that shares edge (k, k + 1 mod
+/// 3) of triangle r in the opposite direction, or -1.
+/// @pre no directed edge belongs to two triangles, see checkGenusZero()
 Triangles triangleNeighbors(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// @param[in] around  vertexTriangles of the triangles, where they are at hand
+/// Find the triangle across each edge, given the triangles around each vertex.
+/// @param[in] around  vertexTriangles() of the triangles
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
 
-/// Edges of triangles across which no triangle has the opposite sense: 0 for a closed mesh whose
-/// triangles are oriented alike.
+/// Count the edges of triangles without an opposite edge in another triangle: 0 for a closed,
+/// consistently oriented mesh.
 Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Calls a visitor with each neighbor of a vertex.
+/// Call a visitor with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 
-/// Sets of vertices of which no two are neighbors, so that those of a set can be moved at the same
-/// time. Each vertex takes the first set that has no neighbor of it, in the order given.
+/// Partition vertices into sets of which no two members are neighbors, so that the vertices of one
+/// set can move concurrently. Greedy coloring: each vertex joins the first set without a neighbor
+/// of it, in the given order.
 /// @param[in] vertices  ids in [0, numberOfVertices), each once
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);

@@ -11,13 +11,13 @@ namespace
 {
 using Vector2 = Eigen::Vector2d;
 
-// The polygon seen along its normal, counter-clockwise, in coordinates of size 1; empty if there
-// is no normal.
+// Project the polygon along its normal to counter-clockwise coordinates of size 1. The result is
+// empty without a normal.
 std::vector<Vector2> flatten(const Points& corners)
 {
   const Vector3 low = corners.colwise().minCoeff();
   const Vector3 high = corners.colwise().maxCoeff();
-  const Vector3 middle = 0.5 * low + 0.5 * high; // without overflow
+  const Vector3 middle = 0.5 * low + 0.5 * high; // avoids overflow
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
   if (!(size > 0.0 && std::isfinite(size)) || !corners.allFinite())
   {
@@ -49,13 +49,13 @@ std::vector<Vector2> flatten(const Points& corners)
   return flat;
 }
 
-// Twice the area of a triangle, positive if it is counter-clockwise.
+// Compute twice the area of a triangle, positive if it is counter-clockwise.
 double turn(const Vector2& a, const Vector2& b, const Vector2& c)
 {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// What is left of a polygon while ears are cut off.
+// Remaining polygon while ears are clipped.
 class Ring
 {
 public:
@@ -88,7 +88,7 @@ public:
   int next(int i) const { return this->Next[i]; }
   int previous(int i) const { return this->Previous[i]; }
 
-  // Whether nothing of the polygon lies in the triangle of a corner and its neighbors.
+  // Test whether the triangle of a corner and its neighbors contains no other part of the polygon.
   bool isEar(int i) const
   {
     const Vector2 &a = this->Corners[this->Previous[i]], &b = this->Corners[i],
@@ -155,10 +155,10 @@ private:
 
   std::vector<Vector2> Corners;
   std::vector<int> Next, Previous;
-  std::vector<char> IsHollow; ///< corners that an ear may not hold: the polygon is hollow there
+  std::vector<char> IsHollow; ///< reflex corners, which an ear must not contain
   int NumberOfHollows = 0;
   int Side = 1;
-  std::vector<std::vector<int>> Cells; ///< hollow corners by place
+  std::vector<std::vector<int>> Cells; ///< reflex corners by grid cell
 };
 }
 
@@ -181,7 +181,7 @@ Triangles triangulatePolygon(const Points& corners)
     {
       triangles.row(cut++) << ring.previous(i), i, ring.next(i);
       ring.cut(i);
-      i = ring.next(i); // not its neighbor: fans make thin triangles
+      i = ring.next(i); // skip the neighbor: fans make thin triangles
       misses = 0;
     }
     else if (++misses > count - cut)

@@ -1,4 +1,4 @@
-/// Triangulation of polygons with many corners.
+/// Triangulate polygons with many corners by ear clipping, \cite Meisters1975.
 
 #ifndef ConformalPolygonTriangulation_h
 #define ConformalPolygonTriangulation_h
@@ -7,12 +7,13 @@
 
 namespace conformal
 {
-/// Cut a polygon without crossings into triangles of its corners that turn as it does. Corners
-/// need not lie in a plane exactly; they are seen along the polygon's normal. Ears are cut off
-/// around and around, and only the corners near an ear are looked at, so that polygons of a
-/// hundred thousand corners take a fraction of a second.
+/// Cut a polygon without self-intersections into triangles of its corners with its orientation.
+///
+/// Corners may deviate from a plane; they are projected along the normal of the polygon. Only the
+/// corners near an ear are tested. A polygon of 100,000 corners therefore needs a fraction of a
+/// second.
 /// @param[in] corners  #C by 3
-/// @returns #C - 2 by 3, or none if the corners are flat, crossing or not finite
+/// @return #C - 2 by 3 ids; none if the corners are collinear, self-intersecting or not finite
 Triangles triangulatePolygon(const Points& corners);
 }
 

@@ -8,7 +8,7 @@ namespace conformal
 {
 namespace
 {
-// The neighbor into which a vertex can go that has the fewest neighbors itself, or -1.
+// Find the neighbor with the fewest neighbors into which a vertex can collapse, or -1.
 int targetOf(const VertexRings& rings, int v)
 {
   int target = -1;
@@ -67,7 +67,8 @@ ProgressiveMesh makeProgressiveMesh(
 //------------------------------------------------------------------------------
 ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index most, const Run& run)
 {
-  // At least half of the vertices of any closed mesh of genus zero have no more neighbors.
+  // In any closed mesh of genus zero, at least half of the vertices have at most this many
+  // neighbors.
   constexpr std::size_t mostNeighbors = 8;
   ProgressiveMesh result = { std::move(rings), {} };
   const auto count = static_cast<std::size_t>(most);

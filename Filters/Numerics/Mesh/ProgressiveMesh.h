@@ -1,4 +1,5 @@
-/// Progressive mesh: a tetrahedron and the vertex splits that restore a closed surface.
+/// Progressive mesh: a tetrahedron and the vertex splits that restore a closed surface, \cite
+/// Hoppe1996.
 
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h
@@ -13,27 +14,28 @@
 
 namespace conformal
 {
-/// \cite Hoppe1996
+/// Tetrahedron and the sequence of vertex splits that restores the mesh.
 struct ProgressiveMesh
 {
-  VertexRings Rings;                             ///< of the tetrahedron
-  std::vector<QuadricCollapse::Collapse> Splits; ///< in the order of Rings.split
+  VertexRings Rings;                             ///< connectivity of the tetrahedron
+  std::vector<QuadricCollapse::Collapse> Splits; ///< in the order of VertexRings::split()
 };
 
-/// @param[in] mesh  about of size one, with triangles that requireGenusZero() lets pass
+/// Build a progressive mesh by collapses in the order of quadric error.
+/// @param[in] mesh  of size about 1, with triangles that pass requireGenusZero()
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 
-/// The same from the connectivity alone, for surfaces whose shape does not tell what to keep: in
-/// each of a logarithmic number of rounds a share of the vertices goes, those with the fewest
-/// neighbors first and no two that are joined \cite Kirkpatrick1983.
+/// Build a progressive mesh from connectivity alone, for surfaces without a usable shape. The
+/// number of rounds is logarithmic in the number of vertices. Each round removes a set of vertices
+/// of which no two share an edge, those with the fewest neighbors first, \cite Kirkpatrick1983.
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Take some vertices out of a mesh in that way.
-/// @param[in] vertices  in use; those that cannot go without the others stay
-/// @param[in] most      how many are to go at most; four have to stay in the mesh
-/// @return the rings without them, and the splits that put them back
+/// Remove some vertices of a mesh in rounds of independent vertices, as makeProgressiveMesh() does.
+/// @param[in] vertices  candidates in use; some may have to stay
+/// @param[in] most      maximum number of vertices to remove; four vertices of the mesh always stay
+/// @return the remaining rings, and the splits that restore the removed vertices
 ProgressiveMesh takeOut(
   VertexRings rings, std::vector<int> vertices, Index most, const Run& run = {});
 }

@@ -12,7 +12,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Sums of quadrics in a box of size one are far below these, so that what is unwanted waits.
+// Penalties far above the sums of quadrics in a box of size one, so that unwanted collapses are
+// postponed.
 constexpr double UnwantedCost = 1e3;
 constexpr double TurnedOverCost = 1e6;
 
@@ -20,7 +21,7 @@ constexpr double ShapeWeight = 1e-4;
 constexpr double WorstAspect = 8.0;          // 1 is equilateral
 constexpr double MinimumCosine = 0.2;        // between a triangle's normals before and after
 constexpr std::size_t MaximumNeighbors = 10; // after a collapse
-constexpr std::size_t TooManyNeighbors = 24; // of a vertex to be taken out: not now
+constexpr std::size_t TooManyNeighbors = 24; // of a vertex to remove: postpone
 
 double aspectOf(const Vector3& a, const Vector3& b, const Vector3& c, double twiceArea)
 {
@@ -71,7 +72,7 @@ QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings, Needl
 }
 
 //------------------------------------------------------------------------------
-// Of the triangles that a collapse leaves.
+// Cost of the triangles that a collapse leaves.
 double QuadricCollapse::shapeCost(int v, int u) const
 {
   const Ring& ring = this->Rings[v];
@@ -106,7 +107,7 @@ QuadricCollapse::Choice QuadricCollapse::bestTarget(int v) const
   {
     return best;
   }
-  // What a target costs at least is quickly found; its shapes are looked at in that order.
+  // Lower bounds of the costs are cheap; evaluate shapes in their order.
   std::array<Choice, TooManyNeighbors> choices;
   std::size_t count = 0;
   for (int u : ring)
@@ -158,7 +159,7 @@ QuadricCollapse::Collapse QuadricCollapse::next()
     {
       continue;
     }
-    // Neighbors of a target learn only here that it has changed.
+    // Neighbors of the target are updated only here.
     const Choice choice = this->bestTarget(v);
     if (choice.Cost > candidate.Cost)
     {

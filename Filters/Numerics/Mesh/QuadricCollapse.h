@@ -1,4 +1,4 @@
-/// Half-edge collapses of a closed mesh in the order of their quadric error.
+/// Half-edge collapses of a closed mesh in the order of their quadric error, \cite Garland1997.
 
 #ifndef ConformalQuadricCollapse_h
 #define ConformalQuadricCollapse_h
@@ -11,33 +11,35 @@
 
 namespace conformal
 {
-/// Half-edge collapses in the order of the quadric error \cite Garland1997, with a little for
-/// large and misshapen triangles, so that flat parts are thinned evenly too. A collapse that turns
-/// a triangle over, makes a needle or gathers many neighbors is left until there is no other, so
-/// every closed surface of genus zero gets down to a tetrahedron: it always has a vertex of at
-/// most five neighbors, and such a vertex always has a neighbor into which it can go.
+/// Half-edge collapses in the order of quadric error \cite Garland1997. A small penalty for large
+/// and misshapen triangles thins flat parts evenly.
+///
+/// A collapse that flips a triangle, makes a needle or joins many neighbors is postponed until no
+/// other is left. Every closed surface of genus zero can thus be reduced to a tetrahedron. It
+/// always has a vertex of at most five neighbors, and such a vertex can always collapse into one of
+/// them.
 class QuadricCollapse
 {
 public:
-  /// What to do where the surface's own triangles are needles.
+  /// Priority of collapses at needles of the surface itself.
   enum class Needles
   {
-    Keep, ///< to the last, as collapses there make needles: good if they are few
-    Thin  ///< as readily as others, as long as it makes none that are worse
+    Keep, ///< remove needles last, as collapses there make needles: suits surfaces with few needles
+    Thin  ///< remove needles like other triangles, unless that makes worse ones
   };
 
-  /// Points and rings are kept by reference.
-  /// @param[in] points     #V by 3, about of size one
+  /// Keep references to the points and the rings.
+  /// @param[in] points     #V by 3, of size about 1
   /// @param[in,out] rings  a closed surface of genus zero
   QuadricCollapse(const Points& points, VertexRings& rings, Needles needles = Needles::Keep);
 
   struct Collapse
   {
-    int Vertex;     ///< the one taken out
-    Ring Neighbors; ///< it had, the one it went into first
+    int Vertex;     ///< id of the removed vertex
+    Ring Neighbors; ///< neighbors before the collapse, the target of the collapse first
   };
 
-  /// Take out the next vertex. Of equal costs the smallest id goes first.
+  /// Remove the vertex of minimum cost; of equal costs the smallest id is removed first.
   /// @pre more than four vertices are in use
   Collapse next();
 
@@ -56,7 +58,7 @@ private:
     int Vertex;
     int Stamp;
 
-    bool operator<(const Candidate& other) const // the queue takes the greatest first
+    bool operator<(const Candidate& other) const // the top of the queue is its maximum
     {
       return this->Cost != other.Cost ? this->Cost > other.Cost : this->Vertex > other.Vertex;
     }
@@ -75,8 +77,8 @@ private:
   const Points& Places;
   VertexRings& Rings;
   std::vector<Quadric> Quadrics;
-  std::vector<double> Aspects; // the worst to be accepted at each vertex
-  std::vector<int> Stamps;     // a candidate of an older stamp is out of date
+  std::vector<double> Aspects; // maximum aspect accepted at each vertex
+  std::vector<int> Stamps;     // a candidate with an older stamp is outdated
   std::priority_queue<Candidate> Queue;
 };
 }

@@ -17,21 +17,22 @@ namespace
 {
 constexpr Index BlockSize = 512;
 
-// Of the length wanted. Between them an edge neither splits nor collapses for ever.
+// Limits in units of the target length. They are far enough apart that an edge does not split and
+// collapse forever.
 constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
-constexpr double MinimumCosine = 0.5;   // of the angle by which a normal may turn
+constexpr double MinimumCosine = 0.5;   // of the rotation of a normal
 constexpr double MinimumQuality = 0.05; // of a triangle that a collapse makes; 1 is equilateral
-constexpr double SmoothingStep = 0.7;   // of the way to the middle
-constexpr int SmoothingTries = 3;       // each half as far
-constexpr int MaximumRounds = 100;      // of one kind of operation; many more than it takes
+constexpr double SmoothingStep = 0.7;   // fraction of the way to the centroid
+constexpr int SmoothingTries = 3;       // each with half the step
+constexpr int MaximumRounds = 100;      // of one kind of operation; far more than needed
 constexpr int FinalSmoothings = 3;
 
-/// Times the vertices wanted, beyond which a surface that has lost its area is split no more.
+/// Factor of the target number of vertices beyond which a surface of vanishing area is not split.
 constexpr Index MaximumSplit = 4;
 
 constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5; // of normals across a flipped edge
 
-/// An operation on the edge of A and B; greater priorities go first.
+/// Operation on the edge of A and B; higher priorities come first.
 struct Operation
 {
   int A, B;
@@ -50,7 +51,7 @@ Vector3 areaVector(const Vector3& a, const Vector3& b, const Vector3& c)
   return (b - a).cross(c - a);
 }
 
-/// 1 for an equilateral triangle, 0 for one without area.
+/// Compute the quality of a triangle: 1 if equilateral, 0 without area.
 double quality(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
@@ -77,10 +78,11 @@ public:
 
   Index count() const { return this->Count; }
 
-  /// Whom to tell after each round how far an operation is.
+  /// Callback with the progress of an operation, called after each round.
   void reportTo(const Run& run) { this->Step = run; }
 
-  /// The edge length at which the surface has so many vertices, if all triangles are equilateral.
+  /// Compute the edge length of equilateral triangles for a number of vertices on the area of the
+  /// surface.
   double lengthFor(Index numberOfVertices) const
   {
     double area = 0.0;
@@ -98,7 +100,7 @@ public:
     return std::sqrt(2.0 * area / (std::sqrt(3.0) * static_cast<double>(numberOfVertices)));
   }
 
-  /// Split edges longer than a limit, or the longest ones until there are as many vertices.
+  /// Split edges longer than a limit, or the longest ones, up to the given number of vertices.
   void split(double limit, Index most = std::numeric_limits<Index>::max())
   {
     const double squareLimit = limit * limit;
@@ -124,9 +126,9 @@ public:
       [&] { return this->Count < most; });
   }
 
-  /// Collapse edges shorter than a limit, unless that makes edges longer than another one, until
-  /// there are no more vertices than the least number.
-  /// @param[in] anyway  whatever becomes of the triangles, as long as the topology stays
+  /// Collapse edges shorter than a limit, unless longer edges than another limit result, down to
+  /// the given number of vertices.
+  /// @param[in] anyway  accept any shape of the triangles that preserves the topology
   void collapse(double limit, double longest, Index least = 4, bool anyway = false)
   {
     const double squareLimit = limit * limit;
@@ -146,7 +148,7 @@ public:
           return false;
         }
         const Ring& ring = this->Rings[operation.A];
-        touched.assign(ring.begin(), ring.end()); // with B
+        touched.assign(ring.begin(), ring.end()); // including B
         touched.push_back(operation.A);
         const Ring lost = this->Rings.collapse(operation.B, operation.A);
         touched.insert(touched.end(), lost.begin(), lost.end());
@@ -157,7 +159,7 @@ public:
       [&] { return this->Count > least; });
   }
 
-  /// Flip edges while that brings vertices nearer to six neighbors.
+  /// Flip edges while this moves vertices closer to six neighbors.
   void flipForValence()
   {
     const auto excess = [&](int v, int change)
@@ -173,7 +175,7 @@ public:
       });
   }
 
-  /// Flip edges whose opposite angles are more than half a turn together.
+  /// Flip edges with opposite angles of sum above pi.
   void flipForAngles()
   {
     this->flip(DelaunayCosine, 0.0,
@@ -190,8 +192,8 @@ public:
       });
   }
 
-  /// Move vertices along the surface to the middle of their triangles. Vertices that are joined
-  /// move one after the other, so that none relies on a neighbor that moves too.
+  /// Move vertices along the surface to the centroid of their triangles. Neighbors move one after
+  /// the other, so that none depends on a neighbor that moves at the same time.
   void smooth()
   {
     for (const std::vector<int>& color : this->colors())
@@ -207,7 +209,7 @@ public:
     }
   }
 
-  /// The mesh without the ids that are no longer in use.
+  /// Return the mesh without unused ids.
   void finish()
   {
     std::vector<int> ids(this->Rings.size(), -1);
@@ -231,12 +233,12 @@ public:
 private:
   Vector3 place(int v) const { return this->Places.row(v); }
 
-  /// In rounds: find on all threads what is proposed for edges of which an end was touched in the
-  /// last round; then, those of greatest priority first, do what touches no vertex that was touched
-  /// in this round.
-  /// @param[in] proposed   whether to operate on an edge, with what priority and place
-  /// @param[in] operate    does it, and names the vertices touched; or returns false
-  /// @param[in] wanted     whether to go on
+  /// Apply operations in rounds. First propose operations, on all threads, for edges with an end
+  /// touched in the last round. Then apply them by priority, except those on vertices touched in
+  /// this round.
+  /// @param[in] proposed   whether to operate on an edge, and its priority and position
+  /// @param[in] operate    apply an operation and return the touched vertices; or return false
+  /// @param[in] wanted     whether to continue
   void perform(const std::function<bool(int, int, Operation&)>& proposed,
     const std::function<bool(const Operation&, std::vector<int>&)>& operate,
     const std::function<bool()>& wanted)
@@ -274,7 +276,7 @@ private:
     }
   }
 
-  /// Sorted.
+  /// Return the operations in sorted order.
   std::vector<Operation> proposals(const std::vector<char>& active,
     const std::function<bool(int, int, Operation&)>& proposed) const
   {
@@ -309,8 +311,8 @@ private:
     return operations;
   }
 
-  /// Merge parts that are sorted.
-  /// @param[in] offsets  of the parts, and where the last one ends
+  /// Merge sorted parts.
+  /// @param[in] offsets  of the parts, and the end of the last one
   void merge(std::vector<Operation>& operations, const std::vector<Index>& offsets) const
   {
     const auto parts = static_cast<Index>(offsets.size()) - 1;
@@ -329,7 +331,7 @@ private:
     }
   }
 
-  /// Room for so many places, and for as many again.
+  /// Resize to at least a number of positions, with half as many to spare.
   void reserve(Index count)
   {
     if (count > this->Places.rows())
@@ -338,7 +340,7 @@ private:
     }
   }
 
-  /// Whether b may move into a, both at the place that is chosen.
+  /// Test whether b may collapse into a, and choose the position of the result.
   bool canCollapse(int a, int b, double longest, bool anyway, Vector3& place) const
   {
     const auto across = this->Rings.across(a, b);
@@ -360,7 +362,7 @@ private:
     return false;
   }
 
-  /// Whether the triangles of v but not of u stay good when v moves.
+  /// Test whether the triangles of v without u stay valid when v moves.
   bool staysGood(int v, int u, const Vector3& to, double longest) const
   {
     const Ring& ring = this->Rings[v];
@@ -383,8 +385,8 @@ private:
     return true;
   }
 
-  /// Flip edges where a gain is positive and the surface stays as it is.
-  /// @param[in] minimumQuality  of the new triangles, against the old
+  /// Flip edges of positive gain if the surface keeps its shape.
+  /// @param[in] minimumQuality  of the new triangles relative to the old ones
   template <typename Gain>
   void flip(double minimumDihedral, double minimumQuality, const Gain& gain)
   {
@@ -413,7 +415,7 @@ private:
       {
         const auto across = this->Rings.across(operation.A, operation.B);
         touched = { operation.A, operation.B, across.Left, across.Right };
-        Operation still = operation; // another flip may have touched what is across
+        Operation still = operation; // another flip may have changed the opposite vertices
         if (!proposed(operation.A, operation.B, still))
         {
           return false;
@@ -424,7 +426,7 @@ private:
       [] { return true; });
   }
 
-  /// Sets of vertices of which no two are joined.
+  /// Partition the vertices into sets of which no two members are neighbors.
   std::vector<std::vector<int>> colors() const
   {
     std::vector<int> used;
@@ -489,13 +491,13 @@ private:
 
   Points& Places;
   conformal::Triangles& Triangles;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
   VertexRings Rings;
   Index Count;
-  Run Step; // of the remeshing that is being made
+  Run Step; // of the current remeshing step
 };
 
-/// Shares of each part of each iteration, then of meeting the number.
+/// Shares of progress of each part of an iteration, then of reaching the target number.
 std::vector<double> sharesOf(const RemeshingOptions& options, Index numberOfPositions)
 {
   const auto wanted = static_cast<double>(options.NumberOfVertices);
@@ -548,7 +550,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
     constexpr double any = std::numeric_limits<double>::max();
     remesher.reportTo(steps.next());
     remesher.collapse(any, any, wanted);
-    remesher.collapse(any, any, wanted, true); // where there is little but folds
+    remesher.collapse(any, any, wanted, true); // for a surface of folds
     remesher.reportTo(steps.next());
     remesher.split(0.0, wanted);
     for (int i = 0; i < FinalSmoothings; ++i)

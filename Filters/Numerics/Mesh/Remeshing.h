@@ -1,4 +1,4 @@
-/// Remeshing of a closed surface to even triangles, with a given number of vertices.
+/// Remesh a closed surface to even triangles with a given number of vertices, \cite Botsch2004.
 
 #ifndef ConformalRemeshing_h
 #define ConformalRemeshing_h
@@ -10,24 +10,26 @@ namespace conformal
 {
 struct RemeshingOptions
 {
-  Index NumberOfVertices = 12962; ///< wanted, at least 4
-  int NumberOfIterations = 3;     ///< of splitting, collapsing, flipping and smoothing
-  bool MeetNumber = false;        ///< exactly, and end with Delaunay flips
+  Index NumberOfVertices = 12962; ///< target number of vertices, at least 4
+  int NumberOfIterations = 3;     ///< iterations of splitting, collapsing, flipping and smoothing
+  /// Reach NumberOfVertices exactly, and finish with Delaunay flips
+  bool MeetNumber = false;
 };
 
-/// Remesh a closed surface with edges of equal length \cite Botsch2004. Edges longer than 4/3 of it
-/// are split, longest first; edges shorter than 4/5 are collapsed, shortest first; edges are
-/// flipped towards six neighbors for each vertex; vertices move along the surface to the middle of
-/// their triangles. The length is what as many vertices as wanted need on the surface's area.
+/// Remesh a closed surface with edges of equal length \cite Botsch2004. The target length is that
+/// of equilateral triangles with the target number of vertices on the area of the surface.
+/// - Split edges longer than 4/3 of the target length, longest first.
+/// - Collapse edges shorter than 4/5 of the target length, shortest first.
+/// - Flip edges so that vertices approach six neighbors.
+/// - Move vertices along the surface to the centroid of their triangles.
 ///
-/// No step changes the topology. Nor does one turn a normal by 60 degrees or more or make a needle,
-/// unless a surface that is little but folds has too many vertices otherwise. Vertices
-/// are not drawn back to the surface they came from: it is for meshes that are fitted to data
-/// again.
+/// No step changes the topology. No step rotates a normal by 60 degrees or more or makes a needle.
+/// An exception is a surface of folds that otherwise keeps too many vertices. Vertices are not
+/// projected back to the input surface: the result is to be fitted to data again.
 ///
-/// Implementation note: operations are made in rounds. Each round takes those that come first, by
-/// length or gain and then by id, among all that touch the same vertices; they are independent of
-/// each other and made at the same time. So the result has the same bits for any number of threads.
+/// Implementation note: operations are made in rounds. Each round selects operations by length or
+/// gain, then by id, among all that touch common vertices. The selected operations are independent
+/// and run concurrently, so the result has the same bits for any number of threads.
 ///
 /// @param[in,out] mesh  finite, a closed manifold, consistently oriented, each position used
 /// @throws std::invalid_argument if an option is out of range

@@ -19,29 +19,30 @@ namespace
 constexpr Index BlockSize = 256;
 constexpr int FilterPasses = 8;
 constexpr int MajorityPasses = 3;
-constexpr int GrowthPasses = 3; // of edges, into corners
+constexpr int GrowthPasses = 3; // growth of edges into corners
 
-// Of the filter, in edge lengths and as lengths of differences of unit normals.
+// Parameters of the filter, in edge lengths and as lengths of differences of unit normals.
 constexpr double FilterWidth = 1.0, NormalWidth = 0.35;
 
 constexpr double SharpCosine = 0.8;   // of normals at a sharp edge
 constexpr double PlaneCosine = 0.985; // of a triangle's own normal and the smoothed one, in a plane
 
-// In edge lengths: of the planes' weights around a vertex, and of the longest way to an edge.
+// Radii in edge lengths: of the weights of planes around a vertex, and of the maximum move of a
+// vertex.
 constexpr double PlaneWidth = 1.2, LongestWay = 1.2;
-// What share of the area around a vertex, but for triangles across an edge, is part of planes.
-// Measured: on edges of a machine part 0.95 or more, on ridges of animals 0.90 or less, but for one
-// vertex in twenty each. In corners, between vertices that are sure, less will do.
+// Minimum share of planes in the area around a vertex, without triangles across an edge. Measured:
+// 0.95 or more on edges of a machine part, 0.90 or less on ridges of animals, with one exception in
+// twenty vertices each. In corners, between accepted vertices, a smaller share suffices.
 constexpr double SurePlaneShare = 0.92, MinimumPlaneShare = 0.6;
 
-// Planes fit to these, in edge lengths, on sharp edges. Measured: 0.02 to 0.06 on those of a
-// machine part, mostly above 0.12 on ridges of animals.
+// Maximum residual of planes on sharp edges, in edge lengths. Measured: 0.02 to 0.06 on a machine
+// part, mostly above 0.12 on ridges of animals.
 constexpr double MaximumMisfit = 0.09;
 
-// Along the edge, of the second moment of the planes' normals, there is nothing to go by.
+// Relative second moment of the normals below which a direction is undetermined, as along an edge.
 constexpr double MinimumEigenvalue = 0.04;
 
-constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05; // of triangles whose vertex moves
+constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05; // of triangles with a moved vertex
 
 using Corners = std::array<Vector3, 3>;
 
@@ -56,7 +57,7 @@ Vector3 areaVector(const Corners& corners)
   return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-/// 1 for an equilateral triangle, 0 for one without area.
+/// Compute the quality of a triangle: 1 if equilateral, 0 without area.
 double quality(const Corners& c)
 {
   const double squares =
@@ -76,14 +77,14 @@ void sortUnique(std::vector<int>& ids)
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-/// Vertices beside sharp edges, and the places on these that they are to have.
+/// Vertices beside sharp edges, and their target positions.
 struct SharpEdges
 {
   std::vector<int> Vertices; ///< ids, ascending
   std::vector<Vector3> Places;
 };
 
-/// Finds the edges, see sharpenEdges().
+/// Find the sharp edges, see sharpenEdges().
 class Finder
 {
 public:
@@ -161,7 +162,7 @@ public:
           sure[beside[i]] = candidates[i].Sure;
         }
       });
-    // An edge has a way in and a way out.
+    // An edge continues in two directions.
     const auto amongSure = [&](int v)
     {
       return std::count_if(this->Neighbors.begin(v), this->Neighbors.end(v),
@@ -199,7 +200,7 @@ private:
     {
       for (const int* t = this->Around.begin(ids[k]); t != this->Around.end(ids[k]); ++t)
       {
-        // One that has the next corner too has its turn there.
+        // A triangle that also contains the next corner is visited there.
         if ((this->Surface.Triangles.row(*t).array() != ids[next(k)]).all())
         {
           const Vector3 other = this->Smoothed.row(*t), way = this->Centers.row(*t);
@@ -219,10 +220,10 @@ private:
     return this->Smoothed.row(r).dot(this->Smoothed.row(this->TrianglesAcross(r, k))) < SharpCosine;
   }
 
-  /// Whether the triangle is one of those that cut an edge off, or beside one.
+  /// Test whether a triangle cuts an edge off, or is adjacent to one that does.
   bool across(Index r) const { return this->sharp(r, 0) || this->sharp(r, 1) || this->sharp(r, 2); }
 
-  /// A triangle between sharp edges on two sides or three is part of none of the planes there.
+  /// A triangle between two or three sharp edges belongs to none of their planes.
   void takeSides()
   {
     for (Index r = 0; r < this->TrianglesAcross.rows(); ++r)
@@ -246,8 +247,8 @@ private:
 
   struct Candidate
   {
-    Vector3 Place;     ///< on the edge
-    bool Sure = false; ///< the area around is part of planes that the place fits to
+    Vector3 Place;     ///< target position on the edge
+    bool Sure = false; ///< whether the area around consists of planes that the position fits
     bool Possible = false;
   };
 
@@ -294,7 +295,7 @@ private:
       weights >= SurePlaneShare * all && misfit <= MaximumMisfit * this->Edge, true };
   }
 
-  /// Those up to three triangles away.
+  /// Find the triangles up to three triangles away.
   std::vector<int> trianglesAround(int v) const
   {
     std::vector<int> vertices = { v };
@@ -318,7 +319,7 @@ private:
   }
 
   const Mesh& Surface;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
   const Adjacency Around, Neighbors;
   const Triangles TrianglesAcross;
   const double Edge;
@@ -326,7 +327,7 @@ private:
   Eigen::VectorXd Areas;
 };
 
-/// Whether no triangle around a vertex turns, flattens or folds when the vertex moves.
+/// Test whether no triangle around a vertex is flipped, flattened or folded when the vertex moves.
 bool staysGood(
   const Mesh& mesh, const Adjacency& around, const Triangles& across, int v, const Vector3& to)
 {
@@ -361,13 +362,13 @@ bool staysGood(
   return true;
 }
 
-/// One after the other, since what is good for one depends on its neighbors.
+/// Move vertices serially, since each move depends on the neighbors.
 Index moveVertices(Mesh& mesh, const SharpEdges& edges)
 {
   const Adjacency around = vertexTriangles(mesh.Triangles, mesh.Positions.rows());
   const Triangles across = triangleNeighbors(mesh.Triangles, around);
   std::vector<bool> moved(edges.Vertices.size(), false);
-  // The second time neighbors that were in the way have moved.
+  // In the second pass, neighbors that blocked a vertex have moved.
   for (const double share : { 1.0, 1.0, 0.5, 0.25 })
   {
     for (std::size_t i = 0; i < edges.Vertices.size(); ++i)

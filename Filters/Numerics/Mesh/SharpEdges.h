@@ -1,4 +1,4 @@
-/// Sharp edges and corners of a surface whose triangles cut them off.
+/// Restore sharp edges and corners of a surface that its triangles cut off, \cite Kobbelt2001.
 
 #ifndef ConformalSharpEdges_h
 #define ConformalSharpEdges_h
@@ -8,22 +8,21 @@
 
 namespace conformal
 {
-/// Move vertices onto the edges and corners where planes meet at 37 degrees or more, of which the
-/// triangles between the planes cut some off.
+/// Move vertices onto sharp edges and corners, where planes meet at 37 degrees or more and
+/// triangles cut the edge off.
 ///
 /// The normals of the triangles are smoothed, but not across jumps \cite Zheng2011, so that each
-/// triangle across an edge takes the side of one plane. A vertex between triangles whose smoothed
-/// normals are more than 37 degrees apart belongs to the edge, if most of the area around it has
-/// its smoothed normal anyway: on a bend, or amid noise, it does not. It moves to where it is
-/// closest to the planes of that area, onto the edge of two or into the corner of three
-/// \cite Kobbelt2001.
+/// triangle across an edge joins one of the planes. A vertex belongs to an edge if smoothed normals
+/// of its triangles differ by more than 37 degrees. Most of the area around it must also lie in
+/// planes, which excludes bends and noise. The vertex moves to the point closest to these planes:
+/// onto the edge of two, or into the corner of three \cite Kobbelt2001.
 ///
-/// It stays, or goes half or a quarter of the way, where a triangle would turn by a right angle
-/// or more, become a needle, or fold on to another.
+/// A vertex moves half or a quarter of the way, or stays, to avoid defects. Defects are a triangle
+/// rotated by a right angle or more, a needle, or a fold.
 ///
-/// @param[in,out] mesh  a closed manifold, consistently oriented, its triangles about of one size;
-///                      other vertices keep their bits
-/// @return how many vertices moved
+/// @param[in,out] mesh  a closed manifold, consistently oriented, with triangles of about equal
+///   size; other vertices keep their bits
+/// @return the number of vertices moved
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 Index sharpenEdges(Mesh& mesh, const Run& run = {});

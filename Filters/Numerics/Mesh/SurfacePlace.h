@@ -9,7 +9,7 @@
 
 namespace conformal
 {
-/// Weights are >= 0, of sum 1.
+/// Point of a triangle mesh: three vertex ids and barycentric weights, >= 0 and of sum 1.
 struct SurfacePlace
 {
   std::array<int, 3> Ids = { -1, -1, -1 };

@@ -12,8 +12,8 @@ namespace conformal
 {
 namespace
 {
-/// Ids of the points of a triangle that is cut into k x k. The point (i, j) is i steps towards
-/// corner 1 and j towards corner 2 from corner 0.
+/// Ids of the points of a triangle cut into k x k. Point (i, j) is i steps towards corner 1 and j
+/// steps towards corner 2 from corner 0.
 class CutTriangle
 {
 public:
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  /// The point so many steps from the start of an edge.
+  /// Return the point at a number of steps from the start of an edge.
   int onEdge(int edge, int step) const
   {
     const bool ascends = this->Corners[edge] < this->Corners[next(edge)];
@@ -62,8 +62,8 @@ private:
   int FirstInside;
 };
 
-/// The id of the first point on each edge of each triangle, the same from both sides, after so many
-/// others; and the number of all points until then and on edges.
+/// Compute the id of the first point on each edge of each triangle, equal from both sides. Ids
+/// start at a given number. Also return the number of all points up to those on edges.
 Triangles numberEdges(const Triangles& triangles, const Triangles& neighbors, int perEdge,
   Index numberOfVertices, Index& free)
 {
@@ -124,7 +124,8 @@ Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run)
     const int* corners = mesh.Triangles.data() + 3 * r;
     const int* edges = firstOnEdge.data() + 3 * r;
     const CutTriangle triangle(k, corners, edges, static_cast<int>(firstInside + inside * r));
-    for (int edge = 0; edge < 3; ++edge) // by the neighbor of lower id, from the lower vertex
+    for (int edge = 0; edge < 3; ++edge) // owned by the triangle of lower id, from the vertex of
+                                         // lower id
     {
       const int from = std::min(corners[edge], corners[next(edge)]),
                 to = std::max(corners[edge], corners[next(edge)]);

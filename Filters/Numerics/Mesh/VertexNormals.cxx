@@ -10,7 +10,7 @@ Points vertexNormals(const Points& points, const Triangles& triangles)
 Points vertexNormals(
   const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run)
 {
-  // Areas are squares, so they are taken in units of the mesh's size.
+  // Scale by the size of the mesh, since areas are squares.
   const double size = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
   const double unit = size > 0.0 ? 1.0 / size : 0.0;
   const Index blockSize = 1024;

@@ -1,4 +1,4 @@
-/// Normals of the vertices of a triangle mesh.
+/// Compute vertex normals of a triangle mesh with the area weights of \cite Max1999.
 
 #ifndef ConformalVertexNormals_h
 #define ConformalVertexNormals_h
@@ -9,15 +9,16 @@
 
 namespace conformal
 {
-/// Unit means of the normals of the triangles around each vertex, weighted by their areas; zero
-/// where there are none or they cancel.
+/// Compute area-weighted unit means of the normals of the triangles around each vertex. The result
+/// is zero for a vertex without triangles or with normals that cancel.
 ///
-/// @param[in] points  #V by 3, of any unit
-/// @param[in] triangles   #F by 3 ids
+/// @param[in] points     #V by 3, of any unit
+/// @param[in] triangles  #F by 3 ids
 /// @return #V by 3
 Points vertexNormals(const Points& points, const Triangles& triangles);
 
-/// @param[in] around  vertexTriangles of the triangles, where they are at hand
+/// Compute vertex normals, given the triangles around each vertex.
+/// @param[in] around  vertexTriangles() of the triangles
 Points vertexNormals(
   const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run = {});
 }

@@ -9,7 +9,7 @@ namespace conformal
 {
 namespace
 {
-// Sides opposite to a vertex, joined end to end.
+// Join the edges opposite to a vertex end to end.
 Ring chained(std::vector<std::pair<int, int>>& sides)
 {
   std::sort(sides.begin(), sides.end());
@@ -123,9 +123,9 @@ void VertexRings::splitEdge(int a, int b, int m)
   *find(this->Rings[a], b) = m;
   *find(this->Rings[b], a) = m;
   Ring& ofLeft = this->Rings[left];
-  ofLeft.insert(find(ofLeft, a) + 1, m); // its ring has ... a, b ...
+  ofLeft.insert(find(ofLeft, a) + 1, m); // ring of the left vertex: ... a, b ...
   Ring& ofRight = this->Rings[right];
-  ofRight.insert(find(ofRight, b) + 1, m); // and this one ... b, a ...
+  ofRight.insert(find(ofRight, b) + 1, m); // ring of the right vertex: ... b, a ...
   this->Rings[m] = { a, right, b, left };
 }
 

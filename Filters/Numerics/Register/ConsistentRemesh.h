@@ -1,4 +1,5 @@
 /// Surfaces whose maps to the sphere correspond, on one mesh.
+/// Own construction: one mesh of the sphere carries all surfaces.
 
 #ifndef ConformalConsistentRemesh_h
 #define ConformalConsistentRemesh_h

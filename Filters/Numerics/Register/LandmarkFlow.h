@@ -1,4 +1,5 @@
 /// Moves the vertices of a sphere mesh along a smooth flow that brings landmarks to their targets.
+/// Own construction: exact predicates keep every step free of folds.
 
 #ifndef ConformalLandmarkFlow_h
 #define ConformalLandmarkFlow_h

@@ -1,4 +1,5 @@
 /// Finds the map between two surfaces that stretches least and agrees on features.
+/// Symmetric Dirichlet energy of \cite Smith2015.
 
 #ifndef ConformalRegistrationDescent_h
 #define ConformalRegistrationDescent_h

@@ -1,4 +1,5 @@
 /// Values of points that are made of the values of others.
+/// Own construction: weights by rows, which several units share.
 
 #ifndef ConformalResampleWeights_h
 #define ConformalResampleWeights_h

@@ -1,4 +1,5 @@
 /// Finds the rotations after which two surfaces agree best on features.
+/// Own construction: exhaustive search with refinement finds all good rotations.
 
 #ifndef ConformalRotationSearch_h
 #define ConformalRotationSearch_h

@@ -1,4 +1,5 @@
 /// Features of a closed surface that do not depend on where it lies or how it is bent.
+/// Own construction: features by geodesic distance do not change under bending.
 
 #ifndef ConformalSphereFeatures_h
 #define ConformalSphereFeatures_h

@@ -1,4 +1,5 @@
 /// Values at the vertices of a geodesic sphere, linear in between.
+/// Own construction: linear interpolation with a derivative, for descents.
 
 #ifndef ConformalSphereSamples_h
 #define ConformalSphereSamples_h

@@ -1,4 +1,5 @@
 /// Shapes between shapes of one connectivity.
+/// Poisson interpolation of \cite Xu2005.
 
 #ifndef ConformalSphericalMorph_h
 #define ConformalSphericalMorph_h

@@ -1,5 +1,6 @@
 /// Registers one mapped surface with another: deforms its map to the sphere so that equal
 /// directions correspond.
+/// Own construction: rotations, then descents from coarse to fine spheres, escape local minima.
 
 #ifndef ConformalSphericalRegistration_h
 #define ConformalSphericalRegistration_h

@@ -1,4 +1,5 @@
 /// Carries values from one surface to another by their maps to the sphere.
+/// Methods of \cite Glasser2013.
 
 #ifndef ConformalSphericalResample_h
 #define ConformalSphericalResample_h

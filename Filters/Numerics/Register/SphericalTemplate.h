@@ -1,4 +1,5 @@
 /// Registers many mapped surfaces with their mean, so that all of them correspond.
+/// Own construction: rounds of registration with the mean of all surfaces.
 
 #ifndef ConformalSphericalTemplate_h
 #define ConformalSphericalTemplate_h

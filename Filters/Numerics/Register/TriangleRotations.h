@@ -1,4 +1,5 @@
 /// How the triangles of one shape turn to become those of another.
+/// Polar decomposition as in \cite Alexa2000.
 
 #ifndef ConformalTriangleRotations_h
 #define ConformalTriangleRotations_h

@@ -1,4 +1,5 @@
 /// How far a triangle is stretched or squeezed between two metrics.
+/// Symmetric Dirichlet energy of \cite Smith2015.
 
 #ifndef ConformalTriangleStretch_h
 #define ConformalTriangleStretch_h

@@ -1,4 +1,5 @@
 /// Repairs triangle meshes that are almost closed surfaces of genus zero.
+/// Own construction: a sequence of repairs that moves no point.
 
 #ifndef ConformalGenusZeroRepair_h
 #define ConformalGenusZeroRepair_h

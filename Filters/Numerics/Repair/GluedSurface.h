@@ -1,4 +1,5 @@
 /// Triangles glued side to side: any triangles become a manifold, which can be filled and cut.
+/// Cutting and stitching as in \cite Gueziec2001.
 
 #ifndef ConformalGluedSurface_h
 #define ConformalGluedSurface_h

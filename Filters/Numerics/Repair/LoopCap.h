@@ -1,4 +1,5 @@
 /// Disks of triangles that fill loops.
+/// Own construction: rings of halved size give well-shaped triangles.
 
 #ifndef ConformalLoopCap_h
 #define ConformalLoopCap_h

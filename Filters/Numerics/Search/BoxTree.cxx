@@ -10,16 +10,16 @@ namespace conformal
 namespace
 {
 constexpr int LeafSize = 2;
-constexpr int RangeSize = 2048; // items of a branch that one thread builds
+constexpr int RangeSize = 2048; // items of a branch built by one thread
 
-/// What items are sorted by, side by side in memory.
+/// Sort key of an item, stored with its id.
 struct Center
 {
-  Vector3 At; // twice, which sorts as well
+  Vector3 At; // twice the center, with the same order
   int Item;
 };
 
-/// Consecutive items, and the node that holds them.
+/// Range of consecutive items, and its node.
 struct Range
 {
   int First, Last, Node;
@@ -27,7 +27,7 @@ struct Range
   int size() const { return this->Last - this->First; }
 };
 
-/// Numbers of nodes over n and over n + 1 items. Halves differ by one item at most.
+/// Numbers of nodes over n and n + 1 items. Halves differ by at most one item.
 std::pair<int, int> numbersOfNodes(int n)
 {
   if (n <= 1)
@@ -40,7 +40,8 @@ std::pair<int, int> numbersOfNodes(int n)
                     : std::make_pair(odd, 1 + 2 * more);
 }
 
-/// The first item of the upper half by the position along the longest side, items in halves.
+/// Find the first item of the upper half by the position along the longest side, and partition the
+/// items.
 int halve(std::vector<Center>& centers, const Range& range)
 {
   Vector3 lower = centers[range.First].At, upper = lower;
@@ -59,7 +60,7 @@ int halve(std::vector<Center>& centers, const Range& range)
   return middle;
 }
 
-/// The two halves of a range.
+/// Return the two halves of a range.
 std::pair<Range, Range> split(BoxTree& tree, std::vector<Center>& centers, const Range& range)
 {
   const int middle = halve(centers, range);
@@ -75,7 +76,7 @@ void joinBounds(BoxTree& tree, int node)
   bounds.extend(tree.Nodes[tree.Nodes[node].Second].Bounds);
 }
 
-/// @return the next node after those of the range
+/// @return the node after all nodes of the range
 int build(
   BoxTree& tree, std::vector<Center>& centers, const std::vector<Box>& boxes, const Range& range)
 {
@@ -115,7 +116,7 @@ BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run)
     centers[i] = { boxes[i].Lower + boxes[i].Upper, i };
   }
 
-  // Level by level, as long as ranges are large; all of a level are as large but for one item.
+  // Split level by level while ranges are large. Ranges of one level differ by at most one item.
   const double numberOfLevels = std::log2(size) + 1.0;
   double level = 0.0;
   std::vector<Range> ranges{ { 0, size, 0 } };

@@ -1,4 +1,4 @@
-/// Binary tree of bounding boxes, for closest-point and ray queries.
+/// Binary tree of bounding boxes for closest-point and ray queries, \cite Ericson2005.
 
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
@@ -26,31 +26,31 @@ struct Box
     this->Lower = this->Lower.cwiseMin(box.Lower);
     this->Upper = this->Upper.cwiseMax(box.Upper);
   }
-  /// 0 inside; infinite for an empty box.
+  /// Compute the square distance of a point from the box: 0 inside, infinite for an empty box.
   double squareDistance(const Vector3& x) const
   {
     return (this->Lower - x).cwiseMax(x - this->Upper).cwiseMax(0.0).squaredNorm();
   }
 };
 
-/// Nodes in depth-first order: the children of an inner node i are i + 1 and Nodes[i].Second;
-/// the leaves' items lie side by side in Items.
+/// Nodes in depth-first order: the children of an inner node i are i + 1 and Nodes[i].Second. The
+/// items of a leaf are consecutive in Items.
 struct BoxTree
 {
   struct Node
   {
     Box Bounds;
     int Second = 0; ///< second child; unused in a leaf
-    int First = 0;  ///< a leaf's first place in Items
-    int Count = 0;  ///< a leaf's number of items; 0 in an inner node
+    int First = 0;  ///< leaf: position of its first item in Items
+    int Count = 0;  ///< leaf: number of items; 0 in an inner node
   };
 
   std::vector<Node> Nodes;
   std::vector<int> Items;
 };
 
-/// Build by median splits of the items' box centers along the longest side. Depends on the boxes
-/// only, so every run gives the same tree. O(n log n).
+/// Build a tree by median splits of the centers of the boxes along the longest side. The tree
+/// depends only on the boxes, so every run gives the same one. O(n log n).
 /// @throws Aborted
 BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run = {});
 }

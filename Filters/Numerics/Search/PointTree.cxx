@@ -22,7 +22,7 @@ Index middleOf(Index first, Index last)
 constexpr Neighbor Nobody = { std::numeric_limits<int>::max(),
   std::numeric_limits<double>::infinity() };
 
-// What a search has found so far; a better neighbor replaces the farthest of it.
+// Neighbors found so far; a better neighbor replaces the farthest one.
 struct NearestOne
 {
   Neighbor Best = Nobody;
@@ -32,7 +32,7 @@ struct NearestOne
 
 struct NearestOnes
 {
-  std::vector<Neighbor>& Heap; ///< as large as it will be, the farthest in front
+  std::vector<Neighbor>& Heap; ///< at its final size, the farthest neighbor first
   const Neighbor& farthest() const { return this->Heap.front(); }
   void replaceFarthest(const Neighbor& neighbor)
   {
@@ -58,7 +58,7 @@ PointTree::PointTree(const PointView& points, const Run& run)
     throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
       " points of the cloud are not finite");
   }
-  // The lower part of a range is the longer one, if any.
+  // The lower part of a range is the longer one, if they differ.
   Index nodes = 0;
   for (Index longest = this->size(), count = 1; longest > LeafSize; longest /= 2)
   {
@@ -72,7 +72,7 @@ PointTree::PointTree(const PointView& points, const Run& run)
 //------------------------------------------------------------------------------
 void PointTree::split(Index node, Index first, Index last, const Run& run)
 {
-  constexpr Index sizeToReport = 1 << 12; // large enough to take a while
+  constexpr Index sizeToReport = 1 << 12; // large enough for a noticeable time
   if (last - first <= LeafSize)
   {
     return;
@@ -139,7 +139,8 @@ void PointTree::search(
     }
   };
   searchSide(beyond >= 0.0, apart);
-  // The other side is at least this far away, axis by axis. Equally far may still have a lower id.
+  // Lower bound of the distance to the other half, axis by axis. At an equal distance a lower id is
+  // possible.
   Vector3 gap = apart;
   gap[axis] = beyond;
   if (gap.dot(gap) <= found.farthest().SquareDistance)

@@ -1,4 +1,4 @@
-/// Nearest points of a cloud.
+/// Nearest points of a cloud by a k-d tree, \cite Friedman1977.
 
 #ifndef ConformalPointTree_h
 #define ConformalPointTree_h
@@ -10,13 +10,13 @@
 
 namespace conformal
 {
-/// A point of a cloud, and how far it is.
+/// Point of a cloud and its square distance from the query point.
 struct Neighbor
 {
   int Id = -1;
   double SquareDistance = 0.0;
 
-  /// Nearer first; of equals, the lowest id.
+  /// Order by distance, then by id.
   bool operator<(const Neighbor& other) const
   {
     return this->SquareDistance < other.SquareDistance ||
@@ -24,12 +24,12 @@ struct Neighbor
   }
 };
 
-/// Exact nearest points of a cloud that rests.
+/// Exact nearest points of a fixed cloud.
 ///
-/// A k-d tree that is nothing but an order of the points: the middle of each range splits the
-/// rest of it in two. It copies the points, 32 bytes each with their ids, and needs a byte for
-/// every four or more of them besides. A query costs about log(#P) and only reads, so many threads
-/// may ask at once.
+/// The k-d tree is an order of the points: the middle of each range splits its other points into
+/// two ranges. The tree stores a copy of the points, 32 bytes each with their ids. The split axes
+/// need one byte for every four or more points. A query costs about log(#P) and only reads, so
+/// several threads may query concurrently.
 class PointTree
 {
 public:
@@ -41,13 +41,13 @@ public:
 
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
-  /// The k nearest points of x, nearest first; of points equally near, the lowest ids.
+  /// Find the k points nearest to x, nearest first; of equal distances, the smallest id first.
   ///
-  /// @param[in] k          at least 0; all points where there are fewer
-  /// @param[out] neighbors  replaced; given again, it saves allocating
+  /// @param[in] k          at least 0; all points are returned if there are fewer
+  /// @param[out] neighbors  replaced; reuse it to avoid allocations
   void nearest(const Vector3& x, int k, std::vector<Neighbor>& neighbors) const;
 
-  /// The nearest point of x; Id -1 for an empty cloud.
+  /// Find the point nearest to x; the id is -1 for an empty cloud.
   Neighbor nearest(const Vector3& x) const;
 
 private:
@@ -61,8 +61,8 @@ private:
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;
 
-  std::vector<Place> Places;       ///< in the tree's order
-  std::vector<unsigned char> Axes; ///< split inner node i, whose children are 2 i + 1 and 2 i + 2
+  std::vector<Place> Places;       ///< in the order of the tree
+  std::vector<unsigned char> Axes; ///< split axis of inner node i with children 2 i + 1 and 2 i + 2
 };
 }
 

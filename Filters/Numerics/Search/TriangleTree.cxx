@@ -20,7 +20,7 @@ FootPoint footAt(const Vector3& x, const Vector3& a, const Vector3& b, const Vec
   return foot;
 }
 
-// Parameter in [0, 1] of the point of the segment from a to b closest to x.
+// Compute the parameter in [0, 1] of the point of the segment from a to b closest to x.
 double closestOnSegment(const Vector3& x, const Vector3& a, const Vector3& b)
 {
   const double length2 = (b - a).squaredNorm();
@@ -31,7 +31,7 @@ double closestOnSegment(const Vector3& x, const Vector3& a, const Vector3& b)
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  // Voronoi regions of the corners, the edges and the inside, told apart by the projections of x
+  // Classify the Voronoi regions of the corners, the edges and the interior by the projections of x
   // on the edges.
   const Vector3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
   const double abx = ab.dot(ax), acx = ac.dot(ax);
@@ -49,7 +49,7 @@ FootPoint closestPointOfTriangle(
   {
     return footAt(x, a, b, c, Vector3(0, 0, 1));
   }
-  // Twice the signed areas opposite c, b and a, times the triangle's.
+  // Twice the signed areas opposite to c, b and a, times twice the area of the triangle.
   const double areaC = abx * acxb - abxb * acx;
   if (areaC <= 0.0 && abx >= 0.0 && abxb <= 0.0 && abx - abxb > 0.0)
   {
@@ -75,7 +75,7 @@ FootPoint closestPointOfTriangle(
     const double u = areaB / area, v = areaC / area;
     return footAt(x, a, b, c, Vector3(1 - u - v, u, v));
   }
-  // Rounding in a sliver: the nearest of its edges is as good as its inside.
+  // Rounding error in a sliver: the nearest edge is as close as the interior.
   const double s = closestOnSegment(x, a, b), t = closestOnSegment(x, b, c),
                u = closestOnSegment(x, c, a);
   const std::array<FootPoint, 3> feet = { footAt(x, a, b, c, Vector3(1 - s, s, 0)),
@@ -121,7 +121,7 @@ int TriangleTree::addQuad(const BoxTree& tree, int node, const Run& run)
   constexpr int chunk = 1 << 12;
   if (self % chunk == 0)
   {
-    // Half of all nodes have children, of which a quad joins three at most.
+    // Half of all nodes have children. A quad combines at most three of them.
     run.report(std::min(1.0, 4.0 * self / static_cast<double>(tree.Nodes.size())));
   }
   this->Quads.emplace_back();
@@ -248,9 +248,9 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
   {
     double SquareDistance;
     int Quad;         ///< -1 for a leaf
-    int First, Count; ///< its places
+    int First, Count; ///< range of positions in Items
   };
-  // At most three wait on each level, and the depth is half the logarithm of an int.
+  // At most three quads per level wait; the depth is half the logarithm of an int.
   std::array<Waiting, 3 * 32> stack;
   int depth = 0;
   stack[depth++] = { 0.0, 0, 0, 0 };
@@ -275,7 +275,7 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     const int bottom = depth;
     for (int k = 0; k < DoubleLanes; ++k)
     {
-      // Empty places are infinitely far. Sorted in, so that the closest is taken first.
+      // Empty lanes are infinitely far. Insert sorted, so that the closest is visited first.
       if (distances[k] <= best.SquareDistance && (quad.Next[k] >= 0 || quad.Count[k] > 0))
       {
         int at = depth++;

@@ -1,4 +1,4 @@
-/// Closest point of a triangle mesh (foot point).
+/// Closest point (foot point) of a triangle mesh, \cite Ericson2005.
 
 #ifndef ConformalTriangleTree_h
 #define ConformalTriangleTree_h
@@ -12,23 +12,23 @@
 
 namespace conformal
 {
-/// The closest point of a triangle, and where it lies in it.
+/// Closest point of a mesh: its triangle, barycentric coordinates, position and distance.
 struct FootPoint
 {
   int Triangle = -1;
-  Vector3 Barycentric = Vector3::Zero(); ///< of the foot in its triangle; >= 0, sum 1
+  Vector3 Barycentric = Vector3::Zero(); ///< of the closest point in its triangle; >= 0, sum 1
   Vector3 Position = Vector3::Zero();
   double SquareDistance = std::numeric_limits<double>::infinity();
 };
 
-/// Closest point of the triangle a, b, c; degenerate triangles are segments or points.
-/// The field Triangle is left at -1.
+/// Compute the closest point of the triangle a, b, c. Degenerate triangles count as segments or
+/// points. The field Triangle is -1.
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Exact closest points on a mesh that may move.
+/// Exact closest points of a mesh that may move.
 ///
-/// A query costs about log(#F) and only reads, so many threads may ask at once.
+/// A query costs about log(#F) and only reads, so several threads may query concurrently.
 class TriangleTree
 {
 public:
@@ -39,12 +39,12 @@ public:
   /// @throws Aborted
   TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// The same triangles with their vertices moved. O(#F).
+  /// Update the boxes after vertices moved; the triangles must be the same. O(#F).
   void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// The closest point of the mesh; of triangles equally close, the lowest id.
-  /// @param[in] x     a point; distances are exact to rounding
-  /// @param[in] hint  a triangle that may be close: saves time, never changes the result
+  /// Find the closest point of the mesh; of triangles at equal distance, the smallest id.
+  /// @param[in] x     a point; distances are exact up to rounding
+  /// @param[in] hint  a triangle that may be close: reduces the cost, never changes the result
   /// @return Triangle -1 for a mesh without triangles
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 
@@ -53,23 +53,23 @@ private:
   {
     Vector3 A, B, C;
   };
-  // Four boxes side by side, grandchildren of a binary tree, measured at the same time.
+  // Four boxes, grandchildren of a node of the binary tree, tested with SIMD instructions.
   struct Quad
   {
     Doubles Lower[3], Upper[3];
-    int Next[DoubleLanes];  ///< quad below; -1 under a leaf and where there is no box
-    int First[DoubleLanes]; ///< a leaf's first place in Items
-    int Count[DoubleLanes]; ///< a leaf's number of triangles, else 0
+    int Next[DoubleLanes];  ///< child quad; -1 for a leaf and without a box
+    int First[DoubleLanes]; ///< leaf: position of its first triangle in Items
+    int Count[DoubleLanes]; ///< leaf: number of triangles, else 0
   };
   int addQuad(const BoxTree& tree, int node, const Run& run);
   Box boxOf(const Quad& quad, int lane) const;
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);
 
-  std::vector<int> Items;      ///< triangles in the tree's order
-  std::vector<Quad> Quads;     ///< each before those below it
-  std::vector<Corners> Placed; ///< corners of the triangle at each place of Items
-  std::vector<int> PlaceOf;    ///< place of each triangle
+  std::vector<int> Items;      ///< triangles in the order of the tree
+  std::vector<Quad> Quads;     ///< each before its children
+  std::vector<Corners> Placed; ///< corners of the triangles in Items
+  std::vector<int> PlaceOf;    ///< position of each triangle in Items
 };
 }
 

@@ -20,15 +20,15 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double MinimumRadius = 1e-7;  // of a triangle that is divided
-constexpr double MinimumDensity = 1e-9; // of the mean; so that a size is finite
+constexpr double MinimumRadius = 1e-7;  // of a triangle to be divided
+constexpr double MinimumDensity = 1e-9; // relative to the mean, so that sizes are finite
 constexpr double SizeSpread = 3.0;      // of the random factor of areas
-constexpr double GoodAngle = 35.0;      // below which smoothing makes no angle smaller
-constexpr double SmoothingStep = 0.7;   // of the way to the middle
-constexpr int SmoothingTries = 3;       // each half as far
+constexpr double GoodAngle = 35.0;      // smoothing decreases no angle below it
+constexpr double SmoothingStep = 0.7;   // fraction of the way to the centroid
+constexpr int SmoothingTries = 3;       // each with half the step
 constexpr double WorkOfRefinement = 7000.0, WorkOfRound = 3000.0; // for each point
-constexpr double LargeEdge = 0.01;       // from which the sphere does not look flat
-constexpr double FlatSquaredSine = 1e-6; // of the smallest angle of triangles without a plane
+constexpr double LargeEdge = 0.01;       // above it the sphere is not locally flat
+constexpr double FlatSquaredSine = 1e-6; // of the minimum angle of triangles without a plane
 constexpr double Rounding = 1e-9;
 constexpr int ReportEvery = 1024; // points
 
@@ -38,17 +38,17 @@ double squaredSine(double degrees)
   return sine * sine;
 }
 
-/// Twice the area of a triangle, negative where it is clockwise seen from outside; from
-/// differences, which keeps the digits of small ones.
+/// Compute twice the area of a triangle, negative if clockwise seen from outside. Differences
+/// preserve the digits of small triangles.
 double side(const Vector3& a, const Vector3& b, const Vector3& p)
 {
   return (a - p).cross(b - p).dot(p);
 }
 
-/// What is to be known of the shape of a triangle.
+/// Shape of a triangle.
 struct Shape
 {
-  double SquaredSine = 0.0; ///< of the smallest angle; 0 without area or if it is turned over
+  double SquaredSine = 0.0; ///< of the minimum angle; 0 without area or if flipped
   double SquaredRadius = 0.0;
   double Area = 0.0;
 
@@ -81,7 +81,8 @@ public:
     const double area = std::accumulate(density.Areas.begin(), density.Areas.end(), 0.0);
     this->Floor = MinimumDensity * all / area;
     this->AreaUnit = 4.0 * Pi / area;
-    const Index most = numberOfPoints + numberOfPoints / 50; // for which there may be no room
+    const Index most =
+      numberOfPoints + numberOfPoints / 50; // maximum number; memory may not hold it
     this->Positions.reserve(most);
     this->Sizes.reserve(most);
     this->Items.reserve(2 * most);
@@ -110,7 +111,7 @@ public:
     }
   }
 
-  /// Add points until there are so many and all angles are good.
+  /// Add points up to the given number and until all angles are good.
   void refine(Index numberOfPoints, const Run& run)
   {
     const auto first = static_cast<double>(this->Positions.size());
@@ -124,7 +125,7 @@ public:
         this->Before = size;
       }
       const int t = this->worst(size < numberOfPoints);
-      if (t < 0 || size > 2 * numberOfPoints) // far too many, of which none will be kept
+      if (t < 0 || size > 2 * numberOfPoints) // far too many points, none of which is kept
       {
         return;
       }
@@ -139,10 +140,10 @@ public:
 
   Index size() const { return static_cast<Index>(this->Positions.size()); }
 
-  /// The last number of points with good angles below the one that was to be reached.
+  /// Last number of points with good angles below the target number.
   Index sizeBefore() const { return this->Before; }
 
-  /// Move points towards the middle of their triangles, then flip edges.
+  /// Move points towards the centroid of their triangles, then flip edges.
   void smooth(const Run& run)
   {
     for (const std::vector<int>& color : this->colors())
@@ -186,7 +187,7 @@ public:
     return mesh;
   }
 
-  /// From here on triangles are not divided again.
+  /// Stop the division of triangles.
   void dropQueues()
   {
     this->IsRefining = false;
@@ -198,12 +199,12 @@ private:
   struct Item
   {
     std::array<int, 3> Ids{};
-    std::array<int, 3> Across{}; // triangle beyond the edge (k, k + 1 mod 3)
+    std::array<int, 3> Across{}; // triangle across the edge (k, k + 1 mod 3)
     int FirstProbe = -1;         // of a list
     int Version = 0;             // counts changes
   };
 
-  /// What to divide, as it was when queued.
+  /// Entry of the queue: triangle to divide, with its state when queued.
   struct Entry
   {
     double Priority;
@@ -223,7 +224,7 @@ private:
     return { this->corner(t, 0), this->corner(t, 1), this->corner(t, 2) };
   }
 
-  /// Edge length up to a factor.
+  /// Target edge length up to a factor.
   double sizeAt(const Vector3& direction) const
   {
     return 1.0 / std::sqrt(std::max(this->Density.At(direction), this->Floor));
@@ -242,8 +243,8 @@ private:
     this->Items[t].FirstProbe = probe;
   }
 
-  /// The triangle that holds a direction, walking from another one; where rounding leads round in
-  /// circles, one that is near.
+  /// Find the triangle that contains a direction by a walk from another triangle; a triangle nearby
+  /// if rounding leads in a circle.
   int find(const Vector3& direction, int from) const
   {
     int t = from;
@@ -271,7 +272,7 @@ private:
     return t;
   }
 
-  /// Queue a triangle if it is to be divided some time.
+  /// Queue a triangle that is to be divided.
   void changed(int t)
   {
     Item& item = this->Items[t];
@@ -298,7 +299,7 @@ private:
       mass += this->ProbeDensities[probe] *
         std::min(this->AreaUnit * this->Density.Areas[probe], shape.Area);
     }
-    const double equilateral = 0.75 * std::sqrt(3.0); // area by square of the radius
+    const double equilateral = 0.75 * std::sqrt(3.0); // area over the square of the radius
     const double priority = std::max(shape.SquaredRadius / (size * size), mass / equilateral);
     const double factor = std::pow(SizeSpread, this->Dice.uniform());
     this->BySize.push({ priority * factor, t, item.Version });
@@ -318,8 +319,8 @@ private:
     return entry.Version != this->Items[entry.Triangle].Version;
   }
 
-  /// The triangle to divide next: of bad angles first, the smallest one; then if wanted the one
-  /// that is largest for its place; -1 if there is none.
+  /// Find the next triangle to divide: first the one of minimum angle, if that is below the bound.
+  /// Then, on request, the largest triangle relative to its target size; -1 if there is none.
   int worst(bool wantsPoints)
   {
     for (auto* queue : { &this->ByAngle, &this->BySize })
@@ -337,7 +338,7 @@ private:
     return -1;
   }
 
-  /// Add the middle of a triangle's circumscribed circle, wherever it lies.
+  /// Add the center of the circumcircle of a triangle, wherever it lies.
   void divide(int t)
   {
     const Vector3 a = this->corner(t, 0), ab = this->corner(t, 1) - a, ac = this->corner(t, 2) - a;
@@ -349,7 +350,7 @@ private:
     this->insert(this->find(middle, t), middle);
   }
 
-  /// Divide a triangle into three around a point inside, then flip edges until it is Delaunay
+  /// Divide a triangle into three at an interior point, then flip edges until the mesh is Delaunay
   /// again.
   void insert(int t, const Vector3& position)
   {
@@ -397,9 +398,9 @@ private:
     }
   }
 
-  /// Flip edges of triangles, and of those that this changes, while the smallest angle of the two
-  /// beside an edge grows by that.
-  /// @param[in,out] triangles  each once; those that were changed come to them
+  /// Flip edges of triangles, and of triangles changed by flips, while the minimum angle of both
+  /// triangles of an edge increases.
+  /// @param[in,out] triangles  each once; changed triangles are appended
   void flipAround(std::vector<int>& triangles)
   {
     this->Seen.resize(this->Items.size(), 0);
@@ -437,13 +438,12 @@ private:
     }
   }
 
-  /// Flip the edge (k, k + 1) of a triangle if that makes the smaller of the smallest angles
-  /// larger; or, where triangles are so large that this is not the same, if the point beyond it
-  /// lies in the circumscribed circle.
+  /// Flip the edge (k, k + 1) of a triangle if that increases the minimum angle of both triangles.
+  /// For large triangles the criterion is that the opposite point lies in the circumcircle.
   bool flip(int t, int k)
   {
     const int other = this->Items[t].Across[k];
-    const int m = this->placeOf(other, t); // its edge (m, m + 1)
+    const int m = this->placeOf(other, t); // edge (m, m + 1) of the other triangle
     const Item first = this->Items[t], second = this->Items[other];
     const int a = first.Ids[k], b = first.Ids[next(k)], c = first.Ids[previous(k)],
               d = second.Ids[previous(m)];
@@ -490,7 +490,8 @@ private:
     return across[0] == neighbor ? 0 : across[1] == neighbor ? 1 : 2;
   }
 
-  /// Sets of points of which no two are joined; and a triangle of each point.
+  /// Partition points into sets of which no two members are neighbors, and find a triangle of each
+  /// point.
   std::vector<std::vector<int>> colors()
   {
     this->TriangleOf.resize(this->Positions.size());
@@ -508,7 +509,7 @@ private:
       { this->forEachTriangle(v, [&](int t, int k) { visit(this->Items[t].Ids[next(k)]); }); });
   }
 
-  /// visit(t, k) for each triangle around a point, which is its corner k.
+  /// Call visit(t, k) for each triangle t around a point, its corner k.
   template <typename Visit>
   void forEachTriangle(int v, Visit visit) const
   {
@@ -523,7 +524,7 @@ private:
     } while (t != first);
   }
 
-  /// The smallest angle around a point if it were somewhere else.
+  /// Compute the minimum angle around a point for another position of the point.
   double squaredSineAround(int v, const Vector3& position) const
   {
     double least = 1.0;
@@ -565,18 +566,18 @@ private:
   }
 
   const SphereDensity& Density;
-  double Floor = 0.0;    // of the density
-  double AreaUnit = 1.0; // by which areas add up to that of the sphere
+  double Floor = 0.0;    // lower bound of the density
+  double AreaUnit = 1.0; // scales areas to the total of the sphere
   const double MinimumSquaredSine = squaredSine(AdaptiveSphereLimits::MinimumAngle);
   const double GoodSquaredSine = squaredSine(GoodAngle);
   bool IsRefining = true;
   Index Before = 0;
   std::vector<Vector3> Positions;
-  std::vector<double> Sizes; // of edges, up to a factor
+  std::vector<double> Sizes; // edge lengths up to a factor
   std::vector<Item> Items;
   std::vector<double> ProbeDensities;
-  std::vector<int> NextProbe; // in the list of a triangle
-  std::vector<char> Seen;     // of triangles, while flipping
+  std::vector<int> NextProbe; // next in the list of a triangle
+  std::vector<char> Seen;     // visited triangles, while flipping
   std::vector<int> TriangleOf;
   std::priority_queue<Entry> BySize, ByAngle;
   Random Dice{ 1 };
@@ -605,7 +606,7 @@ Mesh makeAdaptiveSphere(
   refinement->refine(options.NumberOfPoints, steps.next());
   if (static_cast<double>(refinement->size()) > (1.0 + Limits::Tolerance) * size)
   {
-    // The last point needed many others for its angles. Without it:
+    // The last point required many others for its angles. Build the mesh without it.
     const Index fewer = refinement->sizeBefore();
     refinement.emplace(density, options.NumberOfPoints, run.unwatched());
     refinement->refine(fewer, {});

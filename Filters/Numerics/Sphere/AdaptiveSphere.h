@@ -1,4 +1,4 @@
-/// A mesh of the sphere that is dense where it is asked to be.
+/// Adaptive mesh of the sphere with a prescribed density of points, \cite Chew1993.
 
 #ifndef ConformalAdaptiveSphere_h
 #define ConformalAdaptiveSphere_h
@@ -19,36 +19,38 @@ struct AdaptiveSphereLimits
 {
   static constexpr Index MinimumPoints = 500, MaximumPoints = 100000000;
 
-  /// By which the number of points may differ from the one wanted, as a share of it.
+  /// Maximum relative deviation from the target number of points.
   static constexpr double Tolerance = 0.02;
 
-  /// No angle of a triangle is smaller, in degrees.
+  /// Lower bound of all angles of triangles [degrees].
   static constexpr double MinimumAngle = 28.0;
 };
 
-/// A closed triangle mesh of the unit sphere whose points lie as close as a density asks for, as
+/// Build a closed triangle mesh of the unit sphere with a prescribed density of points. It provides
 /// the "dense vertices in an area with fine texture" of N^new in \cite Liou2008 section 3.
 ///
-/// This is Delaunay refinement of an icosahedron, as in \cite Chew1993 for curved surfaces. The
-/// triangle that is farthest from the size wanted gets a point at the middle of its circumscribed
-/// circle, until there are as many points as wanted. Before that a triangle with an angle below
-/// MinimumAngle gets one. Such a point is farther from all others than the triangle's shortest edge
-/// is long, so that this comes to an end whatever the density, and makes the gradual transition
-/// that a jump of the density needs. Then points move to the middle of their triangles, and edges
-/// are flipped, as far as no angle falls below the bound.
+/// The method is Delaunay refinement of an icosahedron, as in \cite Chew1993 for curved surfaces. A
+/// triangle is divided at the center of its circumcircle. A triangle with an angle below
+/// MinimumAngle is divided first. Otherwise the triangle with the largest ratio of actual to target
+/// size is divided, until the target number of points is reached.
 ///
-/// Implementation note: sizes get a random factor, else all triangles of a region of even density
-/// would be divided at the same time and a region that is divided last be coarser by 1.7.
+/// The new point is farther from all others than the shortest edge of the triangle. Refinement thus
+/// ends for any density and grades the mesh at a jump of the density. Finally points move to the
+/// centroid of their triangles and edges are flipped, as long as no angle falls below the bound.
 ///
-/// @return unit vectors, within 2 % of the number wanted; triangles counter-clockwise seen from
-///   outside. No triangle is divided below a radius of 1e-7, where positions get rounded.
-/// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere, or
+/// Implementation note: target sizes have a random factor. Without it all triangles of a region of
+/// even density would be divided at about the same time. A region divided last would then be
+/// coarser by a factor of 1.7.
+///
+/// @return unit vectors, within 2 % of the target number; triangles counter-clockwise seen from
+///   outside. No triangle of a radius below 1e-7 is divided, where positions are rounded.
+/// @throws std::invalid_argument if an option is out of range, if the density is 0 everywhere, or
 ///   as densitiesOf()
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});
 
-/// What makeAdaptiveSphere() takes but for its density, in nanoseconds as in Steps.
+/// Estimate the cost of makeAdaptiveSphere() without that of its density, see Steps.
 double workOfAdaptiveSphere(const AdaptiveSphereOptions& options);
 }
 

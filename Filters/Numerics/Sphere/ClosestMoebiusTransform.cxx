@@ -17,8 +17,8 @@ Eigen::Matrix3d rotationBy(const Vector3& vector)
                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-// What is left of moving `center` to 0 and then `step` to 0, after moving `both` to 0 instead: a
-// rotation.
+// Compute the rotation that remains of two steps after one combined step. The two steps move
+// `center` to 0, then `step` to 0; the combined one moves `both` to 0.
 Eigen::Matrix3d leftRotation(const Vector3& center, const Vector3& step, const Vector3& both)
 {
   const MoebiusTransform first = { center }, second = { step }, atOnce = { both };
@@ -44,8 +44,8 @@ double squaredDistance(const MoebiusTransform& transform, const Points& from, co
 }
 
 //------------------------------------------------------------------------------
-// Levenberg's and Marquardt's method from the closest rotation; six unknowns: a small center and a
-// small rotation after the transform so far.
+// Method of Levenberg and Marquardt from the closest rotation, with six unknowns: a small center
+// and a small rotation after the current transform.
 MoebiusTransform closestMoebiusTransform(
   const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run)
 {
@@ -57,7 +57,7 @@ MoebiusTransform closestMoebiusTransform(
   constexpr double maximumDamping = 1e9;
   for (int i = 0; i < MaximumSteps && damping < maximumDamping; ++i)
   {
-    // As many steps as are left if no more of them succeeds.
+    // Remaining steps for progress, if no more of them succeeds.
     run.report(i / (i + std::log10(maximumDamping / damping)));
     Matrix6 normal = Matrix6::Zero();
     Vector6 right = Vector6::Zero();

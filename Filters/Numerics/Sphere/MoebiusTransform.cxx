@@ -85,7 +85,7 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
     mean /= total;
     if (!(mean.norm() < least))
     {
-      break; // as good as rounding lets it be
+      break; // at the limit of rounding
     }
     least = mean.norm();
     best = transform;

@@ -1,4 +1,5 @@
-/// Resamples a mapped mesh at given directions.
+/// Resample a mapped mesh at given directions. Own construction: point location on the sphere with
+/// linear interpolation.
 
 #ifndef ConformalResampling_h
 #define ConformalResampling_h
@@ -8,12 +9,12 @@
 
 namespace conformal
 {
-/// The points of a surface that lie at given directions of the sphere, by linear interpolation in
-/// the triangle that holds each direction.
-/// @param[in] spherePositions  #V by 3 unit vectors, the surface's map to the sphere; a map that
-///                             mirrors the surface is turned round first
+/// Interpolate values of a surface at given directions of the sphere, linearly in the triangle that
+/// contains each direction.
+/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface; a mirrored map
+///   is reversed first
 /// @param[in] values           #V by 3, for example positions
-/// @param[in] triangles            #F by 3
+/// @param[in] triangles        #F by 3
 /// @param[in] directions       #N by 3 unit vectors
 /// @return #N by 3
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once

@@ -25,7 +25,7 @@ Part measure(const Points& positions, const Triangles& triangles, Index begin, I
     const Vector3 ab = b - a, ac = c - a;
     const double volume = ab.cross(ac).dot(a); // det(a, b, c), exact for small triangles
     part.SolidAngle += 2.0 * std::atan2(volume, 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
-    // A vertex is known to 1e-16, so the area to that times the longest edge.
+    // Vertices are rounded to 1e-16, so the error of the area is that times the longest edge.
     const double longest =
       std::sqrt(std::max({ ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm() }));
     part.NumberOfFolds += volume < -1e-15 * longest;

@@ -19,7 +19,7 @@ namespace
 constexpr Index BlockSize = 512;
 constexpr double MinimumArea = 1e-24; // of the sphere, around a vertex
 
-/// A third of the area of the triangles around each vertex.
+/// Compute a third of the area of the triangles around each vertex.
 std::vector<double> vertexAreas(const Points& points, const Triangles& triangles)
 {
   std::vector<double> areas(points.rows(), 0.0);
@@ -130,7 +130,7 @@ std::vector<double> vertexBending(const Mesh& surface)
     const Vector3 normal = areaVector(surface.Positions, surface.Triangles, r);
     for (int k = 0; k < 3; ++k)
     {
-      if (neighbors(r, k) < r) // also where there is none
+      if (neighbors(r, k) < r) // also without a neighbor
       {
         continue;
       }

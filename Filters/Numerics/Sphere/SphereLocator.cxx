@@ -20,8 +20,8 @@ SphereLocator::SphereLocator(
   const Points& positions, const Triangles& triangles, const Triangles& neighbors, const Run& run)
 {
   Steps steps(run, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
-  // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, and
-  // |p'|^2 = 1 - sum l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
+  // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, where |p'|^2 = 1 - sum
+  // l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;
   std::vector<Box> boxes(triangles.rows());
   const Index blockSize = 1024;
@@ -69,8 +69,8 @@ SphereLocator::SphereLocator(
     });
 }
 
-// The volume spanned by the direction and the edge opposite to a corner, positive inside.
-// det(a, b, d) = det(a - d, b - d, d), whose differences are exact for small triangles.
+// Compute the volume spanned by the direction and the edge opposite to a corner, positive inside.
+// det(a, b, d) = det(a - d, b - d, d); the differences are exact for small triangles.
 double SphereLocator::side(const Corners& corners, int opposite, const Vector3& direction)
 {
   const Vector3 a = corners.Positions[next(opposite)] - direction,
@@ -78,11 +78,11 @@ double SphereLocator::side(const Corners& corners, int opposite, const Vector3& 
   return corners.Ascending[opposite] ? a.cross(b).dot(direction) : -b.cross(a).dot(direction);
 }
 
-// Visit the places of all triangles that may hold a direction.
+// Visit the positions in Tree.Items of all triangles that may contain a direction.
 template <typename Visit>
 void SphereLocator::visitNear(const Vector3& direction, Visit visit) const
 {
-  std::array<int, 64> stack; // the depth is the logarithm of an int
+  std::array<int, 64> stack; // the depth is logarithmic in an int
   int depth = 0;
   if (!this->Tree.Nodes.empty())
   {
@@ -114,8 +114,8 @@ Vector3 SphereLocator::sidesOf(const Corners& corners, const Vector3& direction)
   return { side(corners, 0, direction), side(corners, 1, direction), side(corners, 2, direction) };
 }
 
-// From triangle to triangle towards the direction: the place that holds it inside, of which there
-// is only one, or -1 after a few steps or if it lies on an edge.
+// Walk from triangle to triangle towards the direction. Return the position of the unique triangle
+// that contains it inside. Return -1 after a few steps, or if the direction lies on an edge.
 int SphereLocator::walk(int place, const Vector3& direction, Vector3& sides) const
 {
   const int farthest = 4;
@@ -187,7 +187,7 @@ SphereLocation SphereLocator::locate(const Vector3& direction, int hint) const
   {
     location.Barycentric /= sum;
   }
-  else // a triangle without area
+  else // triangle without area
   {
     const Corners& corners = this->Placed[best];
     location.Barycentric = closestPointOfTriangle(

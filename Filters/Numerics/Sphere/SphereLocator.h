@@ -1,4 +1,5 @@
-/// Finds the triangle of a map to the sphere that contains a direction.
+/// Find the triangle of a sphere map that contains a direction. Own construction: signs of edges
+/// that both triangles evaluate identically leave no gaps, even between tiny triangles.
 
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
@@ -11,45 +12,48 @@
 
 namespace conformal
 {
-/// Where the line from the sphere's center along a direction meets the flat triangles.
+/// Intersection of a ray from the center of the sphere with the flat triangles.
 struct SphereLocation
 {
   int Triangle = -1;                     ///< -1 if no triangle is near
-  Vector3 Barycentric = Vector3::Zero(); ///< of p', \cite Liou2008 Eq. 9; >= 0, sum 1
+  Vector3 Barycentric = Vector3::Zero(); ///< p' of \cite Liou2008 Eq. 9; >= 0, sum 1
 };
 
-/// Point location on the sphere, exact to the rounding of the positions, however small the
-/// triangles are: conformal maps of long limbs shrink them to exp(-16) of their fair area.
+/// Point location on the sphere, exact up to the rounding of the positions for triangles of any
+/// size. Conformal maps of long limbs shrink triangles to exp(-16) of their share of the area.
 ///
-/// The side of an edge on which a direction lies is computed from differences to the direction
-/// and in one order of the edge's vertices, so the two triangles of an edge never disagree. Of
-/// triangles that share the direction the lowest id is taken; where rounding at a vertex leaves
-/// none, the one that misses it least.
+/// The orientation of a direction relative to an edge is computed from differences to the
+/// direction. Both triangles of an edge use one order of its vertices, so their signs are
+/// consistent. Of several triangles that contain the direction, the one of smallest id is returned.
+/// If rounding at a vertex leaves none, the triangle missed by the smallest margin is returned.
 ///
-/// A query costs about log(#R) and only reads, so many threads may ask at once.
+/// A query costs about log(#R) and only reads, so several threads may query concurrently.
 class SphereLocator
 {
 public:
   SphereLocator() = default;
 
   /// @param[in] positions  #N by 3 unit vectors
-  /// @param[in] triangles      #R by 3 ids, counter-clockwise seen from outside
+  /// @param[in] triangles  #R by 3 ids, counter-clockwise seen from outside
   SphereLocator(const Points& positions, const Triangles& triangles, const Run& run = {});
-  /// @param[in] neighbors  triangleNeighbors of the triangles, where they are at hand
+  /// Build a locator, given the neighbors of the triangles.
+  /// @param[in] neighbors  triangleNeighbors() of the triangles
   SphereLocator(const Points& positions, const Triangles& triangles, const Triangles& neighbors,
     const Run& run = {});
 
+  /// Find the triangle that contains a direction.
   /// @param[in] direction  p, a unit vector
-  /// @param[in] hint       a triangle that may be near, or -1: saves time, and changes nothing
-  ///                       where triangles do not overlap
+  /// @param[in] hint       a triangle that may be near, or -1: reduces the cost, and does not
+  ///   change the result unless triangles overlap
   SphereLocation locate(const Vector3& direction, int hint = -1) const;
 
 private:
   struct Corners
   {
     Vector3 Positions[3];
-    int Across[3] = { -1, -1, -1 }; // edge k, opposite to corner k: the place behind it,
-    bool Ascending[3] = {};         // and whether it runs from its lower to its higher id
+    // Edge k is opposite to corner k: position in Tree.Items of the triangle across.
+    int Across[3] = { -1, -1, -1 };
+    bool Ascending[3] = {}; // whether the edge runs from its lower to its higher id
   };
   static double side(const Corners& corners, int opposite, const Vector3& direction);
   static Vector3 sidesOf(const Corners& corners, const Vector3& direction);
@@ -59,8 +63,8 @@ private:
   void visitNear(const Vector3& direction, Visit visit) const;
 
   BoxTree Tree;
-  std::vector<Corners> Placed; // of the triangle at each place of Tree.Items
-  std::vector<int> PlaceOf;    // of each triangle
+  std::vector<Corners> Placed; // corners of the triangles in Tree.Items
+  std::vector<int> PlaceOf;    // position of each triangle in Tree.Items
 };
 }
 

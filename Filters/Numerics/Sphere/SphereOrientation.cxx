@@ -7,8 +7,7 @@ namespace conformal
 {
 namespace
 {
-// A sum of doubles that do not overlap, the smallest first, so that the last one that is not zero
-// has the sign of the whole.
+// Sum of non-overlapping doubles in ascending order; the last nonzero one has the sign of the sum.
 class ExactSum
 {
 public:
@@ -48,7 +47,7 @@ public:
   }
 
 private:
-  std::array<double, 24> Parts{}; // of six products, four each
+  std::array<double, 24> Parts{}; // parts of six products, four each
   int Size = 0;
 };
 
@@ -70,7 +69,8 @@ int orientation(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 p = b - a, q = c - a;
   const double determinant = a.dot(p.cross(q));
-  // Differences are rounded by half a unit in the last place, and so is each step after them.
+  // Bound the rounding error: half a unit in the last place for the differences and for each later
+  // step.
   const double error =
     16.0 * 0x1p-53 * a.cwiseAbs().sum() * p.cwiseAbs().maxCoeff() * q.cwiseAbs().maxCoeff();
   if (std::abs(determinant) > error)

@@ -10,7 +10,7 @@ namespace
 {
 using Vector2 = Eigen::Vector2d;
 
-// The tangent plane of a place on the sphere, its third axis pointing outside.
+// Tangent plane of a position on the sphere, its third axis pointing outward.
 struct Frame
 {
   Vector3 X, Y, Z;
@@ -25,14 +25,15 @@ struct Frame
   {
     return { this->X.dot(difference), this->Y.dot(difference), this->Z.dot(difference) };
   }
-  Vector3 place(const Vector2& step) const // by projection from the sphere's center
+  Vector3 place(const Vector2& step) const // projection from the center of the sphere
   {
     return (this->Z + step[0] * this->X + step[1] * this->Y).normalized();
   }
 };
 
-// The determinant of (place, p, q) as a function of the place's step in the tangent plane, before
-// projection: Constant + Slope . step. p and q are differences to the place, in its frame.
+// Determinant of (place, p, q) as a function of the step of the position in the tangent plane,
+// before projection: Constant + Slope . step. p and q are differences to the position, in its
+// frame.
 struct LinearDeterminant
 {
   double Constant;
@@ -47,7 +48,7 @@ struct LinearDeterminant
   double at(const Vector2& step) const { return this->Constant + this->Slope.dot(step); }
 };
 
-// What is left of a convex polygon where a linear function is positive.
+// Clip a convex polygon to the half plane where a linear function is positive.
 void clip(std::vector<Vector2>& polygon, const LinearDeterminant& side)
 {
   std::vector<Vector2> kept;
@@ -67,7 +68,7 @@ void clip(std::vector<Vector2>& polygon, const LinearDeterminant& side)
   polygon = std::move(kept);
 }
 
-// None if it has no area.
+// Compute the centroid of a polygon; no result without area.
 std::optional<Vector2> centroid(const std::vector<Vector2>& polygon)
 {
   double area = 0.0;
@@ -96,7 +97,7 @@ double power(double base, int exponent)
   return result;
 }
 
-// (S/A)^AreaExponent and what holds back triangles that get far too little.
+// (S/A)^AreaExponent and the term that bounds triangles of much too small area.
 struct AreaTerms
 {
   double Main, Guard;
@@ -118,7 +119,7 @@ struct Derivatives
   bool Valid = true;
 };
 
-// Of the energy under a step in the tangent plane followed by projection.
+// Derivatives of the energy for a step in the tangent plane followed by projection.
 Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& frame,
   const Corner* corners, int size, const SphereEnergy& energy)
 {
@@ -149,13 +150,14 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
     const double angle = source.Area * power(dirichlet * inverseArea, energy.AngleExponent);
     const double main = angle * terms.Main, guard = angle * terms.Guard;
 
-    // Relative derivatives of D and A; the curvature of the sphere is in the multiples of identity.
+    // Relative derivatives of D and A; multiples of the identity represent the curvature of the
+    // sphere.
     const Vector2 ofD =
       -2.0 * inverseDirichlet * (cotangents[1] * q.head<2>() + cotangents[2] * p.head<2>());
     const double curvatureOfD =
       2.0 * inverseDirichlet * (cotangents[1] * (1.0 + q[2]) + cotangents[2] * (1.0 + p[2]));
     const Vector2 ofA = 0.5 * inverseArea * side.Slope;
-    // One term is main A^-k D^l up to a constant, k = AreaExponent + l, the other guard likewise.
+    // Up to a constant, one term is main A^-k D^l with k = AreaExponent + l; the other uses guard.
     const double k1 = energy.AreaExponent + power1, k2 = 2.0 + power1;
     const Vector2 slope1 = power1 * ofD - k1 * ofA, slope2 = power1 * ofD - k2 * ofA;
     const double both = main + guard, weighted = main * k1 + guard * k2;
@@ -168,7 +170,7 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
   return sum;
 }
 
-// Newton's step where the energy is convex, a shorter one along the gradient where it is not.
+// Newton step if the energy is convex, else a shorter step along the gradient.
 Vector2 newtonStep(const Derivatives& at)
 {
   const double a = at.Hessian(0, 0), b = at.Hessian(0, 1), c = at.Hessian(1, 1);
@@ -190,7 +192,7 @@ std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, con
   const Vector3& origin = positions[ring.front()];
   const Frame frame(origin);
   std::vector<Vector3> local;
-  double width = 0.0; // of the ring in the chart that is projected from the sphere's center
+  double width = 0.0; // width of the ring in the chart projected from the center of the sphere
   constexpr double greatest = 5.0;
   for (int id : ring)
   {
@@ -262,7 +264,7 @@ void relaxVertex(std::vector<Vector3>& positions, int v, const Corner* corners, 
     return;
   }
   Vector2 step = newtonStep(at);
-  constexpr double worthwhile = 1e-9; // of the energy
+  constexpr double worthwhile = 1e-9; // relative decrease of the energy
   constexpr int attempts = 5;
   for (int i = 0; i < attempts && -at.Gradient.dot(step) > worthwhile * at.Value; ++i)
   {

@@ -1,4 +1,5 @@
 /// Conformal map of a closed surface to the sphere by linear solves and local repair.
+/// Own construction: combines the punctured map and the repair of flips.
 
 #ifndef ConformalHarmonicSphereMap_h
 #define ConformalHarmonicSphereMap_h

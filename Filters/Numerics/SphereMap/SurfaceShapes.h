@@ -1,4 +1,5 @@
 /// Bounded areas and cotangents of the triangles of a surface, for sphere maps.
+/// Own construction: bounds let needles take part in sphere maps.
 
 #ifndef ConformalSurfaceShapes_h
 #define ConformalSurfaceShapes_h

@@ -1,4 +1,5 @@
 /// Fits curved triangles to a point cloud.
+/// Gauss-Newton steps of \cite Pottmann2006.
 
 #ifndef ConformalCurvedTriangleFit_h
 #define ConformalCurvedTriangleFit_h

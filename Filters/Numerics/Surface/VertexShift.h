@@ -1,4 +1,5 @@
 /// How far the vertices of a learned mesh are to be moved under curved triangles.
+/// Own construction: one share for all vertices, by least squares.
 
 #ifndef ConformalVertexShift_h
 #define ConformalVertexShift_h

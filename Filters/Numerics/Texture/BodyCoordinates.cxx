@@ -19,7 +19,7 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 
-// A point of the surface by its triangle.
+// Point of the surface in a triangle.
 struct BodyPoint
 {
   int Triangle = -1;
@@ -36,11 +36,11 @@ Vector3 mixed(const Points& positions, const Triangles& triangles, const BodyPoi
   return sum;
 }
 
-// Of the points in which a line meets the surface the one farthest along it, if that is ahead of
-// its origin; none else.
+// Find the intersection of a ray with the surface farthest along the ray, if there is one ahead of
+// its origin.
 BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const Vector3& direction)
 {
-  constexpr double tolerance = 1e-12; // for lines that pass between two triangles by rounding
+  constexpr double tolerance = 1e-12; // for lines between two triangles by rounding
   const Vector3 u = direction.unitOrthogonal(), v = direction.cross(u);
   BodyPoint best;
   double farthest = 0.0;
@@ -115,7 +115,8 @@ Eigen::VectorXd areasOfVertices(const MappedMesh& surface)
   return areas;
 }
 
-// How far along an axis to move a map, as a rapidity, so that as much weight is on either side.
+// Compute the distance, as a rapidity, to move a map along an axis so that both sides have equal
+// weight.
 double balancingRapidity(const Eigen::VectorXd& heights, const Eigen::VectorXd& weights)
 {
   constexpr int steps = 60;
@@ -134,13 +135,13 @@ double balancingRapidity(const Eigen::VectorXd& heights, const Eigen::VectorXd& 
   return 0.5 * (low + high);
 }
 
-// Bring the places of the poles to where they belong, and that of the marker to longitude 0.
+// Transform the poles to their positions, and the marker to longitude 0.
 void moveToPoles(Points& map, const Vector3& north, const Vector3& south, const Vector3& marker,
   const Eigen::VectorXd& areas)
 {
   const Vector3 sum = north + south;
   const double cosine = 0.5 * sum.norm(), sine = 0.5 * (north - south).norm();
-  // The point of the ball halfway between them goes to the middle; then they are opposite.
+  // Moving the point of the ball halfway between the poles to the center makes them antipodal.
   MoebiusTransform first;
   first.Center = cosine > 0.0 ? Vector3(cosine / (1.0 + sine) * sum.normalized()) : Vector3::Zero();
   const Vector3 axis = (first(north) - first(south)).normalized();
@@ -224,13 +225,13 @@ BodyCoordinates findBodyCoordinates(
   const Eigen::VectorXd areas = areasOfVertices(surface);
   const auto placeOf = [&](const BodyPoint& point) -> Vector3
   { return mixed(result.SpherePositions, surface.Triangles, point).normalized(); };
-  // The transform moves vertices, and triangles between them stay flat: so it has to be repeated
-  // until the points between are where they belong.
+  // The transform moves vertices, while triangles stay flat. Repeat it until the points inside
+  // triangles are at their positions.
   constexpr int mostRounds = 12;
   constexpr double tolerance = 1e-14;
   for (int i = 0; i < mostRounds; ++i)
   {
-    moving.report(1.0 - std::pow(0.2, i)); // most are done in one or two
+    moving.report(1.0 - std::pow(0.2, i)); // usually one or two iterations suffice
     const Vector3 toNorth = placeOf(north), toSouth = placeOf(south), toMarker = placeOf(marker);
     if (!((toNorth - toSouth).norm() > 1e-9))
     {

@@ -18,10 +18,10 @@ struct Moments
 {
   double Volume = 0.0;
   Vector3 Middle = Vector3::Zero();
-  Eigen::Matrix3d Second = Eigen::Matrix3d::Zero(); ///< mean of the squares about the middle
+  Eigen::Matrix3d Second = Eigen::Matrix3d::Zero(); ///< second moments about Middle
 };
 
-// By tetrahedra from a point near the body.
+// Sum over tetrahedra with an apex near the body.
 Moments momentsOf(const Mesh& body)
 {
   if (body.Triangles.rows() == 0)
@@ -44,7 +44,7 @@ Moments momentsOf(const Mesh& body)
       (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     area += areaVector(body.Positions, body.Triangles, r).norm();
   }
-  // A sphere has 0.094 of the 1.5th power of its area.
+  // The volume of a sphere is 0.094 times its area to the power 1.5.
   constexpr double least = 1e-9;
   if (!(std::abs(moments.Volume) > least * std::pow(area, 1.5)))
   {
@@ -102,7 +102,7 @@ BodyRelief measureRelief(const Mesh& body, const ReferenceEllipsoid& reference)
   const Points centered = body.Positions.rowwise() - reference.Center.transpose();
   if (signedVolume(centered, body.Triangles) < 0.0)
   {
-    normals *= -1.0; // to the outside
+    normals *= -1.0; // outward
   }
   BodyRelief relief;
   for (Index v = 0; v < body.Positions.rows(); ++v)

@@ -1,4 +1,5 @@
-/// Heights and slopes of a body over a reference ellipsoid or sphere.
+/// Heights and slopes of a body over a reference ellipsoid or sphere. Own construction: equal
+/// volume and ratios of moments define the reference without a fit.
 
 #ifndef ConformalBodyRelief_h
 #define ConformalBodyRelief_h
@@ -9,31 +10,32 @@
 
 namespace conformal
 {
-/// An ellipsoid; a sphere if its radii are equal.
+/// Ellipsoid, or sphere if its radii are equal.
 struct ReferenceEllipsoid
 {
   Vector3 Center = Vector3::Zero();
-  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity(); ///< columns: unit vectors, right-handed
-  Vector3 Radii = Vector3::Ones();                    ///< along these, the largest first
+  Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity(); ///< columns: right-handed unit vectors
+  Vector3 Radii = Vector3::Ones(); ///< semi-axes along the columns of Axes, in descending order
 };
 
-/// The sphere around the middle of a body's volume that has as much volume.
+/// Compute the sphere of the same volume as a body, around the centroid of that volume.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceSphere(const Mesh& body);
 
-/// The ellipsoid whose axes are the body's principal axes of inertia, with radii in the ratio of
-/// its moments (as those of an ellipsoid are), and as much volume.
+/// Compute the ellipsoid of the same volume as a body, along its principal axes of inertia. The
+/// radii are in the ratio of the square roots of its second moments.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceEllipsoid(const Mesh& body);
 
 struct BodyRelief
 {
-  std::vector<double> Heights; ///< #V: distance from the center less that of the reference there
-  std::vector<double> Slopes;  ///< #V: degrees between the normals of body and reference there
+  /// #V: distance from the center, minus that of the reference in the same direction
+  std::vector<double> Heights;
+  std::vector<double> Slopes; ///< #V: angle between the normals of body and reference [degrees]
 };
 
-/// In the direction of each point from the center of the reference; 0 slope where a point has no
-/// normal.
+/// Measure heights and slopes in the direction of each vertex from the center of the reference. The
+/// slope is 0 for a vertex without a normal.
 BodyRelief measureRelief(const Mesh& body, const ReferenceEllipsoid& reference);
 }
 

@@ -10,12 +10,12 @@ namespace
 {
 constexpr int Outside = -1;
 
-// A number for the cell of a graticule that a direction lies in.
+// Compute the number of the graticule cell of a direction.
 int cellOf(const Vector3& n, double spacing)
 {
-  constexpr int columns = 1000, rowsBelow = 100; // more than there are
+  constexpr int columns = 1000, rowsBelow = 100; // more than the actual numbers
   const Vector2 degrees = toLongitudeLatitude(n);
-  // Around the poles, where meridians crowd, only those of every 90 degrees go on.
+  // Near the poles, where meridians crowd, only those at multiples of 90 degrees continue.
   const double last = spacing * (std::ceil(90.0 / spacing - 1e-9) - 1.0);
   const bool isNearPole = std::abs(degrees[1]) > last;
   const int row = static_cast<int>(std::floor(degrees[1] / spacing)) + rowsBelow;

@@ -1,4 +1,5 @@
-/// Images of plane maps of a body.
+/// Images of plane maps of a body. Own construction: one located direction for each pixel, for the
+/// projections of \cite Snyder1987.
 
 #ifndef ConformalMapImage_h
 #define ConformalMapImage_h
@@ -13,21 +14,22 @@
 
 namespace conformal
 {
-/// An image that a map fills.
+/// Image of a plane map.
 struct MapImage
 {
   MapProjection Projection = MapProjection::Equirectangular;
   double CentralLongitude = 0.0; ///< degrees
   PixelGrid Grid;
 
-  /// The place on the map of a pixel's middle.
+  /// Return the position on the map of the center of a pixel.
   Vector2 placeOf(Index pixel) const
   {
     return halfSizeOfMap(this->Projection)
       .cwiseProduct(2.0 * this->Grid.middleOf(pixel) - Vector2::Ones());
   }
 
-  /// Which direction a pixel shows; false beyond the outline.
+  /// Compute the direction shown by a pixel.
+  /// @return false outside of the outline of the map
   bool directionOf(Index pixel, Vector3& n) const
   {
     return mapToSphere(this->placeOf(pixel), this->Projection, this->CentralLongitude, n);
@@ -35,19 +37,20 @@ struct MapImage
 };
 
 /// Find the point of the body for every pixel.
-/// @param[in] body  with a map whose north pole is (0, 0, 1)
+/// @param[in] body  mapped to the sphere with north pole (0, 0, 1)
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintMap(
   const MappedMesh& body, const MapImage& image, const PixelSink& sink, const Run& run = {});
 
-/// What of an image is no map, and where its lines are.
+/// Masks of the pixels outside of the map and on its graticule.
 struct MapMarks
 {
-  std::vector<unsigned char> OutsideMap; ///< of each pixel: 1 beyond the outline
+  std::vector<unsigned char> OutsideMap; ///< of each pixel: 1 outside of the outline
   std::vector<unsigned char> Graticule;  ///< of each pixel: 1 on a line; empty without lines
 };
 
-/// Lines run between pixels of which one is beyond a meridian or a parallel and the other is not.
+/// Mark pixels outside of the map and on its graticule. A line separates pixels on different sides
+/// of a meridian or a parallel.
 /// @param[in] spacing  of lines in degrees, at least 1; 0 for none
 MapMarks markMap(const MapImage& image, double spacing, const Run& run = {});
 }

@@ -13,16 +13,17 @@ using Complex = std::complex<double>;
 
 const double Sqrt2 = std::sqrt(2.0);
 constexpr double Degree = Pi / 180.0;
-constexpr double Lemniscate = 2.62205755429211981; // half a period of its sine
+constexpr double Lemniscate = 2.62205755429211981; // half the period of the lemniscate sine
 
-// The sphere turned by the central longitude, so that it is at 0.
+// Rotate the sphere so that the central longitude is at 0.
 Vector3 turned(const Vector3& n, double degrees)
 {
   const double c = std::cos(degrees * Degree), s = std::sin(degrees * Degree);
   return { c * n[0] + s * n[1], c * n[1] - s * n[0], n[2] };
 }
 
-// Mollweide's angle from the pole: 2 t - sin 2 t = 2 pi sin^2(c / 2) for a distance c from it.
+// Compute the angle of Mollweide's map from the pole: 2 t - sin 2 t = 2 pi sin^2(c / 2) for a
+// distance c from the pole.
 double sweep(double t)
 {
   if (t < 0.05)
@@ -79,8 +80,8 @@ bool fromMollweide(const Vector2& place, Vector3& n)
   return true;
 }
 
-// Around the nearer pole, seen from outside, at 0; longitude 0 runs down. So the hemispheres, one
-// beside the other, touch where they have the same point of the equator.
+// Project around the nearer pole, seen from outside, at 0; longitude 0 points down. Two hemispheres
+// side by side then touch at one point of the equator.
 Vector2 toHemisphere(const Vector3& n)
 {
   const double scale = std::sqrt(2.0 / (1.0 + std::abs(n[2])));
@@ -98,7 +99,7 @@ bool fromLambert(const Vector2& place, Vector3& n)
   const double x = place[0] + (isNorth ? Sqrt2 : -Sqrt2);
   const Vector2 p = { isNorth ? x : -x, -place[1] };
   const double square = p.squaredNorm();
-  constexpr double rim = 2.0 * (1.0 + 1e-15); // the equator itself belongs to both
+  constexpr double rim = 2.0 * (1.0 + 1e-15); // the equator belongs to both
   if (square > rim)
   {
     return false;
@@ -108,7 +109,7 @@ bool fromLambert(const Vector2& place, Vector3& n)
   return true;
 }
 
-// Carlson's integral of the first kind, by duplication, for z = 1.
+// Compute Carlson's integral of the first kind for z = 1, by duplication.
 Complex carlsonRF(Complex x, Complex y)
 {
   Complex z = 1.0, mean, dx, dy, dz;
@@ -119,7 +120,7 @@ Complex carlsonRF(Complex x, Complex y)
     dx = 1.0 - x / mean;
     dy = 1.0 - y / mean;
     dz = 1.0 - z / mean;
-    constexpr double near = 1e-3; // the series below is of seventh order
+    constexpr double near = 1e-3; // the series below has order seven
     if (std::max({ std::abs(dx), std::abs(dy), std::abs(dz) }) < near)
     {
       break;
@@ -136,7 +137,8 @@ Complex carlsonRF(Complex x, Complex y)
     std::sqrt(mean);
 }
 
-// Integral of 1 / sqrt(1 - t^4) to a point of the unit disk: the inverse of the lemniscate's sine.
+// Compute the integral of 1 / sqrt(1 - t^4) to a point of the unit disk, the inverse of the
+// lemniscate sine.
 Complex lemniscateArcsine(const Complex& s)
 {
   return s * carlsonRF(1.0 - s * s, 1.0 + s * s);
@@ -148,7 +150,7 @@ std::array<double, 10> seriesOfSine()
   std::array<double, 10> c = { 1.0 };
   for (std::size_t k = 1; k < c.size(); ++k)
   {
-    double cube = 0.0; // of the powers before
+    double cube = 0.0; // coefficient of the cube of the lower powers
     for (std::size_t a = 0; a < k; ++a)
     {
       for (std::size_t b = 0; a + b < k; ++b)
@@ -162,8 +164,8 @@ std::array<double, 10> seriesOfSine()
   return c;
 }
 
-// Of a place in the diamond: the series at half of it, where ten terms are enough, and the formula
-// for twice an argument.
+// Compute the lemniscate sine of a position in the diamond. Ten terms of the series suffice at half
+// the position; then apply the formula for the double argument.
 Complex lemniscateSine(const Complex& z)
 {
   static const std::array<double, 10> series = seriesOfSine();
@@ -177,7 +179,7 @@ Complex lemniscateSine(const Complex& z)
   return 2.0 * s * std::sqrt(1.0 - power) / (1.0 + power);
 }
 
-// Across the side of the diamond in which a hemisphere lies, to or from the corner beyond it.
+// Reflect across the side of the diamond of a hemisphere, to or from the corner beyond it.
 Complex mirrored(const Complex& z)
 {
   const double half = 0.5 * Lemniscate;
@@ -185,8 +187,8 @@ Complex mirrored(const Complex& z)
     std::copysign(half - std::abs(z.real()), z.imag()) };
 }
 
-// The hemisphere of the nearer pole, stereographic, is a disk; the arcsine makes it a diamond. The
-// disk has half the scale of the sphere at the pole.
+// The stereographic hemisphere of the nearer pole is a disk, which the arcsine maps to a diamond.
+// The disk has half the scale of the sphere at the pole.
 Vector2 toPeirce(const Vector3& n)
 {
   Complex disk = Complex(n[1], -n[0]) / (1.0 + std::abs(n[2]));

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int MaximumProbeFrequency = 300; // 900,002 directions
 
-/// The change over a step to either side along two axes, for a step of length 1.
+/// Compute the slope of a picture by central differences along two axes.
 double change(
   const Picture& picture, const SphereImage& image, const Vector3& direction, double step)
 {

@@ -1,4 +1,5 @@
-/// A density of points that follows the details of a picture on the sphere.
+/// Density of points that follows the details of a picture on the sphere. Own construction: the
+/// slope of the picture, so that blur at a border between colors does not matter.
 
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
@@ -12,7 +13,7 @@
 
 namespace conformal
 {
-/// Numbers for each pixel, all components of one after the other.
+/// Values of each pixel, all components of one pixel after those of the previous one.
 struct Picture
 {
   PixelGrid Grid;
@@ -20,12 +21,12 @@ struct Picture
   std::vector<double> Values; ///< Grid.size() * NumberOfComponents, finite
 };
 
-/// A density in proportion to the change of a picture with the direction, whatever its projection:
-/// the root of the squares of all components' slopes added up, over steps of about a pixel. So the
-/// share of points that the border between two colors gets does not depend on how sharp it is.
+/// Build a density proportional to the slope of a picture on the sphere, for any projection. It is
+/// the root of the sum of squares of the slopes of all components, by differences over about a
+/// pixel. The share of points at a border between two colors does not depend on its sharpness.
 ///
-/// @param[in] picture  is kept as long as the density
-/// @throws std::invalid_argument if it has no pixels, or not so many finite values
+/// @param[in] picture  kept as long as the density
+/// @throws std::invalid_argument if it has no pixels, or not the right number of finite values
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 }
 

@@ -1,4 +1,4 @@
-/// Conversion between pixels and texture coordinates (s, t) of an image.
+/// Convert between pixels and texture coordinates (s, t) of an image.
 
 #ifndef ConformalPixelGrid_h
 #define ConformalPixelGrid_h
@@ -12,15 +12,15 @@
 
 namespace conformal
 {
-/// Weights of the four nearest pixels at a place.
+/// Weights of the four pixels nearest to a position.
 struct PixelMix
 {
   std::array<Index, 4> Pixels;
   std::array<double, 4> Weights; ///< >= 0, of sum 1
 };
 
-/// Rows of pixels from bottom to top; the middle of pixel (i, j) is the place
-/// ((i + 1/2) / Width, (j + 1/2) / Height) of the image.
+/// Pixels in rows from bottom to top. The center of pixel (i, j) is at ((i + 1/2) / Width, (j +
+/// 1/2) / Height) in texture coordinates.
 struct PixelGrid
 {
   Index Width = 0;
@@ -33,7 +33,7 @@ struct PixelGrid
     return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
       (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
   }
-  /// Bilinear; beyond the border what is there.
+  /// Compute bilinear weights at texture coordinates, clamped at the border.
   PixelMix mixAt(const Vector2& st) const
   {
     const auto along = [](double x, Index size)

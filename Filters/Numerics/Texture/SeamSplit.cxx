@@ -9,16 +9,16 @@ namespace conformal
 {
 namespace
 {
-constexpr double SnapShare = 1e-3; // of an edge; a cut closer to its end goes through the end
+constexpr double SnapShare = 1e-3; // of an edge; a cut closer to an end passes through the end
 
-// Copies of an image of which a triangle shows more than this many are not told apart.
+// Maximum number of copies of an image on a triangle that are resolved.
 constexpr double MaximumCopies = 16.0;
-constexpr double FarthestCopy = 1e6; // floats still tell places within it
+constexpr double FarthestCopy = 1e6; // floats resolve positions within it
 
-// A corner of a piece of a triangle.
+// Corner of a piece of a triangle.
 struct Corner
 {
-  Vector3 Weights;                   // of the triangle's vertices, by ascending ids
+  Vector3 Weights;                   // of the vertices of the triangle, by ascending ids
   Vector2 Texture = Vector2::Zero(); // in the plane of the image, not wrapped
 };
 using Polygon = std::vector<Corner>; // convex
@@ -28,7 +28,7 @@ bool isLess(const Vector3& a, const Vector3& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// The corner between a and b at a share of the way; a or b itself if close to it.
+// Compute the corner between a and b at a share of the way; a or b if close to it.
 Corner between(const Corner& a, const Corner& b, double share)
 {
   if (share < SnapShare)
@@ -43,7 +43,7 @@ Corner between(const Corner& a, const Corner& b, double share)
     (1.0 - share) * a.Texture + share * b.Texture };
 }
 
-// Which side of the triangle two corners lie on, by the vertex opposite to it; -1 for none.
+// Find the side of the triangle that contains two corners, by its opposite vertex; -1 for none.
 int commonSide(const Corner& a, const Corner& b)
 {
   for (int k = 0; k < 3; ++k)
@@ -56,9 +56,9 @@ int commonSide(const Corner& a, const Corner& b)
   return -1;
 }
 
-// Where a linear function with the given values at the triangle's vertices is zero, between
-// corners where its signs differ. On a side of the triangle it is computed from the whole side,
-// so that the triangle across finds the same bits.
+// Find the zero of a linear function between corners of different signs, given its values at the
+// vertices. On a side of the triangle the whole side is used, so that both triangles compute the
+// same bits.
 Corner crossing(const Vector3& values, const Corner& a, const Corner& b)
 {
   const int side = commonSide(a, b);
@@ -72,7 +72,7 @@ Corner crossing(const Vector3& values, const Corner& a, const Corner& b)
   return between(a, b, atA / (atA - atB));
 }
 
-// Where a texture coordinate has a given value, between corners on both sides of it.
+// Find the given value of a texture coordinate between corners on both sides of it.
 Corner crossing(int axis, double level, const Corner& a, const Corner& b)
 {
   const bool swap = isLess(b.Weights, a.Weights);
@@ -81,7 +81,7 @@ Corner crossing(int axis, double level, const Corner& a, const Corner& b)
     first, second, (level - first.Texture[axis]) / (second.Texture[axis] - first.Texture[axis]));
 }
 
-// What of a convex polygon lies where value is not negative (Sutherland and Hodgman).
+// Clip a convex polygon to nonnegative values (Sutherland and Hodgman).
 template <typename Value, typename Crossing>
 Polygon clipped(const Polygon& polygon, Value value, Crossing cross)
 {
@@ -120,7 +120,7 @@ Polygon clippedBy(const Polygon& polygon, const Vector3& values)
     [&](const Corner& a, const Corner& b) { return crossing(values, a, b); });
 }
 
-// The parts below and above a level of a texture coordinate.
+// Split into the parts below and above a level of a texture coordinate.
 std::array<Polygon, 2> slicedAt(const Polygon& polygon, int axis, double level)
 {
   const auto cross = [=](const Corner& a, const Corner& b) { return crossing(axis, level, a, b); };
@@ -140,7 +140,7 @@ Eigen::AlignedBox2d boxOf(const Polygon& polygon)
   return box;
 }
 
-// The parts on either side of every border that the image and its copies have there.
+// Split at every border of the image and its copies.
 std::vector<Polygon> slicedAtBorders(const Polygon& polygon, TextureWrap wrap)
 {
   std::vector<Polygon> parts = { polygon };
@@ -176,8 +176,8 @@ std::vector<Polygon> slicedAtBorders(const Polygon& polygon, TextureWrap wrap)
   return parts;
 }
 
-// From a place anywhere to the image, in the copy of it that a middle lies in. Beside the image
-// that is its border.
+// Move a position to the image, relative to the copy that contains `middle`. Beside the image,
+// clamp to its border.
 Vector2 inCopy(const Vector2& st, const Vector2& middle, TextureWrap wrap)
 {
   if (wrap == TextureWrap::Repeat)
@@ -211,7 +211,7 @@ bool isOutside(const Vector2& st, TextureWrap wrap)
                                     : st.cwiseAbs().maxCoeff() > FarthestCopy;
 }
 
-// Snapping may leave three corners on one line.
+// Snapping may make three corners collinear.
 bool hasArea(const Corner& a, const Corner& b, const Corner& c)
 {
   return (b.Weights - a.Weights).cross(c.Weights - a.Weights).norm() > 1e-9;
@@ -223,18 +223,18 @@ double areaInImage(const Vector2& a, const Vector2& b, const Vector2& c)
   return 0.5 * (u[0] * v[1] - u[1] * v[0]);
 }
 
-// A triangle that is being cut.
+// Triangle being cut.
 struct Whole
 {
   Index Triangle;
   std::array<int, 3> Ids;    // ascending
-  Eigen::Matrix3d Positions; // their places on the sphere, in columns
+  Eigen::Matrix3d Positions; // positions on the sphere, in columns
 
   Vector3 place(const Corner& corner) const { return this->Positions * corner.Weights; }
 };
 
 //------------------------------------------------------------------------------
-// The surface as it is cut.
+// Surface after cutting.
 class Splitter
 {
 public:
@@ -290,7 +290,7 @@ public:
   }
 
 private:
-  // A triangle that no border crosses.
+  // Add a triangle without a border across it.
   bool addWhole(Index triangle)
   {
     const auto ids = this->Triangles.row(triangle);
@@ -329,15 +329,16 @@ private:
     return true;
   }
 
-  // The number of a copy of the image along each axis; for Clamp, whether before or after it.
+  // Compute the index of a copy of the image along each axis; for Clamp, -1 before it and 1 after
+  // it.
   Vector2 copyOf(const Vector2& st) const
   {
     const Vector2 copy = st.array().floor();
     return this->Wrap == TextureWrap::Clamp ? Vector2(copy.cwiseMax(-1.0).cwiseMin(1.0)) : copy;
   }
 
-  // Whether the image shows a triangle backwards that is not so on the sphere: beside the poles of
-  // longitude and latitude even small ones bend more than thin ones can stand.
+  // Test whether the image mirrors a triangle that is not mirrored on the sphere. Near the poles of
+  // longitude and latitude, small triangles bend enough to flip thin ones.
   bool isTurned(double area, const Vector3& a, const Vector3& b, const Vector3& c) const
   {
     const SphereView& view = this->Texture.Image.View;
@@ -365,7 +366,7 @@ private:
       Polygon piece = corners;
       for (Index b = 0; b < this->Patches[p].Borders.rows() && !piece.empty(); ++b)
       {
-        // A border's values are linear on the flat triangle.
+        // The values of a border are linear on the flat triangle.
         piece = clippedBy(piece, (this->Patches[p].Borders.row(b) * homogeneous).transpose());
       }
       const int patch = static_cast<int>(p);
@@ -380,8 +381,8 @@ private:
     }
   }
 
-  // A triangle within a patch. One that is turned is cut in two across its longest side, as often
-  // as that takes.
+  // Add a triangle within a patch. Bisect a mirrored triangle across its longest side as often as
+  // needed.
   void addPiece(const Polygon& piece, int patch, const Whole& whole, int depth)
   {
     constexpr int deepest = 8;
@@ -406,7 +407,7 @@ private:
       this->addPiece({ middle, b, c }, patch, whole, depth + 1);
       return;
     }
-    // Cut up where it is not within the image or one copy of it.
+    // Cut unless it lies within the image or one copy of it.
     const bool visible = inImage &&
       (this->Wrap == TextureWrap::Clamp || boxOf(piece).sizes().maxCoeff() < MaximumCopies);
     for (const Polygon& part :
@@ -444,7 +445,7 @@ private:
     return inCopy(st, middle, outside ? TextureWrap::Clamp : this->Wrap);
   }
 
-  // Weights that are not zero first, by ascending ids.
+  // Sort nonzero weights first, by ascending ids.
   static SurfacePlace placeOf(const Corner& corner, const std::array<int, 3>& ids)
   {
     SurfacePlace place;
@@ -465,7 +466,7 @@ private:
     return place;
   }
 
-  // The point with these coordinates: the vertex itself for whoever comes first, then copies.
+  // Return the point with these coordinates: the vertex at first use, then copies.
   int pointAt(const SurfacePlace& place, const Vector2& st, bool outside)
   {
     const int id = place.Ids[0];
@@ -513,7 +514,7 @@ private:
   TextureWrap Wrap;
   std::vector<SpherePatch> Patches;
   std::vector<int> PatchOfVertex;
-  TextureCoordinates InPatch; // of the vertices, not wrapped
+  TextureCoordinates InPatch; // coordinates of the vertices, not wrapped
   std::vector<bool> IsTaken;
   std::map<Key, int> Added;
   std::vector<Vector2> AddedCoordinates;

@@ -1,4 +1,5 @@
-/// Cuts surfaces along the seams of an image of the sphere.
+/// Cut surfaces along the seams of an image of the sphere. Own construction: cuts on shared edges
+/// are computed from the whole edge, so that the surface stays watertight.
 
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h
@@ -12,17 +13,17 @@ namespace conformal
 struct WrappedPlace
 {
   Vector2 Coordinates;
-  bool IsOutside; ///< of the image, so that it shows something in its stead
+  bool IsOutside; ///< whether the position is outside of the image (Clamp), or too far away to wrap
 };
 
-/// A place in the plane of the image, as it is wrapped. Repeat and Mirror have copies of the image
-/// up to a distance at which no picture could be seen.
+/// Wrap a position in the plane of the image. Repeat and Mirror wrap up to a distance beyond which
+/// an image cannot be resolved.
 WrappedPlace wrapped(const Vector2& st, TextureWrap wrap);
 
-/// Cut the triangles at the borders of the projection's patches and of the image, and give points
-/// on these as many copies as they need.
-/// @param[in,out] texture  has Image, Coordinates and OutsideImage of the vertices; these are kept
-///   for vertices that no triangle uses
+/// Cut the triangles at the borders of the patches of the projection and of the image. Duplicate
+/// points on these borders as often as needed.
+/// @param[in,out] texture  with Image, Coordinates and OutsideImage of the vertices; kept for
+///   vertices without triangles
 void splitAtSeams(SphericalTexture& texture, const Triangles& triangles,
   const Points& spherePositions, TextureWrap wrap, const Run& run);
 }

@@ -10,13 +10,13 @@ namespace
 {
 const double Radians = Pi / 180.0;
 
-// Stands for infinity, but can still be squared.
+// substitute for infinity that can be squared
 constexpr double FarAway = 1e100;
 
 constexpr int NumberOfLunes = 8;
 const double LuneAngle = 2.0 * Pi / NumberOfLunes;
 
-// (right, up, towards the viewer), of unit length.
+// Return (right, up, towards the viewer), of unit length.
 Vector3 inView(const Vector3& n, const SphereView& view)
 {
   return Vector3(n.dot(view.Right), n.dot(view.Up), n.dot(view.Pole)).normalized();
@@ -34,20 +34,20 @@ Vector2 planeOf(const Vector3& m)
   {
     return w / (1.0 + m[2]);
   }
-  // 1 + z would lose all digits near the opposite pole; it equals |w|^2 / (1 - z).
+  // 1 + z loses all digits near the opposite pole; it equals |w|^2 / (1 - z).
   const double square = w.squaredNorm();
   return square * FarAway > 1.0 ? Vector2(w * ((1.0 - m[2]) / square)) : Vector2(FarAway, 0.0);
 }
 
-// Half the image's side in the stereographic plane.
+// Half the side of the image in the stereographic plane.
 double halfSide(const SphereImage& image)
 {
   return std::tan(0.25 * image.FieldOfView * Radians);
 }
 
 //------------------------------------------------------------------------------
-// Stereographic: patch 0 is what the largest field of view holds, patch 1 the rest, where a
-// triangle may hold more than the whole image.
+// Stereographic: patch 0 is the maximum field of view. Patch 1 is the rest, where a triangle may
+// contain more than the whole image.
 int stereographicPatch(const Vector3& m)
 {
   return m[2] >= std::cos(0.5 * MaximumFieldOfView * Radians) ? 0 : 1;
@@ -60,8 +60,8 @@ Vector2 stereographic(const Vector3& m, const SphereImage& image, int patch)
 }
 
 //------------------------------------------------------------------------------
-// Longitude and latitude: patches are lunes, so narrow that a triangle with a corner on the axis
-// does not bend much.
+// Longitude and latitude: patches are lunes, narrow enough that a triangle with a corner on the
+// axis bends little.
 int lunePatch(const Vector3& m)
 {
   const double longitude = std::atan2(m[0], m[2]);
@@ -73,7 +73,7 @@ Vector2 longitudeLatitude(const Vector3& m, int patch)
 {
   const double across = std::hypot(m[0], m[2]);
   const double middle = (patch + 0.5) * LuneAngle - Pi;
-  // On the axis every longitude is right; the middle one bends a triangle least.
+  // On the axis all longitudes are valid; the middle one bends a triangle the least.
   const double offset = across > 1e-9
     ? std::clamp(std::remainder(std::atan2(m[0], m[2]) - middle, 2.0 * Pi), -0.5 * LuneAngle,
         0.5 * LuneAngle)
@@ -98,7 +98,7 @@ Vector2 octahedral(const Vector3& m, const SphereImage& image, int patch)
   const Vector3 signs = octantSigns(patch);
   Vector3 p = signs.cwiseProduct(m).cwiseMax(0.0);
   const double sum = p.sum();
-  p = sum > 0.0 ? Vector3(p / sum) : Vector3::Constant(1.0 / 3.0); // the middle of the octant
+  p = sum > 0.0 ? Vector3(p / sum) : Vector3::Constant(1.0 / 3.0); // center of the octant
   const Vector2 folded = patch & 4 ? Vector2(1.0 - p[1], 1.0 - p[0]) : Vector2(p[0], p[1]);
   return Vector2::Constant(0.5) + (0.5 - image.Margin) * signs.head<2>().cwiseProduct(folded);
 }
@@ -108,7 +108,7 @@ Vector3 fromOctahedral(const Vector2& st, const SphereImage& image)
   Vector2 q = (st - Vector2::Constant(0.5)) / (0.5 - image.Margin);
   for (int k = 0; k < 2; ++k)
   {
-    if (std::abs(q[k]) > 1.0) // over a seam, which is the same edge of the square turned by 180
+    if (std::abs(q[k]) > 1.0) // beyond a seam, the same edge of the square rotated by 180 degrees
     {
       q[k] = (q[k] > 0.0 ? 2.0 : -2.0) - q[k];
       q[1 - k] = -q[1 - k];
@@ -125,7 +125,7 @@ Vector3 fromOctahedral(const Vector2& st, const SphereImage& image)
 }
 
 //------------------------------------------------------------------------------
-// Cube: the faces of each row hang together, left to right.
+// Cube: the faces of each row are connected, left to right.
 struct CubeFace
 {
   Vector3 Right, Up, Outward;
@@ -158,7 +158,7 @@ Vector2 cube(const Vector3& m, const SphereImage& image, int patch)
   const CubeFace& face = cubeFaces()[patch];
   const double outward = m.dot(face.Outward);
   Vector2 q(m.dot(face.Right), m.dot(face.Up));
-  q = outward > 0.0 ? Vector2(q / outward) : Vector2::Zero(); // the middle of the face
+  q = outward > 0.0 ? Vector2(q / outward) : Vector2::Zero(); // center of the face
   const Vector2 inFace =
     Vector2::Constant(0.5) + (0.5 - image.Margin) * q.cwiseMax(-1.0).cwiseMin(1.0);
   const int column = patch % 3, row = patch / 3;
@@ -176,7 +176,7 @@ Vector3 fromCube(const Vector2& st, const SphereImage& image)
 }
 
 //------------------------------------------------------------------------------
-using Borders = std::vector<Eigen::Vector4d>; // of a patch, as seen by the viewer
+using Borders = std::vector<Eigen::Vector4d>; // borders of a patch in the frame of the viewer
 
 Vector2 unscaled(const Vector3& m, const SphereImage& image, int patch)
 {
@@ -267,7 +267,7 @@ Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch)
 //------------------------------------------------------------------------------
 Vector2 sphereToTexture(const Vector3& n, const SphereImage& image)
 {
-  // The stereographic projection reaches on to the opposite pole.
+  // The stereographic projection extends to the opposite pole.
   return patchToTexture(
     n, image, image.Projection == SphereProjection::Stereographic ? 0 : patchOf(n, image));
 }

@@ -1,4 +1,4 @@
-/// Position and axes of an image on the sphere.
+/// Position and axes of an image on the sphere, \cite Liou2008 section 4.2.
 
 #ifndef ConformalSphereView_h
 #define ConformalSphereView_h
@@ -7,9 +7,9 @@
 
 namespace conformal
 {
-/// Where and how an image touches the sphere: its middle at Pole, its top towards Up, its right
-/// edge towards Right. Orthonormal, and right-handed in the order Right, Up, Pole, unless the
-/// surface's map to the sphere is mirrored.
+/// Orthonormal frame of an image: its middle at Pole, its top towards Up, its right edge towards
+/// Right. The order Right, Up, Pole is right-handed, unless the sphere map of the surface is
+/// mirrored.
 struct SphereView
 {
   Vector3 Pole = { 0, 0, 1 };

@@ -30,7 +30,7 @@ Vector3 directionOf(const Vector3& v, const char* name)
   return unit;
 }
 
-// Axes of a viewer: Pole towards the viewer, Up and Right as seen.
+// Axes of a viewer: Pole towards the viewer, Up and Right in the view.
 SphereView viewerAxes(const Vector3& toViewer, const Vector3& upward)
 {
   SphereView axes;
@@ -45,10 +45,10 @@ SphereView viewerAxes(const Vector3& toViewer, const Vector3& upward)
   return axes;
 }
 
-// A point of the surface.
+// Point of the surface.
 struct Place
 {
-  int Triangle = -1; // one that holds it
+  int Triangle = -1; // a triangle that contains it
   Vector3 Barycentric = Vector3::Zero();
 };
 
@@ -67,7 +67,7 @@ Vector3 areaCentroid(const Points& points, const Triangles& triangles)
   return area > 0.0 ? Vector3(sum / area) : Vector3(points.row(triangles(0, 0)));
 }
 
-// The surface as the viewer sees it: right, up, towards the viewer.
+// Surface in the frame of the viewer: right, up, towards the viewer.
 Points inViewer(const Points& points, const SphereView& axes)
 {
   Eigen::Matrix3d columns;
@@ -75,15 +75,15 @@ Points inViewer(const Points& points, const SphereView& axes)
   return points * columns;
 }
 
-// What the viewer meets first on the line through (0, 0).
+// Find the first intersection on the line through (0, 0).
 Place firstMet(const Points& seen, const Triangles& triangles)
 {
   Place best;
   double nearest = -std::numeric_limits<double>::infinity();
   for (Index r = 0; r < triangles.rows(); ++r)
   {
-    // Edge functions change sign exactly where two triangles share the edge, so that the line
-    // cannot slip through between them.
+    // Edge functions change sign exactly at a shared edge, so that the line cannot pass between two
+    // triangles.
     Vector3 sides;
     for (int k = 0; k < 3; ++k)
     {
@@ -140,7 +140,7 @@ Vector3 interpolated(const Points& values, const Triangles& triangles, const Pla
   return sum;
 }
 
-// The middle of a large triangle may lie at the sphere's center; a corner then stands for it.
+// The centroid of a large triangle may lie at the center of the sphere; use a corner instead.
 Vector3 poleAt(const Points& spherePositions, const Triangles& triangles, const Place& place)
 {
   const Vector3 n = interpolated(spherePositions, triangles, place);
@@ -153,12 +153,12 @@ Vector3 poleAt(const Points& spherePositions, const Triangles& triangles, const 
   return spherePositions.row(triangles(place.Triangle, corner));
 }
 
-// Outwards, in the mean over a cap around the pole; zero where that has no meaning.
+// Compute the mean outward normal over a cap around the pole; zero if undefined.
 Vector3 meanNormal(const Points& points, const Triangles& triangles, const Points& spherePositions,
   const Vector3& pole, const Place& place, double capAngle)
 {
   Vector3 sum = Vector3::Zero();
-  double volume = 0.0; // negative for a surface turned inside out
+  double volume = 0.0; // negative for an inverted surface
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     const Vector3 a = points.row(triangles(r, 0)), b = points.row(triangles(r, 1)),
@@ -174,10 +174,10 @@ Vector3 meanNormal(const Points& points, const Triangles& triangles, const Point
   return (volume < 0.0 ? -1.0 : 1.0) * sum.stableNormalized();
 }
 
-// Turn (and, for a mirrored map, flip) the image about the pole until its axes agree with the
-// viewer's. In the stereographic plane, with z for a place on the sphere and Z for where the viewer
-// sees it, both seen from the pole, the mean of conj(z) Z over a disk is the derivative dZ/dz at
-// its middle, if Z depends analytically on z.
+// Rotate (and, for a mirrored map, reflect) the image about the pole until its axes agree with
+// those of the viewer. In the stereographic plane, let z be a position on the sphere and Z its
+// position in the view, both seen from the pole. If Z depends analytically on z, the mean of
+// conj(z) Z over a disk is the derivative dZ/dz at its center.
 void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
   const Points& spherePositions, const Place& place, double capAngle, const Run& run)
 {
@@ -221,7 +221,7 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
   const Complex derivative = isMirrored ? mirrored : upright;
   if (!(std::abs(derivative) > 0.0) || !std::isfinite(std::abs(derivative)))
   {
-    return; // nothing to be told from a neighborhood without extent
+    return; // a neighborhood without extent has no orientation
   }
   // Z = e^(i angle) z, or e^(i angle) conj(z), up to a positive factor; up is where Z = i.
   const Complex turn = derivative / std::abs(derivative);

@@ -31,7 +31,7 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
 {
   check(options);
   const auto size = static_cast<double>(spherePositions.rows());
-  // The view, for each vertex, as chooseSphereView() has it; the coordinates; the seams.
+  // Costs: the view, for each vertex, as in chooseSphereView(); the coordinates; the seams.
   Steps steps(run,
     { (options.UseViewPoint ? 1310.0 : 160.0) * size, 50.0 * size,
       options.SplitSeam ? 350.0 * size : 0.0 });

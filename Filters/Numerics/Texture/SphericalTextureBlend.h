@@ -1,4 +1,5 @@
-/// Two pictures of an object, from the front and from the back, as one image of its sphere.
+/// Blend two pictures of an object, from the front and from the back, into one image of its sphere.
+/// Own construction: a smooth step between the poles of both pictures.
 
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
@@ -15,24 +16,24 @@ namespace conformal
 {
 struct TwoPictures
 {
-  SphereImage Front, Back;       ///< how each lies on the sphere
-  PixelGrid FrontGrid, BackGrid; ///< at least a pixel each
+  SphereImage Front, Back;       ///< position of each picture on the sphere
+  PixelGrid FrontGrid, BackGrid; ///< at least one pixel each
   double BlendAngle = 30.0;      ///< degrees of the sphere, in [0, 180]
 };
 
-/// A pixel of the blended image: FrontShare of the one mix and the rest of the other.
+/// Pixel of the blended image: FrontShare of the front mix, and the rest of the back mix.
 struct BlendedPixel
 {
   PixelMix Front, Back;
   double FrontShare = 0.5;
 };
 
-/// May be called from several threads at once, for other pixels each time.
+/// Receive blended pixels. May be called from several threads concurrently, with different pixels.
 using BlendSink = std::function<void(Index firstPixel, const std::vector<BlendedPixel>& pixels)>;
 
-/// The share of the front picture at a direction: a smooth step from 0 to 1 over BlendAngle, in the
-/// middle of which the poles of both pictures are equally far. For opposite poles that is the
-/// equator.
+/// Compute the share of the front picture at a direction: a smooth step from 0 to 1 over
+/// BlendAngle. In its middle the poles of both pictures are at equal distances. For opposite poles
+/// that is the equator.
 double frontShare(const Vector3& n, const TwoPictures& pictures);
 
 /// Blend two pictures into an image of the sphere.

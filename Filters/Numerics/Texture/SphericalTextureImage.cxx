@@ -36,7 +36,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
   return sum;
 }
 
-// To another surface's place; the hint is what it was told or left there for the pixel before.
+// Map to a point of another surface; the hint is passed from pixel to pixel.
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
@@ -90,13 +90,13 @@ PixelDirection directionsOf(const SphereImage& image, const PixelGrid& grid)
   };
 }
 
-// The closest places of a cloud, or of a surface, of which processes have parts.
+// Closest points of a cloud, or of a surface, distributed over ranks.
 class ClosestPlaces
 {
 public:
   struct Found
   {
-    SurfacePlace Place; // ids of this process; -1 for places of other processes
+    SurfacePlace Place; // ids of this rank; -1 for points of other ranks
     double SquareDistance = std::numeric_limits<double>::infinity();
   };
 
@@ -131,7 +131,7 @@ public:
     this->Surface = TriangleTree(positions, this->Triangles, run);
   }
 
-  // Whether places are closest of all processes' and not only of this one's.
+  // Test whether points are the closest of all ranks, not only of this one.
   bool knowsAll() const { return this->HasTriangles; }
 
   Found operator()(const Vector3& x, int& hint) const
@@ -149,7 +149,7 @@ public:
     }
     const FootPoint foot = this->Surface.closestPoint(x, hint);
     hint = foot.Triangle;
-    if (hint < 0) // squares of distances have left the numbers' range
+    if (hint < 0) // square distances overflowed or underflowed
     {
       return found;
     }
@@ -174,7 +174,7 @@ private:
   conformal::Triangles Triangles;
 };
 
-// The points of the surface that pixels show, not finite in holes; none without a surface.
+// Find the points of the surface shown by pixels, not finite in holes; none without a surface.
 Points pixelPositions(
   const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid, const Run& run)
 {
@@ -182,7 +182,7 @@ Points pixelPositions(
   {
     return Points(0, 3);
   }
-  unitBoxOf(surface.Positions); // throws where they are not finite
+  unitBoxOf(surface.Positions); // throws if they are not finite
   Points positions(grid.size(), 3);
   const PixelSink place = [&](Index first, const std::vector<SurfacePlace>& places)
   {
@@ -219,7 +219,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Run& run)
 {
-  constexpr double pixelWork = WorkOfPixel + 700.0; // with a query
+  constexpr double pixelWork = WorkOfPixel + 700.0; // including a query
   const auto cloudSize = static_cast<double>(cloud.size());
   const auto numberOfFaces = static_cast<double>(cloudTriangles.rows());
   Steps steps(run,
@@ -227,7 +227,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
       WorkOfLocator * static_cast<double>(surface.Triangles.rows()) +
         pixelWork * static_cast<double>(grid.size()) });
   const ClosestPlaces closest(cloud, cloudTriangles, {}, steps.next());
-  unitBoxOf(surface.Positions); // throws where they are not finite
+  unitBoxOf(surface.Positions); // throws if they are not finite
   paint(
     surface, directionsOf(image, grid), grid,
     [&](const SurfacePlace& place, int& hint)
@@ -245,10 +245,11 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
     paintSphericalTexture(surface, cloud, cloudTriangles, image, grid, sink, run);
     return;
   }
-  constexpr double begin = 0.3; // of the search, after its tree and the pixels' positions
+  // Start of the search, after its tree and the positions of the pixels
+  constexpr double begin = 0.3;
   const ClosestPlaces closest(cloud, cloudTriangles, reduce, run.part(0.0, 0.5 * begin));
   const Points wanted = pixelPositions(surface, image, grid, run.part(0.5 * begin, begin));
-  // So many at a time: all pixels are sent to all processes, and the distances back.
+  // Process chunks of pixels: each is sent to all ranks, and the distances are sent back.
   constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
   for (Index first = 0; first < grid.size(); first += ChunkSize)
   {
@@ -271,7 +272,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
         int hint = -1;
         for (Index i = firstOf; i < lastOf; ++i)
         {
-          if (positions.row(i).allFinite()) // else it is a hole
+          if (positions.row(i).allFinite()) // not a hole
           {
             const ClosestPlaces::Found found = closest(positions.row(i), hint);
             places[i] = found.Place;

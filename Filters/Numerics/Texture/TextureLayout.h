@@ -1,4 +1,4 @@
-/// Texture coordinates of an image of the sphere on a surface.
+/// Texture coordinates of an image of the sphere on a surface, \cite Liou2008 section 4.2.
 
 #ifndef ConformalTextureLayout_h
 #define ConformalTextureLayout_h
@@ -13,24 +13,24 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// What the surface shows where the image does not reach.
+/// Texture of the surface outside of the image.
 enum class TextureWrap
 {
-  Clamp,  ///< the image's border, drawn out
-  Repeat, ///< the image again; coordinates go on beyond [0, 1]
-  Mirror  ///< the image mirrored at its borders, in turns; coordinates are folded into [0, 1]
+  Clamp,  ///< border of the image, extended
+  Repeat, ///< image repeated; coordinates continue outside of [0, 1]
+  Mirror  ///< image mirrored alternately at its borders; coordinates are folded into [0, 1]
 };
 
 struct SphericalTexture
 {
-  TextureCoordinates Coordinates;          ///< #P by 2, finite; in [0, 1] but for Repeat
-  std::vector<unsigned char> OutsideImage; ///< #P: 1 where the image does not reach
-  SphereImage Image;                       ///< as it lies on the sphere
+  TextureCoordinates Coordinates;          ///< #P by 2, finite; in [0, 1] except for Repeat
+  std::vector<unsigned char> OutsideImage; ///< #P: 1 outside of the image
+  SphereImage Image;                       ///< position on the sphere
 
-  /// With SplitSeam: the surface as cut. Points from #V on are copies of vertices, with other
-  /// coordinates, or lie where edges were cut.
+  /// With SplitSeam: the surface after cutting. Points from #V on are copies of vertices with other
+  /// coordinates, or points on cut edges.
   Triangles SplitTriangles;              ///< #F' by 3 ids in [0, #P)
-  std::vector<int> TriangleIds;          ///< #F': the triangle each is part of
+  std::vector<int> TriangleIds;          ///< #F': original triangle of each
   std::vector<SurfacePlace> AddedPlaces; ///< #P - #V
 };
 }

@@ -10,10 +10,11 @@ namespace conformal
 
 namespace
 {
-constexpr double MaximumDilatation = 1.5; // measured: less bends more, more lets corners bend
+// Measured: a smaller limit bends more triangles, a larger one crowds corners
+constexpr double MaximumDilatation = 1.5;
 constexpr Index BlockSize = 256;
 
-/// The point of an edge, in barycentric coordinates.
+/// Return the barycentric coordinates of a point on an edge.
 Vector3 pointOfEdge(int edge, const EdgeShares& shares)
 {
   Vector3 point = Vector3::Zero();
@@ -22,15 +23,15 @@ Vector3 pointOfEdge(int edge, const EdgeShares& shares)
   return point;
 }
 
-/// Two positive weights as shares of their sum.
+/// Normalize two positive weights to sum 1.
 EdgeShares sharesOf(double first, double second)
 {
   const double sum = first + second;
   return { first / sum, second / sum };
 }
 
-/// Lengths of a triangle's edges, as shares of their sum, without the last digits, which depend on
-/// where the triangle lies.
+/// Compute the edge lengths of a triangle as shares of their sum. The last digits, which depend on
+/// the position of the triangle, are removed.
 std::array<long, 3> roundedLengths(const Points& points, const Triangles& triangles, Index triangle)
 {
   Vector3 lengths;
@@ -49,9 +50,9 @@ std::array<long, 3> roundedLengths(const Points& points, const Triangles& triang
   return { std::lround(lengths[0]), std::lround(lengths[1]), std::lround(lengths[2]) };
 }
 
-/// Edges by length, so that neither where a triangle starts nor the numbering of vertices matters;
-/// by the id of the corner opposite only where they are equally long on the sphere and in the
-/// model.
+/// Order edges by length, which depends neither on the first corner nor on the numbering of
+/// vertices. Edges of equal length on the sphere and in the model are ordered by the id of the
+/// opposite corner.
 std::array<unsigned char, 3> orderOf(
   const Points& sphere, const Points& model, const Triangles& triangles, Index triangle)
 {
@@ -66,7 +67,7 @@ std::array<unsigned char, 3> orderOf(
 }
 
 //------------------------------------------------------------------------------
-// Near an end both maps are powers of the half disk's s.
+// Near an end both maps are powers of s in the half disk.
 FlatMap::Edge FlatMap::own(int edge, TriangleMap& network, TriangleMap& model)
 {
   double power[2], factor[2];
@@ -131,7 +132,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& tri
         for (int edge = 0; edge < 3; ++edge)
         {
           const Index other = neighbors(r, next(edge));
-          const int end = triangles(r, next(edge)); // its second end over there
+          const int end = triangles(r, next(edge)); // its second end in that triangle
           int there = 0;
           while (triangles(other, previous(there)) != end)
           {
@@ -188,7 +189,8 @@ Vector3 FlatMap::Triangle::base(const Vector3& barycentric, Eigen::Matrix3d* der
 }
 
 //------------------------------------------------------------------------------
-// Where on the network's edge a place on the model's comes from, by the triangle's own map.
+// Find the position on the edge of the network for a position on the edge of the model, by the map
+// of the triangle.
 EdgeShares FlatMap::Triangle::networkShares(int edge, const EdgeShares& model, double* rate)
 {
   if (this->Affine)
@@ -235,7 +237,7 @@ FlatMap::Triangle::Slid FlatMap::Triangle::slid(
     place.Second + way * (h.Second - place.Second) };
   if (differentiate)
   {
-    // Logarithmic derivatives of o(e(t)) / o(b') with b', of o(h) with b and with d.
+    // Logarithmic derivatives: of o(e(t)) / o(b') by b', of o(h) by b and by d.
     const double ofRatio =
       (of.AtFirst / t.Second + of.AtSecond / t.First) * ownRate - 1.0 / (at.First * at.Second);
     const double withPlace = 1.0 / (place.First * place.Second) + ofRatio / size;
@@ -273,8 +275,8 @@ void FlatMap::Triangle::slide(int edge, Vector3& barycentric, Eigen::Matrix3d* d
 }
 
 //------------------------------------------------------------------------------
-// Newton's method for the logarithm of the odds, in which a slide is nearly a straight line; a
-// bracket makes it safe.
+// Newton's method for the logarithm of the odds, in which a slide is nearly linear; a bracket
+// ensures convergence.
 void FlatMap::Triangle::slideBack(int edge, Vector3& barycentric)
 {
   if (!this->slides(edge, barycentric))
@@ -302,7 +304,7 @@ void FlatMap::Triangle::slideBack(int edge, Vector3& barycentric)
     const double step = std::abs(better - guess);
     guess = better;
     place = guess > 0.0 ? sharesOf(std::exp(-guess), 1.0) : sharesOf(1.0, std::exp(guess));
-    if (step < 1e-8) // what is left is of the order of its square
+    if (step < 1e-8) // the remaining error is of the order of its square
     {
       break;
     }
@@ -317,7 +319,7 @@ Vector3 FlatMap::Triangle::toModel(const Vector3& barycentric, Eigen::Matrix3d* 
   Vector3 at = barycentric;
   if (derivative)
   {
-    // At a corner there is none: the exponents of the two maps differ.
+    // No derivative exists at a corner: the exponents of the two maps differ.
     const double minimumDistance = 1e-6;
     at = at.cwiseMax(minimumDistance);
     at /= at.sum();

@@ -1,4 +1,4 @@
-/// Maps between the flat triangles of network and model.
+/// Maps between the flat triangles of network and model, \cite Liou2008.
 
 #ifndef ConformalFlatMap_h
 #define ConformalFlatMap_h
@@ -14,33 +14,37 @@
 
 namespace conformal
 {
-/// How the maps of neighboring triangles meet.
+/// Continuity of the maps of neighboring triangles.
 enum class SeamMode
 {
-  PerTriangle, ///< as published: each for itself, with a jump along the common edge
-  EdgeMatched  ///< as one map of the whole surface, continuous everywhere
+  PerTriangle, ///< as published: each triangle has its own map, with a jump along the common edge
+  EdgeMatched  ///< one map of the whole surface, continuous everywhere
 };
 
 /// The map p' -> q' of \cite Liou2008, Eq. 10, in barycentric coordinates.
 ///
 /// Implementation note: the Schwarz-Christoffel maps of two triangles move the points of their
-/// common edge differently. With EdgeMatched the edge has one correspondence of its own: the point
-/// that divides it in t : 1 - t goes to the one that divides it in e^c t^p : (1 - t)^q. The
-/// conformal maps of both triangles are of this form near either end, and p, q and c are the means
-/// of theirs. Each triangle then is adapted by three slides, one for each edge. With i, j the ends
-/// of an edge, m the barycentric coordinates so far, S = m_i + m_j the share of the edge and
-/// b = m_j / S the place along it, in odds o(b) = b / (1 - b):
-///     b  ->  (1 - S^2) b + S^2 h,   o(h) = o(b) o(e(t)) / o(b'),   b' = (b + d) / (1 + 2 d),
-/// with d = 1 - S, where the triangle's own map takes the edge's point t to b', and the edge's
-/// takes it to e(t). A slide leaves the two other edges alone and is smooth there, since b' stays
-/// away from the ends; it rises strictly in b, since o(e(t)) rises with b', and so is one to one on
-/// every line parallel to its edge; on its own edge, S = 1, it is e. So the whole is a
-/// homeomorphism, for triangles of any shape, without an iteration over the mesh; its inverse is
-/// three monotone equations of one unknown.
+/// common edge differently. With EdgeMatched each edge has one correspondence of its own. The point
+/// that divides the edge in t : 1 - t is mapped to the point that divides it in e^c t^p : (1 -
+/// t)^q. The conformal maps of both triangles have this form near either end; p, q and c are the
+/// means of their exponents and factors.
 ///
-/// Implementation note: with EdgeMatched triangles that are sheared by more than half, network to
-/// model, are mapped affinely before the slides: conformal maps crowd the points of needles into a
-/// corner. In both modes so are triangles without a shape.
+/// Each triangle map is then adapted by three slides, one for each edge. Let i, j be the ends of an
+/// edge and m the barycentric coordinates so far. S = m_i + m_j is the share of the edge, b = m_j /
+/// S the position along it, with odds o(b) = b / (1 - b):
+///     b  ->  (1 - S^2) b + S^2 h,   o(h) = o(b) o(e(t)) / o(b'),   b' = (b + d) / (1 + 2 d),
+/// with d = 1 - S. The map of the triangle moves the point t of the edge to b', the correspondence
+/// of the edge moves it to e(t).
+///
+/// A slide keeps the two other edges and is smooth there, since b' stays away from the ends. It
+/// increases strictly in b, since o(e(t)) increases with b'. It is thus one-to-one on every line
+/// parallel to its edge. On its own edge, S = 1, it equals e. The composition is a homeomorphism
+/// for triangles of any shape, without an iteration over the mesh. Its inverse is three monotone
+/// equations of one unknown.
+///
+/// Implementation note: conformal maps crowd the points of needles into a corner. With EdgeMatched,
+/// triangles of a dilatation above 1.5 from network to model are therefore mapped affinely before
+/// the slides. In both modes, degenerate triangles are mapped affinely.
 class FlatMap
 {
 public:
@@ -48,24 +52,24 @@ public:
 
   /// @param[in] sphere     #N by 3, n_i
   /// @param[in] model      #N by 3, w_i
-  /// @param[in] triangles      #R by 3 ids of a closed surface
-  /// @param[in] neighbors  triangleNeighbors of the triangles
+  /// @param[in] triangles  #R by 3 ids of a closed surface
+  /// @param[in] neighbors  triangleNeighbors() of the triangles
   FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
     const Triangles& neighbors, SeamMode seamMode, const Run& run = {});
 
-  /// Whether the triangle has no shape, on the sphere or in the model.
+  /// Test whether a triangle is degenerate, on the sphere or in the model.
   bool degenerate(Index triangle) const
   {
     return this->Network.degenerate(triangle) || this->Model[triangle].degenerate();
   }
 
-  /// Whether the model's triangle has one.
+  /// Test whether a triangle has area in the model.
   bool hasArea(Index triangle) const { return !this->Model[triangle].degenerate(); }
 
   class Triangle;
 
 private:
-  /// The correspondence of an edge, t : 1 - t to e^c t^p : (1 - t)^q.
+  /// Correspondence of an edge: t : 1 - t to e^c t^p : (1 - t)^q.
   struct Edge
   {
     double AtFirst = 1.0;    ///< p, at the first end
@@ -76,8 +80,8 @@ private:
   };
   struct Edges
   {
-    std::array<Edge, 3> Of; ///< by the corner opposite
-    bool Affine = true;     ///< whether the triangle's own map is
+    std::array<Edge, 3> Of; ///< indexed by the opposite corner
+    bool Affine = true;     ///< whether the map before the slides is affine
   };
   static Edge own(int edge, TriangleMap& network, TriangleMap& model);
 
@@ -85,14 +89,14 @@ private:
   NetworkShapes Network;
   std::vector<TriangleShape> Model;
   std::vector<Edges> All;
-  std::vector<std::array<unsigned char, 3>> Order; ///< in which the edges slide
+  std::vector<std::array<unsigned char, 3>> Order; ///< order in which the edges slide
 };
 
-/// The map of one triangle, ready for many points; for one thread at a time.
+/// Map of one triangle, prepared for many points. Use it from one thread at a time.
 class FlatMap::Triangle
 {
 public:
-  /// No triangle.
+  /// Construct a map without a triangle.
   Triangle() = default;
 
   /// @param[in] map  must outlive this
@@ -100,24 +104,24 @@ public:
 
   Index id() const { return this->Id; }
 
-  /// Network to model.
+  /// Map a point from network to model.
   /// @param[in]  barycentric  of p', >= 0, sum 1
-  /// @param[out] derivative   if wanted: column k is the change with coordinate k, to be applied to
-  ///             changes of sum 0. On an edge it is that of this triangle, at a corner, where there
-  ///             is none, that of a point nearby.
+  /// @param[out] derivative   may be null: column k is the change with coordinate k, to be applied
+  ///   to changes of sum 0. On an edge it is the derivative within this triangle. At a corner,
+  ///   where none exists, it is the derivative at a point nearby.
   /// @post with EdgeMatched, on an edge the same bits from both of its triangles
   Vector3 toModel(const Vector3& barycentric, Eigen::Matrix3d* derivative = nullptr);
 
-  /// Model to network: the inverse.
+  /// Map a point from model to network: the inverse of toModel().
   Vector3 toNetwork(const Vector3& barycentric);
 
 private:
-  /// What a slide makes of a place b on a line parallel to its edge.
+  /// Result of a slide for a position b on a line parallel to its edge.
   struct Slid
   {
     EdgeShares Place;
-    double WithPlace = 1.0; ///< derivative of the second share with b
-    double WithShare = 0.0; ///< and with S
+    double WithPlace = 1.0; ///< derivative of the second share with respect to b
+    double WithShare = 0.0; ///< derivative of the second share with respect to S
   };
   Vector3 base(const Vector3& barycentric, Eigen::Matrix3d* derivative);
   void slide(int edge, Vector3& barycentric, Eigen::Matrix3d* derivative);

@@ -1,5 +1,6 @@
-/// Power series at a corner of the half disk (SchwarzChristoffel.h), and complex numbers that stay
-/// exactly real on its border.
+/// Power series at a corner of the half disk (SchwarzChristoffel.h), and complex functions that
+/// stay exactly real on its border. Own construction: series of the integrand of \cite Liou2008
+/// Eqs. 4 and 5 after substitution of the half disk.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -19,10 +20,10 @@ using Complex = std::complex<double>;
 
 constexpr double Log4 = 1.38629436111989061883;
 constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
-constexpr double MaximumLogS = -1.09861; // |s| < 1/3, a little beyond the farthest point's 0.268
+constexpr double MaximumLogS = -1.09861; // |s| < 1/3, a little beyond the maximum of 0.268
 constexpr int MaximumTerms = 36;         // an even number, enough for |s| = 1/3
 
-/// exp, exactly real on the edges of the half disk.
+/// Compute exp, exactly real on the edges of the half disk.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -37,7 +38,7 @@ inline Complex expOf(const Complex& logarithm)
   return { size * std::cos(logarithm.imag()), size * std::sin(logarithm.imag()) };
 }
 
-/// log(1 + x) with all digits for small x.
+/// Compute log(1 + x) to full precision for small x.
 inline Complex log1p(const Complex& x)
 {
   return { 0.5 * std::log1p(x.real() * (2.0 + x.real()) + x.imag() * x.imag()),
@@ -56,15 +57,15 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Terms, an even number, that a series with coefficients of order 1 needs for all digits.
+/// Number of terms, even, that a series with coefficients of order 1 needs for full precision.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
                                           : 2 * (static_cast<int>(LogEpsilon / logS) / 2 + 1);
 }
 
-/// coefficients[0] s + coefficients[1] s^2 + ..., an even number of real coefficients: even and odd
-/// powers as two independent recurrences in s^2, real arithmetic within.
+/// Sum coefficients[0] s + coefficients[1] s^2 + ... for an even number of real coefficients. Even
+/// and odd powers are two independent recurrences in s^2, in real arithmetic.
 inline Complex sumSeries(const double* coefficients, int terms, const Complex& s)
 {
   const Complex x = times(s, s);
@@ -85,7 +86,7 @@ inline Complex sumSeries(const double* coefficients, int terms, const Complex& s
   return times(s, odd) + times(x, even);
 }
 
-/// The same on the border.
+/// Sum coefficients[0] s + coefficients[1] s^2 + ... for real s.
 inline double sumSeries(const double* coefficients, int terms, double s)
 {
   const double x = s * s;
@@ -109,8 +110,8 @@ inline constexpr auto Reciprocals = []()
   return result;
 }();
 
-/// The series of one corner. With f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n, d_0 = 1, the map
-/// is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+/// Power series of one corner. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n with d_0 = 1.
+/// Then the map is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
 {
 public:
@@ -121,7 +122,7 @@ public:
   {
   }
 
-  /// Have at least so many terms.
+  /// Compute coefficients up to the given number of terms.
   void extend(int terms)
   {
     for (; this->Terms < terms; ++this->Terms)
@@ -137,8 +138,9 @@ public:
     }
   }
 
-  /// log s for a given log W, W = (1 + sum)^(1/a) s. W = s / (1 - g s + q s^2) agrees up to s^3 and
-  /// is W for the extremes among univalent functions, so this is near everywhere.
+  /// Approximate log s for a given log W, W = (1 + sum)^(1/a) s. The approximation W = s / (1 - g s
+  /// + q s^2) is exact up to s^3. It is exact for the extremes among univalent functions, so it is
+  /// close everywhere.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -148,7 +150,7 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// The same on the border: s for W of either sign.
+  /// Approximate s for real W of either sign.
   double guess(double w)
   {
     const auto [g, q] = this->leading();
@@ -156,11 +158,11 @@ public:
     return 2.0 * w / (half + std::sqrt(std::max(0.0, half * half - 4.0 * q * w * w)));
   }
 
-  /// d log f / d log s.
+  /// Compute d log f / d log s.
   double bend(double s) const { return s * (this->Twist + 2.0 * this->A * s) / (1.0 - s * s); }
 
-  std::array<double, MaximumTerms> Map;   // of s^1, s^2, ...
-  std::array<double, MaximumTerms> Slope; // the same of f
+  std::array<double, MaximumTerms> Map;   // coefficients of the map for s^1, s^2, ...
+  std::array<double, MaximumTerms> Slope; // coefficients of f for s^1, s^2, ...
 
 private:
   struct Leading

@@ -12,9 +12,9 @@ using namespace halfdisk;
 NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles, const Run& run)
   : Uses(triangles.rows())
 {
-  // Triangles are alike if their squared edges, as shares of the sum, are. Counted from the
-  // longest edge, so that turned triangles meet as well. In flat triangles the edges say too little
-  // about the angles: each has a shape to itself.
+  // Triangles have one shape if their squared edges agree as shares of the sum. Edges are counted
+  // from the longest one, so that rotated triangles agree too. Edges of flat triangles determine
+  // their angles poorly, so each has a shape of its own.
   struct Key
   {
     std::int64_t First, Second;
@@ -71,7 +71,7 @@ NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles
     ++numberOfUses[entry->second];
   }
 
-  const int enoughUses = 8; // tables take as long as mapping a few points without
+  const int enoughUses = 8; // a table costs as much as mapping a few points without
   this->Shapes.resize(firstUse.size());
   this->TableOfShape.assign(firstUse.size(), -1);
   int numberOfTables = 0;

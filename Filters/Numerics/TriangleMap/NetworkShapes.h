@@ -1,4 +1,4 @@
-/// The conformal maps of a fixed network of triangles.
+/// Conformal maps of a fixed network of triangles, \cite Liou2008.
 
 #ifndef ConformalNetworkShapes_h
 #define ConformalNetworkShapes_h
@@ -12,28 +12,28 @@
 
 namespace conformal
 {
-/// The triangles of a fixed network, those of one shape sharing tables of their map.
+/// Triangles of a fixed network. Triangles of one shape share the tables of their map.
 ///
-/// A geodesic sphere of frequency 36 has 25,920 triangles but 156 shapes (312 with their mirror
-/// images). A shape that few triangles have is mapped without tables, so that a mesh without any
-/// symmetry costs no memory.
+/// A geodesic sphere of frequency 36 has 25,920 triangles but 156 shapes (312 with mirror images).
+/// A shape of few triangles has no tables, so that a mesh without symmetry costs no memory.
 class NetworkShapes
 {
 public:
   NetworkShapes() = default;
 
   /// @param[in] positions  #N by 3
-  /// @param[in] triangles      #R by 3 ids of positions
+  /// @param[in] triangles  #R by 3 ids of positions
   NetworkShapes(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// How many shapes have tables.
+  /// Return the number of shapes with tables.
   Index numberOfTables() const { return static_cast<Index>(this->Tables.size()); }
 
-  /// Network triangle to model triangle, \cite Liou2008 Eq. 10: barycentric coordinates of p' to
-  /// those of q'. Affine (returned as they are) if one of the triangles is degenerate.
+  /// Map barycentric coordinates from p' in the network to q' in the model, \cite Liou2008 Eq. 10.
+  /// The map is affine, the coordinates unchanged, if one of the triangles is degenerate.
   Vector3 toModel(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
-  /// Model triangle to network triangle, z' = f_2(f_1^-1(z)) below \cite Liou2008 Eq. 5.
+  /// Map barycentric coordinates from the model to the network: z' = f_2(f_1^-1(z)) below \cite
+  /// Liou2008 Eq. 5.
   Vector3 toNetwork(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   bool degenerate(Index triangle) const
@@ -41,7 +41,7 @@ public:
     return this->Shapes[this->Uses[triangle].Shape].degenerate();
   }
 
-  /// The map of a triangle, in its own order of the corners.
+  /// Return the map of a triangle, with the corners in the order of the triangle.
   /// @pre not degenerate
   TriangleMap map(Index triangle) const;
 
@@ -56,7 +56,7 @@ private:
 
   std::vector<Use> Uses;
   std::vector<TriangleShape> Shapes;
-  std::vector<int> TableOfShape; // or -1
+  std::vector<int> TableOfShape; // -1 without a table
   std::vector<ShapeTable> Tables;
 };
 }

@@ -13,9 +13,10 @@ using namespace halfdisk;
 
 namespace
 {
-constexpr double MinimumAngle = 1e-9; // radians; needles beyond carry no shape in doubles
+// Radians; the shape of thinner needles is lost in double precision
+constexpr double MinimumAngle = 1e-9;
 
-/// The matrix a^-1 b, a being upper triangular.
+/// Compute a^-1 b for an upper triangular a.
 Eigen::Matrix2d upperTriangularSolve(const Eigen::Matrix2d& a, const Eigen::Matrix2d& b)
 {
   Eigen::Matrix2d result;
@@ -24,18 +25,18 @@ Eigen::Matrix2d upperTriangularSolve(const Eigen::Matrix2d& a, const Eigen::Matr
   return result;
 }
 
-/// The same point of the half disk seen from the corner at s = 1 (toNext) or at s = -1.
+/// Convert a point of the half disk to the coordinate of the corner at s = 1 (toNext) or at s = -1.
 Complex fromNeighbor(const Complex& s, bool toNext)
 {
-  // Upper half plane y = 2s / (1 + s^2) has the corners at 0, 1, -1, where a Moebius map turns
-  // them.
+  // The upper half plane y = 2s / (1 + s^2) has the corners at 0, 1, -1, which a Moebius map
+  // permutes.
   const double sign = toNext ? 1.0 : -1.0;
   const Complex one = 1.0 - sign * s;
   const Complex y = over(-sign * times(one, one), 1.0 + 6.0 * sign * s + times(s, s));
   return over(y, 1.0 + std::sqrt(1.0 - times(y, y)));
 }
 
-/// log s, with the imaginary part kept in [0, pi].
+/// Compute log s with the imaginary part in [0, pi].
 Complex logOf(const Complex& s)
 {
   const double angle = s.imag() > 0.0 ? std::arg(s) : (s.real() < 0.0 ? Pi : 0.0);
@@ -46,7 +47,8 @@ Complex logOf(const Complex& s)
 //------------------------------------------------------------------------------
 TriangleShape::TriangleShape(const Vector3& p0, const Vector3& p1, const Vector3& p2)
 {
-  // Edge k lies opposite to corner k; in units of the longest so that nothing under- or overflows.
+  // Edge k is opposite to corner k. Scale by the longest edge, so that nothing underflows or
+  // overflows.
   std::array<Vector3, 3> edges{ p2 - p1, p0 - p2, p1 - p0 };
   const double size = std::max({ edges[0].cwiseAbs().maxCoeff(), edges[1].cwiseAbs().maxCoeff(),
     edges[2].cwiseAbs().maxCoeff() });
@@ -83,9 +85,9 @@ TriangleShape::TriangleShape(const Vector3& p0, const Vector3& p1, const Vector3
 }
 
 //------------------------------------------------------------------------------
-// W = (a z / k)^(1/a) / 4 is an analytic and univalent function of s in the whole disk, with
-// W = s + ... at 0, since it maps the half disk's diameter to the real axis: Newton's method has
-// nothing to get stuck at. This is log W.
+// Compute log W. W = (a z / k)^(1/a) / 4 is an analytic and univalent function of s in the whole
+// disk, W = s + ... at 0. It maps the diameter of the half disk to the real axis, so Newton's
+// method converges.
 std::complex<double> TriangleShape::logUniform(int corner, const Vector3& barycentric) const
 {
   const double alongNext = barycentric[next(corner)] * this->Sines[previous(corner)];
@@ -101,7 +103,7 @@ std::complex<double> TriangleShape::logUniform(int corner, const Vector3& baryce
 }
 
 //------------------------------------------------------------------------------
-// The corner that sees a point nearest, first by guess.
+// Find the corner of minimum |s|, first by approximation.
 int TriangleShape::corner(const Vector3& barycentric, std::complex<double>& logUniform) const
 {
   int best = 0;
@@ -145,7 +147,7 @@ HalfDiskPoint TriangleShape::solve(
     logS = { logS.real(), std::min(Pi, std::max(0.0, logS.imag())) };
     if (logS.real() > MaximumLogS)
     {
-      // Too far for this corner's series: go on from the neighbor on whose side the point lies.
+      // The point is too far for the series of this corner: continue from the neighbor on its side.
       const Complex s = expOf({ std::min(logS.real(), -0.1), logS.imag() });
       const bool toNext = s.real() > 0.0;
       corner = toNext ? next(corner) : previous(corner);
@@ -165,7 +167,7 @@ HalfDiskPoint TriangleShape::solve(
     const Complex slope = 1.0 + sumSeries(series.Slope.data(), terms, s);
     const Complex residual = logS - logUniform + log1p(map - 1.0) / this->Angles[corner];
     const double size = std::norm(residual);
-    if (size > lastSize && size > 1e-24) // rare, in needles; halving surely descends
+    if (size > lastSize && size > 1e-24) // rare, in needles; a halved step descends
     {
       step *= 0.5;
       logS -= step;
@@ -174,7 +176,7 @@ HalfDiskPoint TriangleShape::solve(
     lastSize = size;
     step = -over(times(residual, map), slope);
     logS += step;
-    if (std::norm(step) < 1e-16) // the error left is of the order of its square
+    if (std::norm(step) < 1e-16) // the remaining error is of the order of its square
     {
       break;
     }
@@ -254,7 +256,7 @@ Eigen::Matrix2d TriangleShape::plane(int corner) const
 //------------------------------------------------------------------------------
 double TriangleShape::dilatation(const TriangleShape& to) const
 {
-  // The affine map is to.plane(0) this->plane(0)^-1, upper triangular as they are.
+  // The affine map is to.plane(0) this->plane(0)^-1, a product of upper triangular matrices.
   const Eigen::Matrix2d from = this->plane(0), image = to.plane(0);
   const double x = image(0, 0) / from(0, 0), y = image(1, 1) / from(1, 1),
                shear = (image(0, 1) - x * from(0, 1)) / from(1, 1);
@@ -267,7 +269,7 @@ Eigen::Matrix3d TriangleShape::mapDerivative(
   const TriangleShape& to, const HalfDiskPoint& point) const
 {
   const int k = point.Corner;
-  // The quotient of the two derivatives: of two products of powers, as one product.
+  // The quotient of the two derivatives, products of powers, is evaluated as one product.
   const Complex factor = to.Scale / this->Scale *
     expOf((to.Angles[k] - this->Angles[k]) * (point.LogS + Log4) +
       2.0 * (to.Angles[next(k)] - this->Angles[next(k)]) * log1p(-point.S) +

@@ -33,8 +33,8 @@ ShapeTable TriangleMap::makeTable(const TriangleShape& shape)
 }
 
 //------------------------------------------------------------------------------
-// log(s/W) = T(W) solves 1 + W T' = exp(X), X = -a T + (1-2b) log(1-s) + (1-2c) log(1+s),
-// s = W exp(T): power series, one coefficient after the other.
+// log(s/W) = T(W) solves 1 + W T' = exp(X), X = -a T + (1-2b) log(1-s) + (1-2c) log(1+s), s = W
+// exp(T). Compute the power series coefficient by coefficient.
 CornerTable TriangleMap::makeTable(const TriangleShape& shape, int corner)
 {
   const double a = shape.Angles[corner], b = shape.Angles[next(corner)],
@@ -44,7 +44,7 @@ CornerTable TriangleMap::makeTable(const TriangleShape& shape, int corner)
   series.extend(MaximumTerms);
   table.Map = series.Map;
 
-  // Derivatives' coefficients: minus[n] of log(1-s), plus[n] of log(1+s), both times n.
+  // Coefficients of derivatives: minus[n] of log(1-s), plus[n] of log(1+s), both times n.
   constexpr int N = CornerTable::InverseTerms + 1;
   std::array<double, N> t{}, x{}, exponential{}, ratio{}, s{}, minus{}, plus{};
   exponential[0] = ratio[0] = 1.0;
@@ -187,11 +187,11 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
       const Sums at = this->sums(k, point.S, point.LogS);
       const double miss = point.LogS + std::log1p(at.Map) / a - logUniform;
       const double slope = at.Slope / (1.0 + at.Map);
-      const double bend = series.bend(point.S) - a * (slope - 1.0); // of log slope
+      const double bend = series.bend(point.S) - a * (slope - 1.0); // of the log slope
       const double newton = miss / slope;
       const double step = -newton / (1.0 - 0.5 * newton * bend);
       point.LogS += step;
-      const double enough = 1e-4; // what is left is less than its cube
+      const double enough = 1e-4; // the remaining error is less than its cube
       if (std::abs(step) < enough)
       {
         point.S *= 1.0 + step * (1.0 + step * (0.5 + step / 6.0));

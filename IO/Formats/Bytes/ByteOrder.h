@@ -1,4 +1,4 @@
-/// Byte order of this machine, and numbers appended in a given order.
+/// Byte order of this machine, and output of numbers in a given byte order.
 
 #ifndef ConformalByteOrder_h
 #define ConformalByteOrder_h
@@ -21,7 +21,7 @@ inline bool isLittleEndianMachine()
   return first == 1;
 }
 
-/// Append bytes of this machine's order in another.
+/// Append bytes, converted from the order of this machine to the given order.
 inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
 {
   const char* const begin = static_cast<const char*>(value);

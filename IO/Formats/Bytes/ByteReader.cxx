@@ -10,9 +10,9 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t WindowBytes = std::size_t(1) << 20; // fits a processor's second cache
+constexpr std::size_t WindowBytes = std::size_t(1) << 20; // fits the second cache of processors
 
-// Line ends in [begin, end), where `last` is the byte before begin: CRLF is one.
+// Count line ends in [begin, end), where `last` is the byte before begin: CRLF is one.
 std::uint64_t countLineEnds(const char* begin, const char* end, char last)
 {
   if (begin == end)
@@ -82,7 +82,7 @@ void ByteReader::refill(std::size_t count)
   const std::uint64_t fetched = this->WindowOffset + kept + got;
   if (kept + got < wanted)
   {
-    this->Size = fetched; // shorter than it said
+    this->Size = fetched; // the input is shorter than its stated size
   }
   if (fetched == this->Size)
   {

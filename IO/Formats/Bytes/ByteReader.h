@@ -1,4 +1,4 @@
-/// Reads the bytes of a file in order, from memory or piece by piece.
+/// Read the bytes of a file in order, from memory or piece by piece.
 
 #ifndef ConformalByteReader_h
 #define ConformalByteReader_h
@@ -13,15 +13,15 @@
 
 namespace conformal
 {
-/// A window that moves over the input. A file is never in memory as a whole: its pieces stay in
-/// the processor's cache while they are parsed, and a file that others cut short meanwhile is a
+/// Moving window over the input. A file is never in memory as a whole: its pieces stay in the cache
+/// of the processor while they are parsed. A file truncated by another process in the meantime is a
 /// short file, not a crash.
 class ByteReader
 {
 public:
-  /// Fills a buffer; fewer bytes than asked for mean the end.
+  /// Fill a buffer and return the number of bytes; fewer than requested mean the end of the input.
   using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
-  /// Goes to an offset, from where the next bytes are read.
+  /// Move to an offset, from which the next bytes are read.
   using Seek = std::function<void(std::uint64_t offset)>;
 
   ByteReader() = default;
@@ -34,7 +34,8 @@ public:
   std::uint64_t offset() const { return this->WindowOffset + (this->Begin - this->Window); }
   std::uint64_t left() const { return this->Size - this->offset(); }
 
-  /// At least `count` bytes in a row from here on, fewer only where the input ends before.
+  /// Return at least `count` consecutive bytes from the current position; fewer only at the end of
+  /// the input.
   std::string_view peek(std::size_t count)
   {
     if (static_cast<std::size_t>(this->End - this->Begin) < count)
@@ -44,25 +45,25 @@ public:
     return { this->Begin, static_cast<std::size_t>(this->End - this->Begin) };
   }
 
-  /// Go past bytes that peek() has shown.
+  /// Advance by bytes that peek() returned.
   void advance(std::size_t count) { this->Begin += count; }
 
-  /// Go past any number of bytes; false if the input ends before. Bytes of binary data are not
-  /// read if there is another way.
+  /// Advance by any number of bytes. Binary data are skipped by a seek if possible.
+  /// @return false if the input ends before
   bool skip(std::uint64_t count);
 
-  /// Lines are counted from the start for messages; from here on the input is binary, or a text
-  /// of which others read the lines before.
+  /// Stop counting lines, which are counted from the start for messages. The input from here on is
+  /// binary, or a text whose lines are counted elsewhere.
   void beginBinary() { this->Binary = true; }
 
-  /// Number of the line that holds the next byte, from 1; 0 in binary data. LF, CR and CRLF end
-  /// lines. Costs a look at the whole window: meant for errors.
+  /// Return the number of the line of the next byte, from 1; 0 in binary data. LF, CR and CRLF end
+  /// lines. The whole window is scanned: call it for errors only.
   std::uint64_t line() const;
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;
 
-  /// What every parser asks first.
-  /// @throws ParseError if there is no byte
+  /// Throw unless the input has a byte; every parser calls it first.
+  /// @throws ParseError if the input is empty
   void requireBytes();
 
 private:
@@ -71,7 +72,7 @@ private:
   Read Source;
   Seek Jump;
   std::vector<char> Buffer;
-  const char* Window = nullptr; ///< first byte that is still there
+  const char* Window = nullptr; ///< first byte in memory
   const char* Begin = nullptr;  ///< next byte
   const char* End = nullptr;
   std::uint64_t WindowOffset = 0;
@@ -81,7 +82,7 @@ private:
   bool Binary = false;
 };
 
-/// Open a regular file. Directories, pipes and devices are refused without being opened.
+/// Open a regular file. Directories, pipes and devices are rejected without being opened.
 ParseStatus openFile(const std::string& path, ByteReader& input);
 }
 

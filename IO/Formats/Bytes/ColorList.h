@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Collects colors of 3 or 4 numbers. Files do not say what they count in: if none is more than 1
-/// they are fractions, else bytes.
+/// Colors of 3 or 4 numbers. Files do not state the range: colors are fractions if no number
+/// exceeds 1, else bytes.
 class ColorList
 {
 public:
@@ -27,18 +27,18 @@ public:
   /// @throws ParseError if a number is not in [0, 255]
   void add(const double* color, std::size_t components);
 
-  /// Append a color that the file does not give; it becomes white.
+  /// Append a missing color; it becomes white.
   void addMissing();
 
-  /// Whether the file gave any.
+  /// Test whether the file has any color.
   bool hasAny() const { return this->HasAny; }
 
-  /// "RGB", or "RGBA" if one color has 4 numbers.
+  /// Return the name of the array: "RGB", or "RGBA" if a color has 4 numbers.
   NamedArray take();
 
 private:
   const ByteReader& Input;
-  std::vector<float> Values; ///< 4 for each, -1 where the file gives none
+  std::vector<float> Values; ///< 4 for each color, -1 for a missing one
   float Maximum = 0.0F;
   std::size_t Components = 3;
   bool HasAny = false;

@@ -1,4 +1,4 @@
-/// The part of a file's points that one of several processes reads.
+/// Part of the points of a file, read by one of several ranks.
 
 #ifndef ConformalFilePiece_h
 #define ConformalFilePiece_h
@@ -7,7 +7,8 @@
 
 namespace conformal
 {
-/// One of so many equal parts, the whole by default. What cannot be cut belongs to the first.
+/// One of Count equal parts; the default is the whole. Data that cannot be divided belong to the
+/// first part.
 struct FilePiece
 {
   std::uint64_t Number = 0; ///< in [0, Count)
@@ -17,12 +18,13 @@ struct FilePiece
   bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
-  /// Where it begins among so many things, and where the next one does.
+  /// Return the index of the first of `size` items in this part; end() returns that of the next
+  /// part.
   std::uint64_t begin(std::uint64_t size) const { return this->cut(size, this->Number); }
   std::uint64_t end(std::uint64_t size) const { return this->cut(size, this->Number + 1); }
 
 private:
-  // size * number / Count, without an overflow.
+  // Compute size * number / Count without overflow.
   std::uint64_t cut(std::uint64_t size, std::uint64_t number) const
   {
     return size / this->Count * number + size % this->Count * number / this->Count;

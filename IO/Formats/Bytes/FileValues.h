@@ -1,4 +1,4 @@
-/// Reads the numbers in the body of a file, binary or text.
+/// Read the numbers in the body of a file, binary or text.
 
 #ifndef ConformalFileValues_h
 #define ConformalFileValues_h
@@ -16,7 +16,7 @@
 
 namespace conformal
 {
-/// Numbers as bytes, in this machine's order or the other.
+/// Numbers as bytes, in native or swapped order.
 class BinaryValues
 {
 public:
@@ -56,7 +56,7 @@ public:
 
   void endRecord() {}
 
-  /// The fewest bytes that a number and what parts it from the one before take.
+  /// Return the minimum number of bytes of a number and its separator.
   static std::size_t minimumBytes(ScalarType type) { return sizeOf(type); }
 
 private:
@@ -64,8 +64,8 @@ private:
   bool Swap;
 };
 
-/// Numbers as words between blanks. A record ends where a line ends; line ends within a record are
-/// blanks. From a hash to its line's end is a remark, if the format has such.
+/// Numbers as words between blanks. A record ends at the end of a line; line ends within a record
+/// are blanks. A comment, if the format has any, extends from a hash to the end of the line.
 class TextValues
 {
 public:
@@ -83,7 +83,7 @@ public:
     const std::string_view text = this->Input.peek(longestNumber + 1);
     T value = T();
     const std::size_t length = readNumber(text, value);
-    if (length == 0 || length > longestNumber) // a longer one may be cut off
+    if (length == 0 || length > longestNumber) // a longer word may be truncated
     {
       this->failAtWord(
         text, std::is_floating_point<T>::value ? "a number" : "an integer of the property's type");
@@ -119,7 +119,7 @@ public:
     this->NumbersOfRecord = 0;
   }
 
-  /// Whether nothing but blanks and a remark is left of a line.
+  /// Test whether the rest of a line has only blanks and a comment.
   bool isLineEnd()
   {
     this->skipWhile([](char c) { return c == ' ' || c == '\t'; });
@@ -127,7 +127,8 @@ public:
     return text.empty() || isBlank(text[0]) || (this->HasRemarks && isRemark(text));
   }
 
-  /// @throws ParseError unless nothing but blanks and remarks is left
+  /// Require the end of the text.
+  /// @throws ParseError unless only blanks and comments remain
   void endFile()
   {
     this->skipBlanks();
@@ -138,7 +139,7 @@ public:
     }
   }
 
-  /// Go to the next word or the end.
+  /// Advance to the next word or the end.
   void skipBlanks()
   {
     this->skipWhile(isBlank);
@@ -191,7 +192,7 @@ private:
 
   ByteReader& Input;
   const bool HasRemarks;
-  std::size_t NumbersOfRecord = 0; ///< that were read since the last record
+  std::size_t NumbersOfRecord = 0; ///< numbers read since the last record
 };
 }
 

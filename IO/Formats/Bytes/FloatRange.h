@@ -1,5 +1,5 @@
-/// Whether coordinates can be stored as 32-bit floats, for the writers of formats that have no
-/// other.
+/// Check whether coordinates can be stored as 32-bit floats, for writers of formats limited to
+/// floats.
 
 #ifndef ConformalFloatRange_h
 #define ConformalFloatRange_h
@@ -15,8 +15,9 @@
 
 namespace conformal
 {
-/// Refuse coordinates that a float cannot hold, or that are so small that floats would round the
-/// largest of them to a few digits or to 0. Beside a large coordinate a small one may become 0.
+/// Reject coordinates outside of the range of floats. Also reject coordinates so small that floats
+/// would round the maximum to a few digits or to 0. Small coordinates beside large ones may become
+/// 0.
 /// @param[in] coordinate  called with each index below count
 /// @throws std::invalid_argument
 template <typename Coordinate>
@@ -41,33 +42,33 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
   }
 }
 
-/// What rounding to floats does to points, in the unit of their coordinates.
+/// Effect of rounding points to floats, in the unit of their coordinates.
 struct FloatRounding
 {
-  double LargestShift = 0.0; ///< of a coordinate
+  double LargestShift = 0.0; ///< maximum shift of a coordinate
   std::array<double, 3> Low = { 0.0, 0.0, 0.0 };
   std::array<double, 3> High = { 0.0, 0.0, 0.0 };
 
-  /// Diagonal of the bounding box.
+  /// Return the diagonal of the bounding box.
   double size() const
   {
     return std::hypot(
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Whether a coordinate is shifted by more than MaximumShift of the size. Points farther apart
-  /// than twice that stay distinct otherwise. Points of one place have no shape to lose.
+  /// Test whether a coordinate is shifted by more than MaximumShift of the size. Otherwise points
+  /// farther apart than twice that stay distinct. Coincident points have no shape to lose.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->LargestShift > MaximumShift * this->size();
   }
 
-  /// Own construction: floats shift points of a surface around the origin by 3e-8 of its size, and
-  /// reach this limit where it is about 200 times its size away from there.
+  /// Own construction: floats shift points of a surface around the origin by 3e-8 of its size. They
+  /// reach this limit at a distance of about 200 times the size from the origin.
   static constexpr double MaximumShift = 1e-5;
 };
 
-/// Compare coordinates with their floats.
+/// Measure the effect of rounding coordinates to floats.
 /// @param[in] count       3 for each point
 /// @param[in] coordinate  called with each index below count; in the range of floats
 template <typename Coordinate>
@@ -87,8 +88,8 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
   return result;
 }
 
-/// Refuse points that floats would shift too far for their shape to be kept.
-/// @throws std::invalid_argument with the shift, the size, and what to do
+/// Reject points whose shape floats would change.
+/// @throws std::invalid_argument with the shift, the size, and a remedy
 inline void requireFinePositions(const FloatRounding& rounding)
 {
   if (!rounding.isTooCoarse())

@@ -1,4 +1,4 @@
-/// Reads a text line by line, and a line word by word.
+/// Read a text line by line, and a line word by word.
 
 #ifndef ConformalLineReader_h
 #define ConformalLineReader_h
@@ -14,12 +14,12 @@
 
 namespace conformal
 {
-/// Lines of up to LongestLine that end with LF, CR or CRLF, the last one also with the input. The
-/// line at hand is not passed yet: a failure is one of this line.
+/// Lines of up to LongestLine that end with LF, CR or CRLF; the last one may end with the input.
+/// The current line is consumed only by the next call, so that errors refer to it.
 class LineReader
 {
 public:
-  /// A byte order mark at the start is skipped.
+  /// Construct a reader; a byte order mark at the start is skipped.
   explicit LineReader(ByteReader& input)
     : Input(input)
   {
@@ -28,7 +28,7 @@ public:
     input.advance(isMarked ? mark.size() : 0);
   }
 
-  /// Go to the next line; false if there is none.
+  /// Advance to the next line; return false if there is none.
   /// @throws ParseError if it is too long
   bool next()
   {
@@ -55,19 +55,20 @@ public:
     return false;
   }
 
-  /// The line at hand without its end, valid until the next one.
+  /// Return the current line without its end, valid until the next one.
   std::string_view text() const { return this->Text; }
 
-  /// Whether the line at hand has nothing but blanks.
+  /// Test whether the current line has only blanks.
   bool isBlankLine() const { return this->Text.find_first_not_of(" \t\v\f") == Text.npos; }
 
-  /// Leave the line at hand: the input is behind its end then.
+  /// Consume the current line: the input is then behind its end.
   void finish()
   {
     this->Input.advance(this->Passed);
     this->Passed = 0;
   }
 
+  /// Reject the current line.
   /// @throws ParseError that quotes the line
   [[noreturn]] void failExpecting(const std::string& expected) const
   {
@@ -76,15 +77,16 @@ public:
   }
 
 private:
-  // The next place of a letter, kept until it is passed: a text has but one sort of line end, and
-  // the other must not be looked for in all that is left at every line.
+  // Next position of a line end character, cached until it is passed. A text usually has one kind
+  // of line end, and the other must not be searched in the whole rest at every line.
   struct NextPlace
   {
     const char Letter;
-    std::uint64_t Offset = 0; ///< in the input
-    bool IsFound = false;     ///< otherwise it is not before Offset
+    std::uint64_t Offset = 0; ///< offset in the input
+    bool IsFound = false;     ///< false if the character does not occur before Offset
 
-    // Place in a window that begins at that offset; the window's size if it is not there.
+    // Return the position in a window that begins at an offset; the size of the window if it is not
+    // there.
     std::size_t find(std::string_view window, std::uint64_t begin)
     {
       if (!this->IsFound || this->Offset < begin)
@@ -102,10 +104,10 @@ private:
   NextPlace LineFeed = { '\n' };
   NextPlace Return = { '\r' };
   std::string_view Text;
-  std::size_t Passed = 0; ///< bytes of the line at hand with its end
+  std::size_t Passed = 0; ///< bytes of the current line with its end
 };
 
-/// The words of a line, between blanks.
+/// Words of a line, separated by blanks.
 class LineWords
 {
 public:
@@ -114,7 +116,7 @@ public:
   {
   }
 
-  /// The next word, empty at the end.
+  /// Return the next word, empty at the end.
   std::string_view next()
   {
     constexpr std::string_view blanks = " \t\v\f";
@@ -125,7 +127,7 @@ public:
     return word;
   }
 
-  /// The next word as a number; false if it is none that T can hold.
+  /// Read the next word as a number; return false if it is not a number in the range of T.
   template <typename T>
   bool next(T& value)
   {
@@ -133,14 +135,14 @@ public:
     return !word.empty() && readNumber(word, value) == word.size();
   }
 
-  /// What follows the words taken so far.
+  /// Return the rest of the line after the words read so far.
   std::string_view rest() const { return this->Rest; }
 
 private:
   std::string_view Rest;
 };
 
-/// Whether a line of this first word is blank or a remark.
+/// Test whether a line with this first word is blank or a comment.
 inline bool isIgnored(std::string_view firstWord)
 {
   return firstWord.empty() || isRemark(firstWord);

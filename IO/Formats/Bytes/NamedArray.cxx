@@ -42,7 +42,7 @@ NamedArray makeArray(const std::string& name, ScalarType type, std::size_t compo
 //------------------------------------------------------------------------------
 void makeNamesUnique(std::vector<NamedArray>& arrays)
 {
-  std::map<std::string, std::size_t> taken; // and the last number that was put behind each
+  std::map<std::string, std::size_t> taken; // names in use, with the last number appended to each
   for (NamedArray& array : arrays)
   {
     auto place = taken.emplace(array.Name, 1);

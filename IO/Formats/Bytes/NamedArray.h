@@ -1,4 +1,4 @@
-/// A named array of numbers read from a file.
+/// Named array of numbers read from a file.
 
 #ifndef ConformalNamedArray_h
 #define ConformalNamedArray_h
@@ -13,22 +13,22 @@
 
 namespace conformal
 {
-/// Numbers with a name, #T by Components of one type.
+/// Named array: #T tuples of Components numbers of one type.
 struct NamedArray
 {
   std::string Name;
   ScalarType Type = ScalarType::Float32;
   std::size_t Components = 1;
-  OwnedArray<unsigned char> Values; ///< as bytes in this machine's order
+  OwnedArray<unsigned char> Values; ///< bytes in the order of this machine
 
   std::size_t tupleBytes() const { return this->Components * sizeOf(this->Type); }
   std::size_t numberOfTuples() const { return this->Values.size() / this->tupleBytes(); }
 };
 
-/// An array without values.
+/// Construct an array without values.
 NamedArray makeArray(const std::string& name, ScalarType type, std::size_t components);
 
-/// Append a tuple of the array's type and number of components.
+/// Append a tuple with the type and number of components of the array.
 inline void append(NamedArray& array, const void* tuple)
 {
   const std::size_t bytes = array.tupleBytes();
@@ -36,10 +36,11 @@ inline void append(NamedArray& array, const void* tuple)
   std::memcpy(array.Values.data() + array.Values.size() - bytes, tuple, bytes);
 }
 
-/// Give each array a name of its own: a second "Shape" becomes "Shape2".
+/// Make names of arrays unique: a second "Shape" becomes "Shape2".
 void makeNamesUnique(std::vector<NamedArray>& arrays);
 
-/// Replace values that are not finite by 0. Returns how many there were.
+/// Replace values that are not finite by 0.
+/// @return the number of replaced values
 std::uint64_t replaceNonFinite(NamedArray& array);
 }
 

@@ -1,4 +1,4 @@
-/// Conversion of numbers to and from text, the same in every locale.
+/// Conversion of numbers to and from text, equal in every locale.
 
 #ifndef ConformalNumberText_h
 #define ConformalNumberText_h
@@ -18,13 +18,14 @@ inline bool isBlank(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Whether a text starts a remark, which lasts to the end of its line.
+/// Test whether a text starts a comment, which extends to the end of its line.
 inline bool isRemark(std::string_view text)
 {
   return !text.empty() && text[0] == '#';
 }
 
-/// A number too small for its type is zero, one too large is none.
+/// Test whether a number outside of the range of T is too small. It is read as zero; a number too
+/// large is rejected.
 template <typename T>
 bool isUnderflow(std::string_view text)
 {
@@ -33,11 +34,11 @@ bool isUnderflow(std::string_view text)
       text.substr(text.find_first_not_of("+-0"), 1) == ".");
 }
 
-/// Read a decimal number that is short enough for one rounding: if its digits are an exact T and so
-/// is its power of ten, their product or quotient is the nearest T (W. D. Clinger, How to read
-/// floating point numbers accurately, 1990). So are nearly all numbers of a scan, and from_chars
-/// takes three times as long for them.
-/// @return its end, null if it is not that short or no number
+/// Read a decimal number that needs only one rounding. If its digits are an exact T, and so is its
+/// power of ten, their product or quotient is the nearest T (W. D. Clinger, How to read floating
+/// point numbers accurately, 1990). This holds for nearly all numbers of a scan; from_chars is
+/// three times slower.
+/// @return its end; null if it is longer or not a number
 template <typename T>
 const char* readShortDecimal(const char* begin, const char* end, T& value)
 {
@@ -47,7 +48,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   constexpr std::uint64_t most = std::uint64_t(1) << std::numeric_limits<T>::digits;
   if (FLT_EVAL_METHOD != 0)
   {
-    return nullptr; // products are rounded twice
+    return nullptr; // products would be rounded twice
   }
   const bool isNegative = begin != end && *begin == '-';
   const char* c = begin + (isNegative ? 1 : 0);
@@ -80,9 +81,9 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   return c;
 }
 
-/// Read one number at the start of a text; what follows must be a blank, the delimiter, or the
-/// text's end.
-/// @return its length, 0 if there is none that T can hold
+/// Read one number at the start of a text. A blank, the delimiter, or the end of the text must
+/// follow.
+/// @return its length; 0 if it is not a number in the range of T
 template <typename T>
 std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
 {
@@ -90,7 +91,7 @@ std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
   const char* const last = begin + text.size();
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
   {
-    ++begin; // from_chars knows no plus
+    ++begin; // from_chars rejects a plus sign
   }
   const auto isEnd = [&](const char* c) { return c == last || isBlank(*c) || *c == delimiter; };
   if constexpr (std::is_floating_point<T>::value)
@@ -115,7 +116,7 @@ std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
   return error == std::errc() ? length : 0;
 }
 
-/// Append a number's shortest text that reads back as the same number.
+/// Append the shortest text that reads back as the same number.
 template <typename T>
 void appendNumber(std::string& text, T value)
 {

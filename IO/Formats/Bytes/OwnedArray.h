@@ -1,4 +1,4 @@
-/// An array allocated with malloc, so that another owner can take it without a copy.
+/// Array allocated with malloc, so that another owner can adopt it without a copy.
 
 #ifndef ConformalOwnedArray_h
 #define ConformalOwnedArray_h
@@ -25,7 +25,7 @@ public:
   T& operator[](std::size_t i) { return this->Values.get()[i]; }
   const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
 
-  /// Memory for so many values in all. New values are not initialized.
+  /// Reserve memory for `capacity` values in all. Values added by resize() are not initialized.
   void reserve(std::size_t capacity)
   {
     if (capacity > this->Capacity)
@@ -59,7 +59,7 @@ public:
     this->Size += count;
   }
 
-  /// Give back what was reserved and not used.
+  /// Release reserved memory that is not used.
   void shrink()
   {
     if (this->Size < this->Capacity)
@@ -68,7 +68,7 @@ public:
     }
   }
 
-  /// Hand over the memory, to be freed with std::free. The array is empty afterwards.
+  /// Release the memory to the caller, to be freed with std::free. The array is empty afterwards.
   T* release()
   {
     this->Size = this->Capacity = 0;
@@ -88,7 +88,7 @@ private:
     {
       throw std::bad_alloc();
     }
-    static_cast<void>(this->Values.release()); // realloc has taken it
+    static_cast<void>(this->Values.release()); // realloc has freed it
     this->Values.reset(static_cast<T*>(values));
     this->Capacity = capacity;
   }

@@ -12,12 +12,12 @@
 
 namespace conformal
 {
-/// Longest line of a text, and longest run of blanks, remark or tag, in bytes: room for a polygon
-/// of a million corners. A text is buffered up to here and refused beyond, so that a file without
-/// line ends does not end up in memory.
+/// Maximum length of a line, run of blanks, comment or tag [bytes], enough for a polygon of a
+/// million corners. A text is buffered up to this length and rejected beyond. A file without line
+/// ends is thus never in memory as a whole.
 constexpr std::size_t LongestLine = std::size_t(16) << 20;
 
-/// What is wrong with a longer one, for messages.
+/// Message for a longer line.
 inline std::string tooLongMessage(const char* what)
 {
   return std::string("found ") + what + " of more than " + std::to_string(LongestLine >> 20) +
@@ -26,13 +26,15 @@ inline std::string tooLongMessage(const char* what)
 
 struct ParseLimits
 {
-  /// Largest piece of memory, in bytes, that one count of a file may ask for.
+  /// Maximum memory [bytes] that one count in a file may request.
   std::uint64_t MaximumMemory = std::numeric_limits<std::ptrdiff_t>::max();
 
-  /// A count read from a file, checked before anything is allocated for it: that many records of
-  /// at least minimumRecordBytes must fit into what is left of the input, and into
-  /// MaximumMemory at memoryPerRecord each. A file that was cut short ends early (PrematureEnd);
-  /// one that promises a gigabyte and a thousand times what it has never held it (Malformed).
+  /// Check a count read from a file before memory is allocated for it. That many records of at
+  /// least minimumRecordBytes must fit into the rest of the input. At memoryPerRecord each, they
+  /// must fit into MaximumMemory.
+  ///
+  /// A truncated file ends early (PrematureEnd). A count of more than a gigabyte and of a thousand
+  /// times the rest of the input is invalid (Malformed).
   /// @param[in] what  name of the records, for the message
   /// @throws ParseError
   std::size_t checkedCount(const ByteReader& input, const std::string& what, std::uint64_t count,

@@ -17,28 +17,28 @@ enum class ParseCode
   Ok,
   FileNotFound,
   CannotOpen,       ///< no permission, or a directory, pipe or device
-  UnrecognizedType, ///< not the format this parser reads
-  PrematureEnd,     ///< the file ends before all it promised
-  Malformed,        ///< the file breaks the rules of its format
+  UnrecognizedType, ///< not the format of this parser
+  PrematureEnd,     ///< the file ends before its promised data
+  Malformed,        ///< the file violates the rules of its format
   OutOfMemory,
   Aborted ///< the caller's progress callback said stop
 };
 
-/// The end of a parse. Line counts from 1 and is 0 where lines make no sense (binary data).
+/// Outcome of a parse. Line counts from 1; it is 0 in binary data.
 struct ParseStatus
 {
   ParseCode Code = ParseCode::Ok;
   std::uint64_t Line = 0;
-  std::uint64_t Offset = 0; ///< bytes before the place
-  std::string Message;      ///< what was found, and what was expected
+  std::uint64_t Offset = 0; ///< bytes before the position of the error
+  std::string Message;      ///< found and expected data
 
   bool ok() const { return this->Code == ParseCode::Ok; }
 
-  /// The message with its place before it, "line 12: ..." or "byte 340: ...".
+  /// Return the message after its position: "line 12: ..." or "byte 340: ...".
   std::string text() const;
 };
 
-/// How parsers stop inside; the functions a caller sees return the status instead.
+/// Exception inside parsers; their public functions return the status instead.
 class ParseError : public std::exception
 {
 public:
@@ -61,7 +61,7 @@ using ParseProgress = std::function<bool(double)>;
 /// @throws ParseError with Aborted if it says stop
 void report(const ParseProgress& progress, double fraction);
 
-/// A file's text as a message may show it: in quotes, short, printable.
+/// Quote text of a file for a message: short and printable.
 std::string quoted(std::string_view text);
 
 /// Run a parser; what it throws becomes the status.

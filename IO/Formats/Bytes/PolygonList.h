@@ -11,15 +11,15 @@
 
 namespace conformal
 {
-/// An id that one of so many points has.
-/// @throws ParseError if it is none
+/// Convert a number to the id of one of the points.
+/// @throws ParseError if it is not an id in range
 std::int64_t checkedId(const ByteReader& input, std::int64_t id, std::uint64_t numberOfPoints);
 
-/// Whether a polygon has an id twice.
+/// Test whether a polygon repeats an id.
 bool hasRepeatedId(const std::int64_t* ids, std::size_t count);
 
-/// Appends polygons to a surface. Those of fewer than 3 ids, or with an id twice, are dropped and
-/// counted.
+/// Append polygons to a surface. Polygons of fewer than 3 ids, or with a repeated id, are dropped
+/// and counted.
 class PolygonList
 {
 public:
@@ -35,8 +35,8 @@ public:
     this->Begin = data.PolygonIds.size();
   }
 
-  /// Memory for so many polygons, and for their ids if they are triangles. An id takes a byte of
-  /// the input at least.
+  /// Reserve memory for polygons, and for their ids if they are triangles. Each id needs at least
+  /// one byte of the input.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);
@@ -49,7 +49,8 @@ public:
     this->Data.PolygonIds.push(checkedId(this->Input, id, this->NumberOfPoints));
   }
 
-  /// End the polygon. Returns whether it was kept.
+  /// Finish the polygon.
+  /// @return whether it was kept
   bool end()
   {
     auto& ids = this->Data.PolygonIds;

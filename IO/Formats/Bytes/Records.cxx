@@ -26,7 +26,7 @@ void copyStrided(const char* from, std::size_t fromStride, unsigned char* to, st
     std::memcpy(to, from, bytes * count);
     return;
   }
-  switch (bytes) // sizes known to the compiler are moved in one or two instructions
+  switch (bytes) // constant sizes compile to one or two instructions
   {
     case 1:
       return copyStrided<1>(from, fromStride, to, toStride, count);
@@ -115,7 +115,7 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
 }
 
 //------------------------------------------------------------------------------
-// Looking through all fields for each name would be quadratic.
+// A search through all fields for each name would be quadratic.
 void Records::collectNames()
 {
   for (std::size_t i = 0; i < this->Fields.size(); ++i)
@@ -129,7 +129,7 @@ void Records::collectNames()
 }
 
 //------------------------------------------------------------------------------
-// The one field of each of these names; empty unless all are there and have no array yet.
+// Find the only field of each name; empty unless all exist and have no array yet.
 std::vector<std::size_t> Records::find(const std::vector<std::string>& names) const
 {
   std::vector<std::size_t> found;

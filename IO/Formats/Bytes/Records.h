@@ -1,4 +1,4 @@
-/// Records and named arrays: their fields, and conversion record by record or field by field.
+/// Convert records to named arrays and back, record by record or field by field.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -20,28 +20,30 @@ struct RecordField
 {
   std::string Name;
   ScalarType Type = ScalarType::Float32;
-  bool IsKept = true; ///< otherwise it has no array, and its bytes are passed over
+  bool IsKept = true; ///< if false, the field has no array and its bytes are skipped
 };
 
-/// Fields that make one array together, under names that programs agree on.
+/// Fields that form one array, under names used by several programs.
 struct KnownFields
 {
   const char* Array;
-  std::vector<std::string> Names; ///< one for each component
-  bool (*Fits)(ScalarType);       ///< which type the fields must all have
+  std::vector<std::string> Names; ///< one name for each component
+  bool (*Fits)(ScalarType);       ///< predicate for the type of all fields
 };
 
-/// Normals, colors and texture coordinates. Of several lists of an array, writers use the first.
+/// Normals, colors and texture coordinates. Writers use the first of several lists of an array.
 const std::vector<KnownFields>& knownFields();
 
-/// Fields that belong together share an array (see parsePLY()), and so do neighbors of one type
-/// that have one name, or that are named NAME_0, NAME_1 and so on; every other one has its own. A
-/// record that is given up is overwritten by the next one.
+/// Assignment of the fields of a record to arrays. Fields that belong together share an array (see
+/// parsePLY()). Adjacent fields of one type also share an array if they have one name, or names
+/// NAME_0, NAME_1 and so on. Every other field has its own array. The next record overwrites a
+/// record that is discarded.
 class Records
 {
 public:
+  /// Assign the fields to arrays.
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
-  /// @throws std::invalid_argument if they should and are not there, one field each
+  /// @throws std::invalid_argument if hasPoints and x, y, z are not one field each
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
@@ -70,19 +72,20 @@ public:
       });
   }
 
-  /// Whether packed records lie in a file as they lie in the arrays, but for the order of bytes.
+  /// Test whether packed records have the same layout in a file and in the arrays, except for the
+  /// byte order.
   bool canCopy() const { return !this->Runs.empty(); }
 
   /// Copy packed binary records to the records from `first` on.
   void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
 
-  /// Copy one field of records that lie `stride` bytes apart in a file.
+  /// Copy one field of records with a stride in a file [bytes].
   void copyField(std::size_t field, const char* from, std::size_t stride,
     std::size_t numberOfRecords, std::size_t first, bool swap);
 
   void move(std::size_t from, std::size_t to);
 
-  /// Whether a record's point has finite coordinates.
+  /// Test whether the point of a record has finite coordinates.
   bool isFinitePoint(std::size_t record) const;
 
   std::vector<NamedArray>& arrays() { return this->Arrays; }
@@ -90,14 +93,14 @@ public:
 private:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  // Where a field goes.
+  // Destination of a field.
   struct Slot
   {
     std::size_t Array = None;
     std::size_t Component = 0;
   };
 
-  // Neighboring bytes of a record that stay neighbors in a tuple.
+  // Adjacent bytes of a record that stay adjacent in a tuple.
   struct Run
   {
     std::size_t Array;
@@ -118,27 +121,28 @@ private:
   std::vector<RecordField> Fields;
   std::vector<Slot> Slots; ///< one for each field
   std::vector<NamedArray> Arrays;
-  std::map<std::string, std::size_t> Names; ///< of fields and arrays: the one field that has it
+  /// Names of fields and arrays, each with its only field
+  std::map<std::string, std::size_t> Names;
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
 };
 
-/// The name of an array's component: that of the array, "array" if it has none, and behind it, if
-/// there are several components, "_" and the component's number.
+/// Return the name of a component of an array: the name of the array, or "array" without one. For
+/// several components, "_" and the number of the component follow.
 std::string componentName(const NamedArray& array, std::size_t component);
 
-/// The names of the fields of a record, each there once.
+/// Unique names of the fields of a record.
 class FieldNames
 {
 public:
-  /// @param[in] refused  characters that no name may have, besides blanks and control characters
+  /// @param[in] refused  characters not allowed in names, besides blanks and control characters
   explicit FieldNames(std::string_view refused = {})
     : Refused(refused)
   {
   }
 
-  /// One more name: the wanted one with "_" for each character that it may not have, and with "_"
-  /// behind it as often as it takes to be a name of its own.
+  /// Add a unique name: replace each character that is not allowed by "_", then append "_" until
+  /// the name is unique.
   std::string add(std::string wanted);
 
 private:

@@ -23,7 +23,7 @@ enum class ScalarType
   UInt64
 };
 
-/// Call f with a zero of the C++ type, which a generic lambda takes as its type.
+/// Call f with a zero of the C++ type, from which a generic lambda deduces the type.
 template <typename Function>
 decltype(auto) withType(ScalarType type, Function&& f)
 {

@@ -1,4 +1,4 @@
-/// Adds the data of other files to a surface: its sphere, and values at its points.
+/// Add the data of other files to a surface: its sphere, and values at its points.
 
 #ifndef ConformalSurfacePairing_h
 #define ConformalSurfacePairing_h
@@ -11,15 +11,15 @@
 
 namespace conformal
 {
-/// Parses an opened file.
+/// Parse an opened file.
 using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
-/// Read the file of a sphere with the same polygons, whose points become the array
-/// "SpherePosition" (Float64, unit length) of the surface, in place of one that it has. Nothing is
-/// done if the name is empty or the surface was not read; a failure becomes the surface's.
+/// Read the file of a sphere with the same polygons. Its points become the array "SpherePosition"
+/// (Float64, unit length) of the surface, and replace an existing one. Nothing is done if the name
+/// is empty or the surface was not read. A failure becomes the status of the surface.
 void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 
-/// Read a file of point arrays and append them, of names of their own.
+/// Read a file of point arrays and append them with unique names.
 void addPointArrays(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 }
 

@@ -1,4 +1,4 @@
-/// Access to the points, polygons and arrays of a surface, for the writers.
+/// Access to the points, polygons and arrays of a surface for writers.
 
 #ifndef ConformalSurfaceWalk_h
 #define ConformalSurfaceWalk_h
@@ -17,7 +17,7 @@
 
 namespace conformal
 {
-/// The array of a name, type of number and number of components; null if there is none.
+/// Find the array of a name, type and number of components; null if there is none.
 template <typename Fits>
 const NamedArray* findArray(
   const std::vector<NamedArray>& arrays, std::string_view name, std::size_t components, Fits fits)
@@ -28,14 +28,14 @@ const NamedArray* findArray(
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// "RGBA" or else "RGB"; null if there is neither.
+/// Find the array "RGBA", or else "RGB"; null if there is neither.
 inline const NamedArray* findColors(const std::vector<NamedArray>& arrays)
 {
   const NamedArray* colors = findArray(arrays, "RGBA", 4, isByte);
   return colors ? colors : findArray(arrays, "RGB", 3, isByte);
 }
 
-/// Number `index` of an array, counted through all tuples.
+/// Return number `index` of an array, counted through all tuples.
 inline double valueOf(const NamedArray& array, std::size_t index)
 {
   return withType(array.Type,
@@ -47,8 +47,8 @@ inline double valueOf(const NamedArray& array, std::size_t index)
     });
 }
 
-/// "SpherePosition"; null if there is none.
-/// @throws std::invalid_argument if one of the positions has no direction
+/// Find the array "SpherePosition"; null if there is none.
+/// @throws std::invalid_argument if a position has no direction
 inline const NamedArray* findSpherePositions(const SurfaceData& surface)
 {
   const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
@@ -65,7 +65,8 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
-/// "SpherePosition" on the sphere whose radius neuroimaging uses for cortical surfaces.
+/// Return "SpherePosition" on the sphere with the radius used in neuroimaging for cortical
+/// surfaces.
 /// @throws std::invalid_argument as findSpherePositions(), or if there is no such array
 class CorticalSphere
 {
@@ -79,7 +80,7 @@ public:
     }
   }
 
-  /// Number `index` of the coordinates, counted through all points.
+  /// Return number `index` of the coordinates, counted through all points.
   double coordinate(std::size_t index) const { return Radius * valueOf(*this->Positions, index); }
 
 private:
@@ -87,7 +88,7 @@ private:
   const NamedArray* Positions;
 };
 
-/// Append a tuple's numbers as text, each behind a blank.
+/// Append the numbers of a tuple as text, each after a blank.
 inline void appendTuple(std::string& text, const NamedArray& array, std::size_t tuple)
 {
   for (std::size_t c = 0; c < array.Components; ++c)
@@ -97,7 +98,7 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
   }
 }
 
-/// Append bytes as fractions of 255: these are read back as the same bytes whatever the others are.
+/// Append bytes as fractions of 255, which are read back as the same bytes.
 inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
   constexpr float whole = 255.0F;

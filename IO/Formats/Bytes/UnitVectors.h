@@ -1,4 +1,4 @@
-/// Normalization of vectors that should be of unit length.
+/// Normalize vectors that should be of unit length.
 
 #ifndef ConformalUnitVectors_h
 #define ConformalUnitVectors_h
@@ -7,10 +7,10 @@
 
 namespace conformal
 {
-/// Divide vectors by their length, but for those that are of unit length to 1e-12 already: what
-/// this library wrote stays as it is.
+/// Divide vectors by their length, except those of unit length to 1e-12. Vectors written by this
+/// library thus keep their bits.
 /// @param[in,out] vectors  #V by 3, Float64
-/// @return false if one has no direction, or is not finite
+/// @return false if a vector has no direction, or is not finite
 bool makeUnitVectors(NamedArray& vectors);
 }
 

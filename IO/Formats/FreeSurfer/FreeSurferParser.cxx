@@ -18,7 +18,7 @@ constexpr std::uint32_t TriangleMagic = 0xFFFFFE;
 constexpr std::uint32_t QuadMagic = 0xFFFFFF; // also of new curv files
 constexpr std::uint32_t NewQuadMagic = 0xFFFFFD;
 constexpr std::size_t MagicBytes = 3;
-constexpr float OldUnit = 100.0F; // old files count in hundredths
+constexpr float OldUnit = 100.0F; // old files use hundredths
 
 std::uint32_t magicOf(std::string_view start)
 {
@@ -51,7 +51,7 @@ public:
     if (magic == TriangleMagic)
     {
       this->Input.advance(MagicBytes);
-      this->skipLine(); // who made it when
+      this->skipLine(); // author and date
       this->skipLine();
       const std::uint64_t points = this->count();
       const std::uint64_t faces = this->count();
@@ -88,7 +88,7 @@ public:
     if (isNew)
     {
       points = this->count();
-      this->count(); // of faces
+      this->count(); // number of faces
       const auto values = this->Values.next<std::int32_t>();
       if (values != 1)
       {
@@ -232,7 +232,8 @@ bool looksLikeFreeSurferSurface(std::string_view start)
     return line.size() < rest.size() &&
       std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; });
   }
-  if (magic == QuadMagic) // a new curv file has the number of values of a point, 1, here
+  if (magic == QuadMagic) // a new curv file has the number of values for each point, 1, at this
+                          // position
   {
     return start.size() >= curvHead && start.substr(11, 4) != std::string_view("\0\0\0\1", 4);
   }

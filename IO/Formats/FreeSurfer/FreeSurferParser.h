@@ -1,4 +1,4 @@
-/// Parser of FreeSurfer surfaces and of values at their points.
+/// Parse FreeSurfer surfaces and values at their points.
 
 #ifndef ConformalFreeSurferParser_h
 #define ConformalFreeSurferParser_h
@@ -11,17 +11,17 @@
 
 namespace conformal
 {
-/// Read a surface: triangles, or quads of either kind. Points are Float32. What follows the faces
-/// (the volume the surface was made from) is not read.
+/// Read a surface of triangles, or of quads in either format. Points are Float32. Data after the
+/// faces (the geometry of the volume) are not read.
 SurfaceResult parseFreeSurferSurface(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Read a curv file of either kind: one Float32 for each point, as the one point array of a surface
-/// without points.
+/// Read a curv file in either format: one Float32 for each point, as the only point array of a
+/// surface without points.
 SurfaceResult parseFreeSurferCurv(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of a surface.
+/// Test whether the first bytes of a file are those of a surface.
 bool looksLikeFreeSurferSurface(std::string_view start);
 }
 

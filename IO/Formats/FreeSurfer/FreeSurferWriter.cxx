@@ -9,7 +9,7 @@ namespace conformal
 {
 namespace
 {
-// Triangles between points that are those of the surface or others.
+// Write triangles with the points of the surface or with others.
 template <typename Coordinate>
 std::string makeFreeSurfer(
   const SurfaceData& surface, Coordinate coordinate, const ParseProgress& progress)

@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-// The six bits of a letter, -1 if it has none.
+// Return the six bits of a letter, -1 if it has none.
 int bitsOf(char c)
 {
   return c >= 'A' && c <= 'Z' ? c - 'A'
@@ -39,7 +39,7 @@ public:
   Inflater(const Inflater&) = delete;
   void operator=(const Inflater&) = delete;
 
-  // Passes decompressed bytes on, piece by piece.
+  // Deliver decompressed bytes piece by piece.
   template <typename Sink>
   void add(const unsigned char* bytes, std::size_t count, Sink sink)
   {

@@ -12,27 +12,27 @@
 
 namespace conformal
 {
-/// What is wrong at the parser's place in the file.
+/// Error at the position of the parser in the file.
 class GIFTIError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Decodes a text that comes in pieces. No more than the expected bytes are ever kept.
+/// Decode a text that arrives in pieces. At most the expected number of bytes is kept.
 class BinaryTextDecoder
 {
 public:
-  /// @param[in] expected      the bytes there must be in the end
-  /// @param[in] isCompressed  whether they were compressed
+  /// @param[in] expected      total number of bytes
+  /// @param[in] isCompressed  whether the bytes are compressed
   BinaryTextDecoder(std::size_t expected, bool isCompressed);
   ~BinaryTextDecoder();
 
-  /// Decode a piece; blanks are passed over.
+  /// Decode a piece; blanks are skipped.
   /// @throws GIFTIError
   void add(std::string_view text);
 
-  /// The bytes, when all the text was added.
+  /// Return the bytes after all text was added.
   /// @throws GIFTIError if there are fewer than expected
   OwnedArray<unsigned char> take();
 
@@ -44,7 +44,7 @@ private:
   const std::size_t Expected;
   std::unique_ptr<Inflater> Inflate; ///< null if the bytes are not compressed
   OwnedArray<unsigned char> Bytes;
-  unsigned int Bits = 0; ///< of letters that make no byte yet
+  unsigned int Bits = 0; ///< of letters that do not complete a byte yet
   int NumberOfBits = 0;
   bool IsPadded = false;
 };

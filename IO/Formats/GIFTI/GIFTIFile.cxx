@@ -17,7 +17,7 @@ namespace conformal
 {
 namespace
 {
-// Where the parser is in the file. Expat 2.9 has other functions, and deprecates the old ones.
+// Position of the parser in the file. Expat 2.9 replaces these functions and deprecates them.
 #if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
 std::int64_t byteIndex(XML_Parser parser)
 {
@@ -67,7 +67,7 @@ ScalarType typeOf(std::string_view name)
   throw GIFTIError("found DataType " + quoted(name) + ", expected a number of 1 to 8 bytes");
 }
 
-// Numbers as text, which may be cut anywhere.
+// Parse numbers from text that may be split anywhere.
 class TextDecoder
 {
 public:
@@ -130,7 +130,7 @@ void swapBytes(NamedArray& array)
   }
 }
 
-// From one component after another to one tuple after another.
+// Reorder from component by component to tuple by tuple.
 void transpose(NamedArray& array)
 {
   const std::size_t bytes = sizeOf(array.Type);
@@ -148,7 +148,7 @@ void transpose(NamedArray& array)
   array.Values = std::move(values);
 }
 
-// Follows the elements of the file.
+// Handle the elements of the file.
 class GIFTIHandler
 {
 public:
@@ -196,7 +196,7 @@ public:
     }
     else
     {
-      constexpr std::size_t longest = 1000; // of a name; what is longer is no name
+      constexpr std::size_t longest = 1000; // of a name; a longer text is not a name
       this->Text.append(text.substr(0, longest - std::min(longest, this->Text.size())));
       this->TextBytes += text.size();
       require(this->TextBytes <= LongestLine, tooLongMessage("text outside of a Data element"));
@@ -236,7 +236,8 @@ public:
 private:
   using Sizes = std::array<std::optional<std::uint64_t>, 6>;
 
-  // The number of arrays is mandatory in version 1.0: without it a file that lost some is whole.
+  // The number of arrays is mandatory in version 1.0: without it, missing arrays would go
+  // undetected.
   void readCount(const char** attributes)
   {
     std::string_view text;
@@ -318,7 +319,7 @@ private:
     this->Arrays.push_back(std::move(array));
   }
 
-  // Zlib makes a byte into no more than that many.
+  // Maximum number of bytes that zlib makes of one byte.
   static constexpr std::uint64_t MaximumGrowth = 1032;
 
   void setSize(NamedArray& values, const Sizes& sizes, std::size_t dimensions)
@@ -389,21 +390,21 @@ private:
   const ParseLimits& Limits;
   std::vector<GIFTIArray> Arrays;
   std::vector<std::string> Path;
-  std::string Text; ///< since the last tag, its first bytes
+  std::string Text; ///< text since the last tag, limited to its first bytes
   std::size_t TextBytes = 0;
   std::string MetaName;
   std::string Encoding;
   std::unique_ptr<BinaryTextDecoder> Binary;
   std::optional<TextDecoder> Ascii;
   std::uint64_t NumberOfArrays = 0;
-  std::uint64_t NumberOfValues = 0; ///< of the array at hand
+  std::uint64_t NumberOfValues = 0; ///< number of values of the current array
   bool IsLittleEndian = true;
   bool IsColumnMajor = false;
   bool IsInArray = false;
   bool HasData = false;
 };
 
-// Feeds expat. What a handler throws waits until expat is left: it is C.
+// Feed expat. An exception of a handler is stored until expat returns, since expat is C code.
 class GIFTIReader
 {
 public:

@@ -1,4 +1,4 @@
-/// Parser of the arrays of a GIFTI file, whatever their intent.
+/// Parse the arrays of a GIFTI file of any intent.
 
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h
@@ -16,14 +16,14 @@ namespace conformal
 struct GIFTIArray
 {
   std::string Intent; ///< without NIFTI_INTENT_
-  NamedArray Values;  ///< its name is that of the metadata, may be empty
+  NamedArray Values;  ///< name from the metadata, may be empty
 };
 
-/// Whether bytes from the start of a file are those of a GIFTI file.
+/// Test whether the first bytes of a file are those of a GIFTI file.
 bool looksLikeGIFTI(std::string_view start);
 
-/// Read all arrays: ASCII, Base64Binary and GZipBase64Binary, both orders of bytes and of indices.
-/// Entities of the file's own and arrays in other files are refused.
+/// Read all arrays: ASCII, Base64Binary and GZipBase64Binary, in any order of bytes and of indices.
+/// Custom entities and arrays in external files are rejected.
 /// @throws ParseError
 std::vector<GIFTIArray> readGIFTIFile(
   ByteReader& input, const ParseLimits& limits, const ParseProgress& progress);

@@ -37,7 +37,7 @@ void addArray(GIFTIArray& array, std::vector<NamedArray>& arrays)
   arrays.push_back(std::move(array.Values));
 }
 
-// The one array of an intent.
+// Find the only array of an intent.
 GIFTIArray& find(const ByteReader& input, std::vector<GIFTIArray>& arrays, const char* intent)
 {
   const auto isRight = [&](const GIFTIArray& array) { return isOf(array, intent); };

@@ -1,4 +1,4 @@
-/// Parser of GIFTI surfaces and of values at their points.
+/// Parse GIFTI surfaces and values at their points.
 
 #ifndef ConformalGIFTIParser_h
 #define ConformalGIFTIParser_h
@@ -9,15 +9,14 @@
 
 namespace conformal
 {
-/// Read a surface: the array of intent POINTSET (3 floating components) gives the points, in their
-/// type, that of intent TRIANGLE (3 integers) the triangles. Arrays of other intents are as in
-/// parseGIFTIArrays().
+/// Read a surface. The array of intent POINTSET (3 floating components) defines the points and
+/// their type, that of intent TRIANGLE (3 integers) the triangles. Arrays of other intents are read
+/// as by parseGIFTIArrays().
 SurfaceResult parseGIFTISurface(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Read the arrays of numbers, as the point arrays of a surface without points. They are named by
-/// their metadata "Name", else by their intent, as "Shape"; a second one of a name by a number
-/// behind it.
+/// Read the arrays of numbers, as the point arrays of a surface without points. The name of an
+/// array is its metadata "Name", else its intent, such as "Shape". Repeated names are numbered.
 SurfaceResult parseGIFTIArrays(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 }

@@ -44,10 +44,12 @@ const char* nameOf(ScalarType type)
   return "FLOAT64";
 }
 
-// The bytes of the character that UTF-8 begins with; 0 if it is none, or one that XML forbids.
+// Return the number of bytes of the first character of UTF-8 text; 0 if it is invalid or forbidden
+// in XML.
 std::size_t characterLength(std::string_view text)
 {
-  constexpr std::uint32_t first[] = { 0, 0x20, 0x80, 0x800, 0x10000 }; // of so many bytes
+  constexpr std::uint32_t first[] = { 0, 0x20, 0x80, 0x800,
+    0x10000 }; // first character of each number of bytes
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned int lead = byte(0);
   const std::size_t length = lead < 0x80 ? 1
@@ -73,7 +75,7 @@ std::size_t characterLength(std::string_view text)
   return code < first[length] || isSurrogate || isNone ? 0 : length;
 }
 
-// Text as XML may hold it; control characters and bytes that are not UTF-8 have no way into XML.
+// Escape text for XML; control characters and bytes outside of UTF-8 cannot be represented.
 std::string escaped(const std::string& text)
 {
   std::string result;
@@ -99,7 +101,7 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-// Names and values; those without a value are left out.
+// Write names and values; names without a value are omitted.
 std::string metaData(const std::vector<std::pair<const char*, std::string>>& entries)
 {
   std::string text;
@@ -114,7 +116,7 @@ std::string metaData(const std::vector<std::pair<const char*, std::string>>& ent
   return text.empty() ? "<MetaData/>" : "<MetaData>" + text + "</MetaData>";
 }
 
-// An array of a file, with what is said of it.
+// Array of a file, with its metadata.
 struct FileArray
 {
   const NamedArray& Values;
@@ -151,7 +153,7 @@ std::string makeFile(const std::string& fileMetaData, const std::vector<FileArra
     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
     std::to_string(arrays.size()) + "\">\n" + fileMetaData + "\n<LabelTable/>\n";
-  // Compressing takes nearly all of the time.
+  // Compression dominates the cost.
   double all = 0.0;
   for (const FileArray& array : arrays)
   {
@@ -191,7 +193,7 @@ NamedArray trianglesOf(const SurfaceData& surface)
   return triangles;
 }
 
-// Triangles between points as floats, and nothing else.
+// Write only the points, as floats, and the triangles.
 template <typename Coordinate>
 std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, const char* type,
   const std::string& structure, const ParseProgress& progress)
@@ -216,7 +218,7 @@ std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, 
     progress);
 }
 
-// The numbers of an array as floats, which is what programs expect in a file of shapes.
+// Return the numbers of an array as floats, as programs expect in a shape file.
 NamedArray asFloats(const NamedArray& array)
 {
   NamedArray floats = makeArray(array.Name, ScalarType::Float32, 1);

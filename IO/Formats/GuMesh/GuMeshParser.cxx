@@ -16,7 +16,8 @@ namespace conformal
 {
 namespace
 {
-// A trait, key=(value), key=value or a key alone. Takes it from the text; false if there is none.
+// Read a trait, key=(value), key=value or a key alone, and remove it from the text; return false if
+// there is none.
 bool takeTrait(std::string_view& text, std::string_view& key, std::string_view& value)
 {
   constexpr std::string_view blanks = " \t\v\f";
@@ -147,7 +148,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Ids that count up from the first need no table.
+  // Record the id of the next vertex. Consecutive ids need no table.
   void addId(std::int64_t id)
   {
     if (this->Points == 0)
@@ -167,7 +168,7 @@ private:
       }
     }
     const std::size_t before = this->Table.size();
-    this->Table.emplace_hint(this->Table.end(), id, index); // ids of most files only have gaps
+    this->Table.emplace_hint(this->Table.end(), id, index); // in most files, ids only have gaps
     if (this->Table.size() == before)
     {
       this->Lines.failExpecting("each vertex once");
@@ -201,7 +202,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Numbers that a trait gives to each vertex.
+  // Numbers of a trait for each vertex.
   struct Trait
   {
     std::string_view Key;
@@ -269,7 +270,7 @@ private:
     ++trait.Given;
   }
 
-  // Zeros for vertices up to that one.
+  // Add zeros for vertices up to the given one.
   static void fill(Trait& trait, std::size_t count)
   {
     constexpr std::array<double, 3> zeros = {};
@@ -314,7 +315,8 @@ private:
   ProgressReport Progress;
   std::size_t Points = 0;
   std::int64_t FirstId = 0;
-  std::map<std::int64_t, std::int64_t> Table; ///< of ids that do not count up; no ids make it slow
+  /// Table of ids that are not consecutive; its cost does not depend on the ids
+  std::map<std::int64_t, std::int64_t> Table;
   Trait Normals = { "normal", makeArray("Normals", ScalarType::Float64, 3), 0 };
   Trait TCoords = { "uv", makeArray("TCoords", ScalarType::Float64, 2), 0 };
   Trait Sphere = { "sph", makeArray("SpherePosition", ScalarType::Float64, 3), 0 };

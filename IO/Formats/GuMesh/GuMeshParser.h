@@ -1,4 +1,4 @@
-/// Parser of meshes in the .m format of X. Gu's MeshLib.
+/// Parse meshes in the .m format of X. Gu's MeshLib.
 
 #ifndef ConformalGuMeshParser_h
 #define ConformalGuMeshParser_h
@@ -11,17 +11,22 @@
 
 namespace conformal
 {
-/// Read lines "Vertex ID X Y Z {traits}" and, behind the vertices they name, "Face ID V V V
-/// {traits}". Ids are any numbers, each once.
+/// Read lines "Vertex ID X Y Z {traits}" and, after their vertices, lines "Face ID V V V {traits}".
+/// Ids are any distinct numbers.
 ///
-/// Points are Float64. Traits of vertices: normal=(x y z) gives "Normals", uv=(u v) "TCoords",
-/// rgb=(r g b) "RGB" (UInt8), sph=(x y z), which H. Hoppe's programs write, "SpherePosition", of
-/// unit length; all but sph may be missing at some vertices: they are 0 there, or white. rgb of
-/// faces gives an array of the polygons. Other traits and lines "Edge" and "Corner" are skipped.
+/// Points are Float64. Traits of vertices become arrays:
+/// - normal=(x y z): "Normals";
+/// - uv=(u v): "TCoords";
+/// - rgb=(r g b): "RGB" (UInt8);
+/// - sph=(x y z), as written by H. Hoppe's programs: "SpherePosition", of unit length.
+///
+/// All traits but sph may be missing at some vertices: the value is 0 there, or white. Trait rgb of
+/// faces becomes an array of the polygons. Other traits, and lines "Edge" and "Corner", are
+/// skipped.
 SurfaceResult parseGuMesh(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of such a mesh: a vertex is the first.
+/// Test whether the first bytes of a file are those of such a mesh: a vertex comes first.
 bool looksLikeGuMesh(std::string_view start);
 }
 

@@ -6,7 +6,7 @@ namespace conformal
 {
 namespace
 {
-// A trait of Gu's meshes, key=(1 2 3).
+// Trait of Gu's meshes, key=(1 2 3).
 template <typename Append>
 void appendTrait(std::string& traits, const char* key, const NamedArray* array, std::size_t tuple,
   Append appendValue)

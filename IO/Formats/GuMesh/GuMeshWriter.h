@@ -1,4 +1,4 @@
-/// Writer of meshes and clouds in the .m format of X. Gu's MeshLib.
+/// Write meshes and clouds in the .m format of X. Gu's MeshLib.
 
 #ifndef ConformalGuMeshWriter_h
 #define ConformalGuMeshWriter_h
@@ -9,10 +9,10 @@
 
 namespace conformal
 {
-/// Gu's .m: "SpherePosition" as trait sph, "Normals", "TCoords", "RGB" of the points, "RGB" of the
-/// polygons. Other arrays are left out.
+/// Write "SpherePosition" as trait sph, "Normals", "TCoords" and "RGB" of the points, and "RGB" of
+/// the polygons. Other arrays are omitted.
 /// @throws std::invalid_argument if a "SpherePosition" has no direction
-/// @throws ParseError if the caller says stop
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress = {});
 }
 

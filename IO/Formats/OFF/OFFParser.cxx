@@ -18,7 +18,7 @@ namespace conformal
 {
 namespace
 {
-// What the keyword says; without one a plain text is left.
+// Properties from the keyword; without one the file is plain text.
 struct OFFKeyword
 {
   bool HasTCoords = false;
@@ -79,7 +79,7 @@ public:
 private:
   void readKeyword()
   {
-    constexpr std::size_t longest = 16; // of a keyword and what shows that it is one
+    constexpr std::size_t longest = 16; // of a keyword and the bytes that identify it
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     if (this->Input.peek(mark.size()).substr(0, mark.size()) == mark)
     {
@@ -98,7 +98,7 @@ private:
     this->Input.advance(this->Keyword.IsThere ? word.size() : 0);
   }
 
-  // Whether BINARY follows the keyword; goes behind its line then.
+  // Test whether BINARY follows the keyword, and skip its line then.
   bool isBinary()
   {
     constexpr std::string_view binary = "BINARY";
@@ -127,7 +127,7 @@ private:
     this->finish();
   }
 
-  // The number of edges is of no use. It is missing where a line has two numbers.
+  // The number of edges is not used. It is missing in a line of two numbers.
   void readCounts(TextValues& text)
   {
     this->NumberOfPoints = text.next<std::uint64_t>();
@@ -228,7 +228,8 @@ private:
     ++this->Data.DroppedPoints;
   }
 
-  // The numbers behind normals: colors and texture coordinates. All points have as many.
+  // Assign the numbers after the normals: colors and texture coordinates. All points have equally
+  // many.
   const std::vector<double>& extrasOfPoint(TextValues& text, std::size_t point)
   {
     this->readLine(text);
@@ -258,7 +259,7 @@ private:
     return this->Extras;
   }
 
-  // What is left of a line, into Extras.
+  // Read the rest of a line into Extras.
   void readLine(TextValues& text)
   {
     constexpr std::size_t most = 6;

@@ -1,4 +1,4 @@
-/// Parser of OFF files of Geomview, with all prefixes but dimensions other than three.
+/// Parse OFF files of Geomview in three dimensions, with all other prefixes.
 
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
@@ -11,18 +11,18 @@
 
 namespace conformal
 {
-/// Read a file of [ST][C][N][4][n]OFF [BINARY]; the keyword may be missing, and so may the number
-/// of edges.
+/// Read a file of [ST][C][N][4][n]OFF [BINARY]; the keyword and the number of edges may be missing.
 ///
-/// Points are Float64 of a text and Float32 of a binary file; those of 4OFF are divided by their
-/// fourth coordinate. N gives "Normals", ST "TCoords" of the points' type, C "RGB" or "RGBA"
-/// (UInt8). Numbers behind the coordinates of a plain OFF's lines are colors. Colors behind a
-/// face's ids are an array of the polygons, white where there are none; a single number there is
-/// "ColorIndex" (Int32), -1 where there is none.
+/// Points are Float64 for text and Float32 for a binary file; points of 4OFF are divided by their
+/// fourth coordinate. N becomes "Normals", ST becomes "TCoords" of the type of the points, C
+/// becomes "RGB" or "RGBA" (UInt8). Numbers after the coordinates in a plain OFF are colors.
+///
+/// Colors after the ids of a face become an array of the polygons, white for a face without color.
+/// A single number becomes "ColorIndex" (Int32), -1 for a face without it.
 SurfaceResult parseOFF(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of an OFF file with its keyword.
+/// Test whether the first bytes of a file are those of an OFF file with its keyword.
 bool looksLikeOFF(std::string_view start);
 }
 

@@ -1,4 +1,4 @@
-/// Writer of OFF text files.
+/// Write OFF text files.
 
 #ifndef ConformalOFFWriter_h
 #define ConformalOFFWriter_h
@@ -9,9 +9,9 @@
 
 namespace conformal
 {
-/// OFF as text: "Normals", "RGB" or "RGBA", "TCoords" of the points, colors and "ColorIndex" of
-/// the polygons. Other arrays are left out.
-/// @throws ParseError if the caller says stop
+/// Write OFF as text: "Normals", "RGB" or "RGBA", and "TCoords" of the points, colors and
+/// "ColorIndex" of the polygons. Other arrays are omitted.
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = {});
 }
 

@@ -1,4 +1,4 @@
-/// Decompression of LibLZF data in PCD files, piece by piece.
+/// Decompress LibLZF data of PCD files, piece by piece.
 
 #ifndef ConformalLZFDecoder_h
 #define ConformalLZFDecoder_h
@@ -11,36 +11,37 @@
 
 namespace conformal
 {
-/// A control byte below 32 is followed by one more literal bytes than it says; another one and the
-/// next one or two bytes give the length and distance of bytes to be repeated.
+/// Decoder of LZF. A control byte c below 32 precedes c + 1 literal bytes. Any other control byte
+/// encodes, with the next one or two bytes, the length and distance of bytes to repeat.
 class LZFDecoder
 {
 public:
-  /// A byte of compressed data gives no more than that many.
+  /// Maximum number of bytes from one byte of compressed data.
   static constexpr std::uint64_t MaximumGrowth = 88;
 
-  /// @param[in] compressedBytes  of the block that begins at the next byte of the input
+  /// @param[in] compressedBytes  size of the block that begins at the next byte of the input
   LZFDecoder(ByteReader& input, std::uint64_t compressedBytes)
     : Input(input)
     , Left(compressedBytes)
   {
   }
 
-  /// Decompress so many bytes.
-  /// @throws ParseError if the block or the input ends before, or a byte to repeat never was
+  /// Decompress a number of bytes.
+  /// @throws ParseError if the block or the input ends before, or repeated bytes precede the data
   void read(char* bytes, std::size_t count);
 
-  /// @throws ParseError if the block has more
+  /// Require the end of the block.
+  /// @throws ParseError if the block has more data
   void end() const;
 
 private:
-  static constexpr std::size_t HistoryBytes = std::size_t(1) << 13; // the largest distance
+  static constexpr std::size_t HistoryBytes = std::size_t(1) << 13; // maximum distance
 
   unsigned char nextByte();
   void nextControl();
 
   ByteReader& Input;
-  std::uint64_t Left; ///< compressed bytes
+  std::uint64_t Left; ///< remaining compressed bytes
   std::array<char, HistoryBytes> History = {};
   std::uint64_t Done = 0; ///< decompressed bytes
   std::size_t Literals = 0;

@@ -1,4 +1,4 @@
-/// Parser of the header of a PCD file.
+/// Parse the header of a PCD file.
 
 #ifndef ConformalPCDHeader_h
 #define ConformalPCDHeader_h
@@ -22,7 +22,7 @@ enum class PCDFormat
 
 struct PCDField
 {
-  static constexpr std::string_view Padding = "_"; ///< the one name that fields may share
+  static constexpr std::string_view Padding = "_"; ///< the only name that several fields may share
   std::string Name;
   ScalarType Type = ScalarType::Float32;
   std::size_t Count = 1;
@@ -38,10 +38,11 @@ struct PCDHeader
   std::uint64_t NumberOfPoints = 0;
 };
 
-/// Whether bytes from the start of a file are those of a PCD file.
+/// Test whether the first bytes of a file are those of a PCD file.
 bool looksLikePCD(std::string_view start);
 
-/// Read up to and with the line "DATA". The input is at the first byte of the data then.
+/// Read the header up to and including the line "DATA". The input is then at the first byte of the
+/// data.
 /// @throws ParseError
 PCDHeader readPCDHeader(ByteReader& input);
 }

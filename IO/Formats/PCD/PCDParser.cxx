@@ -17,7 +17,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
+constexpr std::size_t BlockBytes = std::size_t(1) << 17; // bytes of records copied at once
 
 class PCDReader
 {
@@ -190,7 +190,7 @@ private:
     }
   }
 
-  // The size of a compressed block, checked before there is memory for what it gives.
+  // Read the size of a compressed block and check it before memory for its contents is allocated.
   std::uint32_t compressedBytes(std::size_t count)
   {
     BinaryValues values(this->Input, !isLittleEndianMachine());
@@ -211,7 +211,7 @@ private:
     return compressed;
   }
 
-  // One field after another, without padding.
+  // Fields are consecutive, without padding.
   void readCompressed(Records& records, std::size_t count, std::uint32_t compressed)
   {
     LZFDecoder decoder(this->Input, compressed);
@@ -260,7 +260,7 @@ private:
     }
   }
 
-  // Bits 0xAARRGGBB, in the order of this machine.
+  // Unpack bits 0xAARRGGBB, in the byte order of this machine.
   NamedArray unpackColors(const NamedArray& packed)
   {
     const std::size_t components = packed.Name == "rgba" ? 4 : 3;

@@ -1,4 +1,4 @@
-/// Parser of PCD files of the Point Cloud Library.
+/// Parse PCD files of the Point Cloud Library.
 
 #ifndef ConformalPCDParser_h
 #define ConformalPCDParser_h
@@ -12,12 +12,12 @@ namespace conformal
 {
 /// Read a file of version 0.5 to 0.7: ascii, binary or binary_compressed.
 ///
-/// x, y, z become Points (Float32 if all three are, else Float64), normal_x, normal_y, normal_z
-/// "Normals". Fields rgb and rgba of four bytes, whatever type they claim, are colors, "RGB" and
-/// "RGBA" (UInt8). Every other field keeps its name, type and count; padding is left out. A point
-/// that is not finite is one that the scanner did not see: it is dropped without a word.
+/// Fields x, y, z become Points (Float32 if all three are, else Float64), normal_x, normal_y,
+/// normal_z become "Normals". Fields rgb and rgba of four bytes and any type are colors, "RGB" and
+/// "RGBA" (UInt8). Every other field keeps its name, type and count; padding is omitted. A point
+/// that is not finite marks a pixel without a measurement: it is dropped without a message.
 ///
-/// @param[in] piece  of a binary file that is not compressed; others cannot be cut
+/// @param[in] piece  of an uncompressed binary file; other files cannot be divided
 SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece = {},
   const ParseLimits& limits = {}, const ParseProgress& progress = {});
 }

@@ -14,9 +14,9 @@ namespace
 constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t SomeBytes = 4096;
 constexpr std::size_t MaximumNames =
-  100000; // of elements and properties; more than any real file has
+  100000; // of elements and properties; more than in any real file
 
-// The first words of a line, one more than any line of a header may have.
+// First words of a line, one more than any header line may have.
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
   constexpr std::size_t most = 6;
@@ -158,7 +158,7 @@ private:
     this->HasFormat = true;
   }
 
-  // Free text, but for the size of a scanner's grid.
+  // Free text, except for the size of the grid of a scanner.
   void readInfo(PLYHeader& header)
   {
     if (this->Words.size() == 3 && this->Words[1] == "num_cols")
@@ -201,7 +201,7 @@ private:
     element.Properties.push_back(std::move(property));
   }
 
-  // The third word as a count.
+  // Parse the third word as a count.
   std::uint64_t count()
   {
     const std::string_view text = this->Words[2];
@@ -219,8 +219,8 @@ private:
     return *type;
   }
 
-  // The next line into Text and Words, without its end. A line that the input cuts off may be
-  // half of one, unless it is the last of a header.
+  // Read the next line into Text and Words, without its end. A line that ends with the input may be
+  // incomplete, unless it is the last line of a header.
   void nextLine()
   {
     this->Text.clear();
@@ -249,7 +249,7 @@ private:
     this->Words = wordsOf(this->Text);
   }
 
-  // Where the first line ends with a lone CR all do: an LF after the last is binary data.
+  // If the first line ends with a lone CR, all do: an LF after the last one is binary data.
   void takeLineEnd()
   {
     const std::string_view end = this->Input.peek(2);
@@ -282,7 +282,7 @@ private:
   ByteReader& Input;
   std::string Text;
   std::vector<std::string_view> Words;
-  std::uint64_t Line = 0; ///< counted here: asking the input at every line would be quadratic
+  std::uint64_t Line = 0; ///< counted here: a query of the input at every line would be quadratic
   std::uint64_t Offset = 0;
   bool LoneCR = false;
   bool HasFormat = false;

@@ -1,4 +1,4 @@
-/// Parser of the header of a PLY file: its elements and their properties.
+/// Parse the header of a PLY file: its elements and their properties.
 
 #ifndef ConformalPLYHeader_h
 #define ConformalPLYHeader_h
@@ -23,9 +23,9 @@ enum class PLYFormat
 struct PLYProperty
 {
   std::string Name;
-  ScalarType Type = ScalarType::Float32; ///< of the number, or of a list's members
+  ScalarType Type = ScalarType::Float32; ///< type of the number, or of the members of a list
   bool IsList = false;
-  ScalarType CountType = ScalarType::UInt8; ///< of a list's length
+  ScalarType CountType = ScalarType::UInt8; ///< type of the length of a list
 };
 
 struct PLYElement
@@ -41,14 +41,15 @@ struct PLYHeader
 {
   PLYFormat Format = PLYFormat::Ascii;
   std::vector<PLYElement> Elements;
-  std::uint64_t GridColumns = 0; ///< of obj_info num_cols, 0 if there is none
-  std::uint64_t GridRows = 0;    ///< of obj_info num_rows
+  std::uint64_t GridColumns = 0; ///< from obj_info num_cols; 0 if there is none
+  std::uint64_t GridRows = 0;    ///< from obj_info num_rows
 };
 
-/// Whether bytes from the start of a file are those of a PLY file.
+/// Test whether the first bytes of a file are those of a PLY file.
 bool looksLikePLY(std::string_view start);
 
-/// Read up to and with the line "end_header". The input is at the first byte of the data then.
+/// Read the header up to and including the line "end_header". The input is then at the first byte
+/// of the data.
 /// @throws ParseError
 PLYHeader readPLYHeader(ByteReader& input);
 }

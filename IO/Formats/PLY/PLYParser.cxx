@@ -17,7 +17,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t BlockBytes = std::size_t(1) << 17; // of records copied at once
+constexpr std::size_t BlockBytes = std::size_t(1) << 17; // bytes of records copied at once
 
 class BodyReader
 {
@@ -92,7 +92,7 @@ private:
       {
         minimumBytes += values.minimumBytes(property.IsList ? property.CountType : property.Type);
       }
-      // The last number of a text has no blank to its right: one byte less is enough.
+      // The last number of a text has no blank after it: one byte less suffices.
       const bool isText = this->Header.Format == PLYFormat::Ascii && minimumBytes > 0;
       const std::size_t count = this->Limits.checkedCount(this->Input,
         "records of the element " + quoted(element.Name), element.Count,
@@ -131,7 +131,7 @@ private:
     this->Data.UnreadBytes = this->Input.left();
   }
 
-  // Whether a run of points can be read without the others, and means something without faces.
+  // Test whether a range of points can be read alone, and is meaningful without faces.
   bool canCut() const
   {
     return this->Header.Format != PLYFormat::Ascii && !this->IsMesh &&
@@ -215,7 +215,7 @@ private:
     {
       return true;
     }
-    if (this->IsMesh) // no point was dropped before, so this is its number in the file
+    if (this->IsMesh) // no point was dropped, so this is its index in the file
     {
       this->Input.fail(ParseCode::Malformed,
         "found coordinates of vertex " + std::to_string(record) + " that are not finite");
@@ -328,7 +328,7 @@ private:
     }
   }
 
-  // The list of ids of an element of cells.
+  // List of ids of an element of cells.
   const PLYProperty& idsOf(const PLYElement& element)
   {
     for (const PLYProperty& property : element.Properties)

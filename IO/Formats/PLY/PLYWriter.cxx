@@ -30,14 +30,14 @@ const char* nameOf(ScalarType type)
     case ScalarType::Float32:
       return "float";
     case ScalarType::Float64:
-    case ScalarType::Int64: // PLY has no such integers
+    case ScalarType::Int64: // PLY has no 8-byte integers
     case ScalarType::UInt64:
       break;
   }
   return "double";
 }
 
-// The properties of an element, with the names that readers know.
+// Properties of an element, under the names that readers recognize.
 class PLYProperties
 {
 public:
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  // A name that no array may have.
+  // Reserve a name that no array may have.
   void keepFree(const std::string& name) { this->Names.add(name); }
 
   const std::string& text() const { return this->Text; }

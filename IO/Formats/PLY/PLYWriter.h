@@ -1,4 +1,4 @@
-/// Writer of binary PLY files.
+/// Write binary PLY files.
 
 #ifndef ConformalPLYWriter_h
 #define ConformalPLYWriter_h
@@ -9,9 +9,9 @@
 
 namespace conformal
 {
-/// PLY, binary little endian, all arrays of points and polygons. 8-byte integers become doubles, a
-/// blank in a name becomes an underscore.
-/// @throws ParseError if the caller says stop
+/// Write binary little-endian PLY with all arrays of points and polygons. 8-byte integers become
+/// doubles, a blank in a name becomes an underscore.
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makePLY(const SurfaceData& surface, const ParseProgress& progress = {});
 }
 

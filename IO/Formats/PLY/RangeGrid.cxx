@@ -31,7 +31,7 @@ public:
   {
   }
 
-  // Median distance of neighbors, 0 if there are none.
+  // Compute the median distance of neighbors, 0 if there are none.
   double medianEdge() const
   {
     std::vector<float> lengths;
@@ -77,7 +77,7 @@ public:
       {
         const std::size_t cell = row * this->Columns + column;
         const std::size_t below = cell + this->Columns;
-        // Around the four cells, starting where a diagonal leaves two triangles in order.
+        // List the four cells cyclically, starting at an end of the dividing diagonal.
         std::array<std::int64_t, 4> ring = { this->Grid[cell], this->Grid[below],
           this->Grid[below + 1], this->Grid[cell + 1] };
         const auto missing = std::count(ring.begin(), ring.end(), NoPoint);
@@ -126,7 +126,7 @@ void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids)
 {
-  constexpr double wideFactor = 4.0; // neighbors on a slope of 75 degrees are this far apart
+  constexpr double wideFactor = 4.0; // distance factor of neighbors on a slope of 75 degrees
   GridTriangles triangles(points, grid, columns);
   triangles.append(
     maximumEdge > 0.0 ? maximumEdge : wideFactor * triangles.medianEdge(), offsets, ids);

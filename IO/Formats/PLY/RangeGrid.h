@@ -11,15 +11,15 @@
 
 namespace conformal
 {
-/// Append triangles between cells of a scanner's grid that neighbor each other and have points.
-/// Four cells give two triangles, cut by the shorter diagonal, three give one; a triangle with an
-/// edge longer than maximumEdge would bridge a gap of the object and is left out. Seen with columns
-/// to the right and rows downwards, triangles are counter-clockwise.
+/// Append triangles between adjacent cells of the grid of a scanner that have points. Four cells
+/// form two triangles, divided by the shorter diagonal; three cells form one. A triangle with an
+/// edge longer than maximumEdge would bridge a gap of the object and is omitted. Triangles are
+/// counter-clockwise if columns run to the right and rows downward.
 ///
 /// @param[in] points       #P by 3, Float32 or Float64
-/// @param[in] grid         point ids row by row, -1 where the scanner saw nothing
+/// @param[in] grid         point ids row by row, -1 for a cell without a point
 /// @param[in] columns      cells in a row, at least 1
-/// @param[in] maximumEdge  0 takes 4 times the median length between neighbors in rows and columns
+/// @param[in] maximumEdge  0 for 4 times the median length between neighbors in rows and columns
 void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t>& grid,
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids);

@@ -9,9 +9,9 @@
 
 namespace conformal
 {
-/// Appends the triangles of one strip after another. Every second triangle of a strip is turned, so
-/// that all have the winding of the first; those with an id twice only turn or join strips and are
-/// left out.
+/// Append the triangles of strips. Every second triangle of a strip is reversed, so that all have
+/// the orientation of the first. Triangles with a repeated id only turn or join strips and are
+/// omitted.
 class TriangleStrips
 {
 public:

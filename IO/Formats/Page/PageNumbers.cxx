@@ -47,7 +47,7 @@ double valueOfCode(std::uint32_t code, const PageRange& range, std::uint32_t ste
 std::array<std::uint32_t, 2> octahedralCode(double x, double y, double z)
 {
   const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
-  x /= largest; // so that no sum is too large
+  x /= largest; // avoids overflow of the sum
   y /= largest;
   z /= largest;
   const double sum = std::abs(x) + std::abs(y) + std::abs(z);

@@ -7,7 +7,7 @@ namespace conformal
 {
 namespace
 {
-// What a new pixel covers along one side: the old ones from First on, by their shares.
+// Old pixels covered by a new pixel along one side: from First on, by their shares.
 struct Cover
 {
   std::size_t First = 0;

@@ -1,4 +1,4 @@
-/// The texts of page.html, page.css and the script; CMake compiles them in.
+/// Texts of page.html, page.css and the script, compiled in by CMake.
 
 #ifndef ConformalPageTemplate_h
 #define ConformalPageTemplate_h
@@ -7,7 +7,7 @@
 
 namespace conformal
 {
-extern const std::string_view PageHTML; ///< with {{NAME}} where something is put in
+extern const std::string_view PageHTML; ///< with {{NAME}} at insertions
 extern const std::string_view PageCSS;
 extern const std::string_view PageScript;
 }

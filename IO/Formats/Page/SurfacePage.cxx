@@ -20,7 +20,7 @@ namespace
 {
 using Codes = std::vector<std::uint32_t>;
 
-// The part of a run from begin to end.
+// Return the part of a run from begin to end.
 ParseProgress partOf(const ParseProgress& progress, double begin, double end)
 {
   return [&progress, begin, end](double fraction)
@@ -44,7 +44,7 @@ std::string jsonRange(const PageRange& range)
   return jsonNumbers(std::array<double, 2>{ range.Low, range.High });
 }
 
-// One component of an array in another order of the points.
+// Return one component of an array in another order of the points.
 std::vector<double> component(
   const NamedArray& array, std::size_t which, const std::vector<std::size_t>& order)
 {
@@ -57,7 +57,7 @@ std::vector<double> component(
   return values;
 }
 
-// The lengths of an array's tuples.
+// Compute the lengths of the tuples of an array.
 std::vector<double> lengths(const NamedArray& array, const std::vector<std::size_t>& order)
 {
   std::vector<double> values(order.size(), 0.0);
@@ -70,13 +70,14 @@ std::vector<double> lengths(const NamedArray& array, const std::vector<std::size
   return values;
 }
 
-// The values that are shown as colors of the palette.
+// Values shown as colors of the palette.
 std::vector<double> shownValues(const NamedArray& array, const std::vector<std::size_t>& order)
 {
   return array.Components == 1 ? component(array, 0, order) : lengths(array, order);
 }
 
-// Their range. What differs by rounding alone is constant, lest that is all that one sees.
+// Compute their range. Values that differ only by rounding count as constant, so that noise is not
+// amplified.
 PageRange shownRange(const NamedArray& array, const std::vector<double>& values)
 {
   PageRange range = rangeOf(values);
@@ -98,7 +99,7 @@ bool isConstant(const NamedArray& array)
   return range.Low == range.High;
 }
 
-// Builds the page's binary data, and the description that says what they are.
+// Build the binary data of the page and their description.
 class PageBuilder
 {
 public:
@@ -133,7 +134,7 @@ public:
     this->Description += std::string(",\"") + name + "\":" + json;
   }
 
-  // Each component of an array, and its range.
+  // Add each component of an array, and its range.
   void addPlaces(const char* name, const NamedArray& array, const char* what)
   {
     std::string ranges;
@@ -168,7 +169,7 @@ public:
     }
   }
 
-  // Each from its smallest corner on, and in the order of these.
+  // Rotate each triangle to its smallest corner first, then sort by corners.
   void addTriangles()
   {
     Codes places(this->Order.size());
@@ -196,7 +197,7 @@ public:
     appendCodes(this->Bytes, codes, 4);
   }
 
-  // Its description.
+  // Return the description.
   std::string addArray(const NamedArray& array)
   {
     const std::string head = "{\"name\":" + jsonText(array.Name);
@@ -212,7 +213,7 @@ public:
     }
     const std::vector<double> values = shownValues(array, this->Order);
     const PageRange range = shownRange(array, values);
-    constexpr double exact = 9007199254740992.0; // whole numbers up to here are doubles
+    constexpr double exact = 9007199254740992.0; // integers up to this one are exact doubles
     const double length = range.High - range.Low;
     const bool isWhole = array.Components == 1 && !isFloating(array.Type) && -exact <= range.Low &&
       range.High <= exact && length < std::numeric_limits<std::uint32_t>::max();
@@ -236,11 +237,11 @@ public:
 
 private:
   const SurfaceData& Surface;
-  std::vector<std::array<std::uint32_t, 2>> SphereCodes; // of the surface's points
-  std::vector<std::size_t> Order;                        // the surface's points, for the page's
+  std::vector<std::array<std::uint32_t, 2>> SphereCodes; // codes of the points of the surface
+  std::vector<std::size_t> Order; // point of the surface for each point of the page
 };
 
-// What is shown as color.
+// Values shown as color.
 std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
 {
   const char* const others[] = { "SpherePosition", "Normals", "TCoords", "vtkGhostType" };
@@ -257,8 +258,8 @@ std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
   return arrays;
 }
 
-// The number of the array that is shown first, -1 for the picture, or for nothing where there is no
-// picture either.
+// Find the index of the array shown first. It is -1 for the picture, or for nothing if there is no
+// picture.
 int firstShown(
   const std::vector<const NamedArray*>& arrays, const std::string& wanted, bool hasPicture)
 {
@@ -287,7 +288,7 @@ int firstShown(
   {
     return colors;
   }
-  // Where a picture would not be is nothing to see without one.
+  // Array "OutsideImage" refers to a picture and shows nothing without one.
   const auto varying = std::find_if_not(arrays.begin(), arrays.end(),
     [](const NamedArray* array) { return array->Name == "OutsideImage" || isConstant(*array); });
   return varying == arrays.end() ? -1 : static_cast<int>(varying - arrays.begin());
@@ -307,7 +308,7 @@ std::string htmlText(std::string_view text)
   return result;
 }
 
-// The template with the parts in their places. What is put in is not looked at again.
+// Fill the template with its parts. Inserted text is not searched for further names.
 std::string filled(std::string_view text, const std::map<std::string, std::string_view>& parts)
 {
   std::string result;

@@ -10,7 +10,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::uintmax_t LargestBuild = 32 << 20; // a file that is no library is not read whole
+constexpr std::uintmax_t LargestBuild = 32 << 20; // a larger file is not a library and is not read
 }
 
 //------------------------------------------------------------------------------
@@ -21,7 +21,7 @@ std::string findThreeJS()
     "three.cjs", "build/three.cjs" };
   for (const char* name : names)
   {
-    std::error_code ignored; // then it is not there
+    std::error_code ignored; // on an error the file counts as missing
     if (std::filesystem::is_regular_file(folder + name, ignored))
     {
       return folder + name;
@@ -56,7 +56,7 @@ std::string readThreeJS(const std::string& fileName)
   {
     fail("cannot be read");
   }
-  // Modules export by a statement, which a script of a page cannot have.
+  // Modules use an export statement, which a script of a page cannot contain.
   if (text.find("exports.WebGLRenderer") == std::string::npos)
   {
     fail("is no classic build of it");

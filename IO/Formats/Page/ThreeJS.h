@@ -1,4 +1,4 @@
-/// The library that draws a page: three.js, as a package of the system has it.
+/// Find and read three.js, the library that draws a page, as installed by a system package.
 
 #ifndef ConformalThreeJS_h
 #define ConformalThreeJS_h
@@ -7,14 +7,13 @@
 
 namespace conformal
 {
-/// Where Debian's package libjs-three has it; the first of its places if it is not installed.
+/// Return the file of Debian's package libjs-three; the first candidate if it is not installed.
 std::string findThreeJS();
 
-/// The text of a classic or CommonJS build of three.js, such as three.js, three.min.js and
-/// three.cjs.
-/// @param[in] fileName  where it is; findThreeJS() if empty
-/// @throws std::invalid_argument that says what to install, if it cannot be read or is no such
-/// build
+/// Read a classic or CommonJS build of three.js, such as three.js, three.min.js or three.cjs.
+/// @param[in] fileName  path of the build; findThreeJS() if empty
+/// @throws std::invalid_argument with the package to install, if it cannot be read or is not such a
+///   build
 std::string readThreeJS(const std::string& fileName);
 }
 

@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-// The words of a line as numbers: none if one is no number or there are too many.
+// Parse the words of a line as numbers: none if a word is not a number or there are too many.
 std::vector<double> numbersOf(std::string_view line)
 {
   constexpr std::size_t most = 4;
@@ -35,7 +35,7 @@ std::vector<double> numbersOf(std::string_view line)
 
 bool isCount(double value)
 {
-  constexpr double most = 9007199254740992.0; // whole numbers are exact up to here
+  constexpr double most = 9007199254740992.0; // integers are exact up to this one
   return value >= 0.0 && value <= most && value == std::floor(value);
 }
 
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  // Go to the next line with something on it.
+  // Advance to the next line that is not blank.
   void nextLine(const std::string& expected)
   {
     do
@@ -97,7 +97,8 @@ private:
     this->Progress.tick();
   }
 
-  // Refuse a row, by its number of columns if it is not `columns`; pass 0 if that may be any.
+  // Reject a row; the message has its number of columns if that differs from `columns`. Pass 0 for
+  // any number of columns.
   [[noreturn]] void failAtRow(std::size_t columns, const std::string& expected)
   {
     std::size_t count = 0;
@@ -246,7 +247,7 @@ SurfaceResult parsePlateModel(
 //------------------------------------------------------------------------------
 bool looksLikePlateModel(std::string_view start)
 {
-  // Lines that are whole.
+  // Complete lines.
   const auto takeLine = [&](std::string_view& line)
   {
     do

@@ -1,4 +1,4 @@
-/// Parser of plate models of small bodies, as the Planetary Data System has them.
+/// Parse plate models of small bodies in the format of the Planetary Data System.
 
 #ifndef ConformalPlateModelParser_h
 #define ConformalPlateModelParser_h
@@ -11,17 +11,17 @@
 
 namespace conformal
 {
-/// Read a text of the number of vertices, a row for each, the number of plates, and a row for each.
-/// Both numbers may stand on the first line. Rows of vertices are X Y Z, or I X Y Z with I counting
-/// from 0 or 1; rows of plates A B C, or I A B C, or 3 A B C, of which 3 may stand on a line of its
-/// own (.ver). Vertices are numbered from 1, or from 0 where a plate names vertex 0.
+/// Read the number of vertices, a row for each, the number of plates, and a row for each. Both
+/// numbers may be on the first line. Rows of vertices are X Y Z, or I X Y Z with I counting from 0
+/// or 1. Rows of plates are A B C, I A B C, or 3 A B C. The 3 may be on a line of its own (.ver).
+/// Vertices are numbered from 1, or from 0 if a plate contains vertex 0.
 ///
-/// Points are Float64, in the file's unit.
+/// Points are Float64, in the unit of the file.
 SurfaceResult parsePlateModel(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of a plate model: counts, then rows as they
-/// say.
+/// Test whether the first bytes of a file are those of a plate model: counts, then rows that match
+/// them.
 bool looksLikePlateModel(std::string_view start);
 }
 

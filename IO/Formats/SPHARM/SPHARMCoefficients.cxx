@@ -16,21 +16,21 @@ namespace
 {
 constexpr double RootOfHalf = 0.70710678118654752440;
 
-// L where so many coefficients are those of all degrees up to L, else -1.
+// Return L if the count is that of all degrees up to L, else -1.
 std::int64_t degreeOf(std::uint64_t count)
 {
   const auto root = static_cast<std::uint64_t>(std::llround(std::sqrt(static_cast<double>(count))));
   return root > 0 && root * root == count ? static_cast<std::int64_t>(root) - 1 : -1;
 }
 
-// Where a number of the file belongs, and its factor.
+// Destination of a number of the file, and its factor.
 struct HarmonicPlace
 {
   std::size_t Tuple = 0;
   double Factor = 1.0;
 };
 
-// In the file order 0 comes first, then cos and sin of each order.
+// Order 0 comes first in the file, then cos and sin of each order.
 HarmonicPlace placeOf(std::size_t degree, std::size_t number)
 {
   const std::size_t order = (number + 1) / 2;
@@ -111,7 +111,7 @@ private:
     std::memcpy(array.Values.data() + place.Tuple * sizeof(tuple), tuple.data(), sizeof(tuple));
   }
 
-  // A number before a blank or a delimiter, which is left.
+  // Read a number up to a blank or a delimiter, which is not consumed.
   template <typename T>
   T next(char delimiter, const char* expected)
   {

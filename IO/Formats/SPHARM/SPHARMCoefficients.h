@@ -1,4 +1,4 @@
-/// Parser and writer of SPHARM-PDM's files of spherical-harmonic coefficients (.coef).
+/// Parse and write files of spherical-harmonic coefficients of SPHARM-PDM (.coef).
 
 #ifndef ConformalSPHARMCoefficients_h
 #define ConformalSPHARMCoefficients_h
@@ -13,27 +13,28 @@
 
 namespace conformal
 {
-/// Read "{ N,{x, y, z},{x, y, z}, ...}" with blanks and line ends anywhere, N being (L + 1)^2.
+/// Read "{ N,{x, y, z},{x, y, z}, ...}" with blanks and line ends anywhere, and N = (L + 1)^2.
 ///
-/// The file has for each degree l the coefficients of order 0, then for m from 1 to l the "real"
-/// and the "imaginary" ones: factors of N_lm P_lm cos(m phi) and N_lm P_lm sin(m phi), where P_lm
-/// has the Condon-Shortley phase and N_lm^2 = (2 l + 1) / (4 pi) (l - m)! / (l + m)!, at cos(theta)
-/// = z and phi = atan2(y, x) of the places in the file _para. So SPHARM-PDM's own sum over a file
-/// is the sum of the array's tuples times real orthonormal harmonics without that phase, if for m >
-/// 0 a number of the file is multiplied by (-1)^m / sqrt(2); and so is done here.
+/// For each degree l the file has the coefficients of order 0, then for m from 1 to l the "real"
+/// and the "imaginary" ones. They are factors of N_lm P_lm cos(m phi) and N_lm P_lm sin(m phi),
+/// with N_lm^2 = (2 l + 1) / (4 pi) (l - m)! / (l + m)!. P_lm has the Condon-Shortley phase;
+/// cos(theta) = z and phi = atan2(y, x) refer to the positions in the file _para.
+///
+/// The numbers for m > 0 are multiplied by (-1)^m / sqrt(2). The sum of SPHARM-PDM over a file then
+/// equals the sum of the tuples times real orthonormal harmonics without that phase.
 ///
 /// @return one point array, "Coefficients" (Float64, 3 components) of N tuples: for each degree l
-///         the orders from -l (sin) to l (cos); no points
+///   the orders from -l (sin) to l (cos); no points
 SurfaceResult parseSPHARMCoefficients(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of such coefficients.
+/// Test whether the first bytes of a file are those of such coefficients.
 bool looksLikeSPHARMCoefficients(std::string_view start);
 
-/// The file of an array as parseSPHARMCoefficients() returns it. Numbers have 15 digits: those that
-/// were read with no more are written the same.
+/// Write the array of parseSPHARMCoefficients() to a file. Numbers have 15 digits, so that numbers
+/// read with at most 15 digits are written unchanged.
 /// @throws std::invalid_argument if there are not (L + 1)^2 tuples of 3 finite Float64
-/// @throws ParseError if the caller says stop
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makeSPHARMCoefficients(
   const NamedArray& coefficients, const ParseProgress& progress = {});
 }

@@ -30,7 +30,7 @@ std::string inUpperCase(std::string_view word)
   return result;
 }
 
-// The start of a file, up to what kind of data set it has.
+// Read the start of a file up to the type of its data set.
 struct MeshHeader
 {
   bool IsBinary = false;
@@ -117,7 +117,7 @@ public:
 
 private:
   //----------------------------------------------------------------------------
-  // Words of the text between the data.
+  // Read words of the text between the data.
   std::string_view peekWord()
   {
     constexpr std::size_t longest = 256;
@@ -150,7 +150,7 @@ private:
     this->Input.fail(ParseCode::Malformed, "found " + quoted(word) + ", expected " + expected);
   }
 
-  // Goes behind the line at hand; returns whether it had nothing but blanks.
+  // Skip the current line; return whether it had only blanks.
   bool skipLine()
   {
     bool isBlankLine = true;
@@ -186,7 +186,7 @@ private:
   std::uint64_t nextCount() { return TextValues(this->Input).next<std::uint64_t>(); }
 
   //----------------------------------------------------------------------------
-  // Numbers, as text or as bytes in big endian order, which begin behind the end of the line.
+  // Read numbers, as text or as big-endian bytes, which begin after the end of the line.
   template <typename Use>
   void withValues(Use use)
   {
@@ -253,7 +253,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Two numbers say how many there are; what they mean, the next word says.
+  // Two counts come first; the next word defines their meaning.
   void readCells(bool isKept)
   {
     const std::uint64_t first = this->nextCount(), second = this->nextCount();
@@ -267,7 +267,7 @@ private:
     }
   }
 
-  // A binary count never reads so: it would be of some billion points.
+  // A binary count never reads as this keyword: it would be billions of points.
   bool hasOffsetsBehindLine()
   {
     constexpr std::string_view keyword = "OFFSETS";
@@ -276,7 +276,7 @@ private:
     return text.substr(0, keyword.size()) == keyword;
   }
 
-  // Each cell's number of ids before them: such files have all of them as int.
+  // Read cells with the number of ids before the ids of each; these files store all of them as int.
   void readCellsBySizes(std::uint64_t statedCells, std::uint64_t statedNumbers, bool isKept)
   {
     const std::uint64_t bytes = this->IsBinary ? sizeof(std::int32_t) : 2;
@@ -309,7 +309,7 @@ private:
     }
   }
 
-  // All offsets, then all ids, as 8-byte integers.
+  // Read all offsets, then all ids, as 8-byte integers.
   void readCellsByOffsets(std::uint64_t statedOffsets, std::uint64_t statedIds, bool isKept)
   {
     const std::vector<std::int64_t> offsets = this->readOffsets(statedOffsets);
@@ -456,7 +456,7 @@ bool looksLikeSPHARMMesh(std::string_view start)
 std::string sphereNameOf(const std::string& path)
 {
   constexpr std::string_view surface = "_surf";
-  const std::size_t folder = path.find_last_of("/\\") + 1; // 0 where there is none
+  const std::size_t folder = path.find_last_of("/\\") + 1; // 0 without a folder
   const std::size_t point = path.rfind('.');
   const std::size_t end = point == std::string::npos || point < folder ? path.size() : point;
   const bool isSurface = end >= folder + surface.size() &&

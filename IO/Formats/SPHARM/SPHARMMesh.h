@@ -1,5 +1,5 @@
-/// Parser and writer of the meshes of SPHARM-PDM: surfaces (_surf) and their spheres (_para) as
-/// legacy VTK files.
+/// Parse and write meshes of SPHARM-PDM: surfaces (_surf) and their spheres (_para) as legacy VTK
+/// files.
 
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
@@ -14,23 +14,23 @@
 namespace conformal
 {
 /// Read the points (float or double) and polygons of a legacy VTK file of a POLYDATA, text or
-/// binary, versions 1.0 to 5.1. Vertices and lines are passed over; the rest of the file from the
-/// first arrays on is not read.
+/// binary, versions 1.0 to 5.1. Vertices and lines are skipped; the file is not read beyond the
+/// first arrays.
 SurfaceResult parseSPHARMMesh(
   ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are those of a legacy VTK file of a POLYDATA.
+/// Test whether the first bytes of a file are those of a legacy VTK file of a POLYDATA.
 bool looksLikeSPHARMMesh(std::string_view start);
 
-/// The file of the sphere: its name has "_para" before the extension, in place of "_surf" if the
-/// surface's has that.
+/// Return the name of the file of the sphere: "_para" before the extension, in place of "_surf" if
+/// present.
 std::string sphereNameOf(const std::string& path);
 
-/// The surface, or its "SpherePosition" in place of its points, as text of version 3.0. Numbers
-/// are read back the same.
-/// @throws std::invalid_argument if there are polygons other than triangles, or, of the sphere, no
-///         "SpherePosition" or one without a direction
-/// @throws ParseError if the caller says stop
+/// Write the surface, or its "SpherePosition" in place of its points, as text of version 3.0.
+/// Numbers are read back unchanged.
+/// @throws std::invalid_argument if there are polygons other than triangles. For the sphere, also
+///   without "SpherePosition" or with one that has no direction.
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makeSPHARMSurface(const SurfaceData& surface, const ParseProgress& progress = {});
 std::string makeSPHARMSphere(const SurfaceData& surface, const ParseProgress& progress = {});
 }

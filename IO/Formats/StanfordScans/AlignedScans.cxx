@@ -16,14 +16,14 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MaximumScans = 10000; // more than any real list has
+constexpr std::size_t MaximumScans = 10000; // more than in any real list
 
 bool isMesh(std::string_view word)
 {
   return word == "mesh" || word == "bmesh";
 }
 
-// Whether a line of this first word has nothing to read.
+// Test whether a line with this first word has no data.
 bool isPassedOver(std::string_view word)
 {
   return isIgnored(word) || word == "camera";
@@ -38,10 +38,10 @@ bool isInside(const std::string& name)
 struct Motion
 {
   std::array<double, 3> Translation = {};
-  std::array<double, 4> Quaternion = {}; // its scalar last
+  std::array<double, 4> Quaternion = {}; // scalar last
 };
 
-// Seven finite numbers; the quaternion has a direction.
+// Read seven finite numbers; the quaternion must have a direction.
 bool readMotion(LineWords& words, Motion& motion)
 {
   bool isRight = true;
@@ -56,7 +56,7 @@ bool readMotion(LineWords& words, Motion& motion)
   return isRight && words.next().empty() && std::isfinite(length) && length > 0.0;
 }
 
-// The 3 by 3 matrix of a quaternion, its inverse if asked.
+// Compute the 3 by 3 matrix of a quaternion, or its inverse on request.
 std::array<double, 9> rotationOf(const Motion& motion, bool isInverse)
 {
   std::array<double, 4> q = motion.Quaternion;
@@ -126,7 +126,8 @@ public:
     }
     for (NamedArray& array : this->Data.PointArrays)
     {
-      array.Name += array.Name == this->ScanIds.Name ? "2" : ""; // one that the scans have
+      array.Name +=
+        array.Name == this->ScanIds.Name ? "2" : ""; // in case the scans have such an array
     }
     this->Data.PointArrays.push_back(std::move(this->ScanIds));
   }
@@ -212,7 +213,7 @@ private:
     this->Data.ReplacedValues += scan.ReplacedValues;
   }
 
-  // Keeps what all scans have.
+  // Keep the arrays that all scans have.
   void appendArrays(std::vector<NamedArray>& more, bool isFirst)
   {
     auto& arrays = this->Data.PointArrays;
@@ -261,7 +262,7 @@ private:
   SurfaceData& Data;
   LineReader Lines;
   std::set<std::string> Files; ///< identities of the scans read
-  std::size_t Count = 0;       ///< of the scans named
+  std::size_t Count = 0;       ///< number of listed scans
   ParseStatus FirstMissing;
   NamedArray ScanIds = makeArray("ScanId", ScalarType::Int32, 1);
 };
@@ -294,7 +295,7 @@ std::vector<std::string> namesOfAlignedScans(ByteReader& input)
       names.insert(names.end(), name.empty() ? 0 : 1, std::string(name));
     }
   }
-  catch (const ParseError&) // a line that is too long: the parser ends there, too
+  catch (const ParseError&) // a line is too long: the parser ends there too
   {
   }
   return names;

@@ -21,7 +21,8 @@ bool isInside(const fs::path& realFolder, const fs::path& realPath)
   return folder == realFolder.end() && path != realPath.end();
 }
 
-// The same for all names of one file, hard links too where the system tells.
+// Return an identity that is equal for all names of one file, also for hard links if the system
+// supports it.
 std::string identityOf(const fs::path& realPath)
 {
 #ifndef _WIN32

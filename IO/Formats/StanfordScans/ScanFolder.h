@@ -1,4 +1,4 @@
-/// Opens the files that a list of scans names.
+/// Open the files of a list of scans.
 
 #ifndef ConformalScanFolder_h
 #define ConformalScanFolder_h
@@ -9,8 +9,8 @@
 
 namespace conformal
 {
-/// Opens scans by their names relative to a folder. Links are followed; one that leads out of the
-/// folder is refused (Malformed) unless external files are allowed.
+/// Open scans by their names relative to a folder. Links are followed; a link that leads out of the
+/// folder is rejected (Malformed) unless external files are allowed.
 OpenScan openScansIn(const std::string& folder, bool allowExternalFiles);
 }
 

@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-// Compressed piece by piece, so that one can be told to stop.
+// Compress piece by piece, so that the run can be aborted.
 std::string deflated(std::string_view bytes, const ParseProgress& progress)
 {
   constexpr std::size_t piece = 1 << 18;

@@ -1,4 +1,4 @@
-/// Conversion of bytes to base64 text, optionally compressed with zlib.
+/// Convert bytes to base64 text, optionally compressed with zlib.
 
 #ifndef ConformalBinaryTextEncoder_h
 #define ConformalBinaryTextEncoder_h
@@ -10,9 +10,9 @@
 
 namespace conformal
 {
-/// Write bytes as text.
+/// Write bytes as base64 text.
 /// @param[in] isCompressed  whether to compress them first
-/// @throws ParseError with Aborted if the progress callback says stop
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string encodeBinaryText(
   std::string_view bytes, bool isCompressed, const ParseProgress& progress = {});
 }

@@ -7,8 +7,8 @@ namespace conformal
 {
 namespace
 {
-// Bytes of the character at the start of a text, 0 if there is no valid one: none that is cut off,
-// longer than it has to be, half of a surrogate pair, or beyond U+10FFFF.
+// Return the number of bytes of the first character of a text, 0 if it is invalid. Invalid
+// characters are truncated, overlong, half of a surrogate pair, or beyond U+10FFFF.
 std::size_t lengthOfCharacter(std::string_view text)
 {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -1,4 +1,4 @@
-/// Strings as JSON has them.
+/// Strings of JSON.
 
 #ifndef ConformalJSONText_h
 #define ConformalJSONText_h
@@ -8,11 +8,11 @@
 
 namespace conformal
 {
-/// UTF-8 with U+FFFD in place of each byte that belongs to no valid character.
+/// Return valid UTF-8, with U+FFFD in place of each byte outside of a valid character.
 std::string validUTF8(std::string_view text);
 
-/// A text in quotes, as JSON has it: valid UTF-8 without control characters, and without <, > and
-/// &, so that it may stand in a script of an HTML page.
+/// Quote a text for JSON: valid UTF-8 without control characters. It has no <, > or &, so that it
+/// may be in a script of an HTML page.
 std::string jsonText(std::string_view text);
 }
 

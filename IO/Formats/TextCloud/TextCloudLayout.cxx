@@ -12,7 +12,7 @@ namespace conformal
 namespace
 {
 constexpr std::size_t MaximumSampleLines = 100;
-constexpr std::size_t MaximumColumns = 1000; // more than any real table has
+constexpr std::size_t MaximumColumns = 1000; // more than in any real table
 constexpr std::string_view Blanks = " \t\v\f";
 
 using Words = std::vector<std::string_view>;
@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text, std::string_view ends)
   return text.substr(begin, text.find_last_not_of(ends) + 1 - begin);
 }
 
-// Calls use(word) for each column.
+// Call use(word) for each column.
 template <typename Use>
 void forEachWord(std::string_view line, char delimiter, Use use)
 {
@@ -38,7 +38,7 @@ void forEachWord(std::string_view line, char delimiter, Use use)
     return;
   }
   line = trimmed(line, delimiter == '\t' ? " \v\f" : Blanks);
-  while (!line.empty()) // a delimiter at the end ends the last word
+  while (!line.empty()) // a delimiter at the end of the line only ends the last word
   {
     const std::size_t end = std::min(line.find(delimiter), line.size());
     use(trimmed(line.substr(0, end), Blanks));
@@ -78,13 +78,13 @@ bool isWholeNumber(std::string_view line)
   return trimmed(line, Blanks).find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// The first lines of a text, sorted into names, count and rows of numbers.
+// First lines of a text, divided into names, count and rows of numbers.
 struct Sample
 {
-  std::vector<std::string> Remarks; // before the numbers
+  std::vector<std::string> Remarks; // comments before the numbers
   std::string Names;
   std::size_t NamesLine = 0;
-  std::vector<std::string_view> Lines; // of numbers
+  std::vector<std::string_view> Lines; // lines of numbers
   std::size_t FirstLine = 0;
   std::size_t FirstOffset = 0;
 };
@@ -138,7 +138,7 @@ Sample takeSample(std::string_view start, bool isWhole)
   return sample;
 }
 
-// What the name of a column stands for: a member of a known array, or nothing known.
+// Meaning of the name of a column: a component of a known array, or unknown.
 struct Role
 {
   std::string_view Name;
@@ -174,7 +174,7 @@ std::string columnName(std::size_t number)
   return "Column" + std::to_string(number);
 }
 
-// The first name that is there again; empty if there is none.
+// Find the first repeated name; empty if there is none.
 std::string repeatedName(const std::vector<std::string>& names)
 {
   std::set<std::string> seen;
@@ -183,8 +183,8 @@ std::string repeatedName(const std::vector<std::string>& names)
   return repeated == names.end() ? "" : *repeated;
 }
 
-// The names that a line gives to so many columns; empty if it does not, or if x, y, z are not
-// among them. A column without a name is called by its number.
+// Read names of columns from a line; empty if the line has no names, or not x, y and z. A column
+// without a name is named by its number.
 std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::size_t columns)
 {
   for (const char separator : { delimiter == ' ' ? '\t' : delimiter, delimiter })
@@ -224,7 +224,7 @@ bool areColors(const Rows& rows, std::size_t first)
 
 bool areNormals(const Rows& rows, std::size_t first)
 {
-  constexpr double tolerance = 0.01; // of normals with three digits
+  constexpr double tolerance = 0.01; // tolerance for normals with three digits
   return std::all_of(rows.begin(), rows.end(),
     [&](const std::vector<double>& row)
     {
@@ -273,7 +273,7 @@ std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)
   return names;
 }
 
-// Gives each column its place. Names that make a known array together do, all others keep theirs.
+// Assign each column. Names of a known array form that array, all other columns keep their names.
 void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextCloudLayout& layout)
 {
   constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -281,7 +281,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
   const auto group = [&](const char* array, ScalarType type, std::size_t components)
   {
     std::array<std::size_t, 3> members = { nowhere, nowhere, nowhere };
-    for (std::size_t i = names.size(); i-- > 0;) // of "x" and "X" the first counts
+    for (std::size_t i = names.size(); i-- > 0;) // of "x" and "X" the first one is used
     {
       const Role role = roleOf(lowerCase(names[i]));
       if (role.Name == array)
@@ -390,12 +390,12 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   }
   layout.FirstOffset = sample.FirstOffset;
   layout.HasCount = isWholeNumber(sample.Lines[0]);
-  if (layout.HasCount) // so may be other blocks
+  if (layout.HasCount) // other blocks are possible
   {
     sample.Lines.erase(
       std::remove_if(sample.Lines.begin(), sample.Lines.end(), isWholeNumber), sample.Lines.end());
   }
-  // Without a point, those that follow would be three numbers.
+  // Without a point in the sample, the points that follow count as three numbers.
   const std::string_view line = sample.Lines.empty() ? "0 0 0" : sample.Lines[0];
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
   layout.Delimiter = has(';') ? ';' : has(',') && !decimalComma ? ',' : ' ';

@@ -14,9 +14,9 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t SampleBytes = std::size_t(4) << 20; // a hundred lines, even of long ones
+constexpr std::size_t SampleBytes = std::size_t(4) << 20; // enough for a hundred long lines
 constexpr std::size_t MaximumReservedBytes = std::size_t(64)
-  << 20; // for lines that are only estimated
+  << 20; // for an estimated number of lines
 
 class TextCloudReader
 {
@@ -110,7 +110,7 @@ private:
     }
   }
 
-  // The bytes in which the lines of this piece begin.
+  // Find the bytes in which the lines of this piece begin.
   void findPiece(std::uint64_t firstPoint)
   {
     const FilePiece& piece = this->Options.Piece;
@@ -125,7 +125,7 @@ private:
     this->End = firstPoint + piece.end(size - firstPoint);
   }
 
-  // Go to the first line that begins there or later. A line end may lie across that place.
+  // Advance to the first line that begins at an offset or later. A line end may span the offset.
   void goToLineFrom(std::uint64_t offset)
   {
     this->Input.beginBinary();
@@ -137,7 +137,7 @@ private:
     }
   }
 
-  // Reads a line into Row; false if it is no point.
+  // Read a line into Row; return false if it is not a point.
   bool readPoint(std::string_view line)
   {
     if (this->Options.DecimalComma)
@@ -179,7 +179,7 @@ private:
       isFirst = false;
     }
     skipBlanks();
-    if (delimiter != ' ' && c != end && *c == delimiter) // one after the last word
+    if (delimiter != ' ' && c != end && *c == delimiter) // delimiter after the last word
     {
       ++c;
       skipBlanks();
@@ -263,7 +263,7 @@ private:
   std::vector<double> Row;
   std::string Text;
   std::uint64_t PointsToCome = 0;
-  std::uint64_t Begin = 0, End = 0; ///< of the piece
+  std::uint64_t Begin = 0, End = 0; ///< bytes of the piece
 };
 }
 

@@ -1,4 +1,4 @@
-/// Parser of points in text files: XYZ, ASC, TXT, CSV, NTS, PTS.
+/// Parse points in text files: XYZ, ASC, TXT, CSV, NTS, PTS.
 
 #ifndef ConformalTextCloudParser_h
 #define ConformalTextCloudParser_h
@@ -14,18 +14,20 @@ namespace conformal
 {
 struct TextCloudOptions
 {
-  bool DecimalComma = false;       ///< whether numbers are written 0,5
-  bool SkipMalformedLines = false; ///< count lines that are no point instead of refusing the file
-  FilePiece Piece;                 ///< by bytes, at line ends; a file with a count cannot be cut
+  bool DecimalComma = false; ///< whether numbers use a decimal comma, as in 0,5
+  /// Count lines that are not points instead of rejecting the file
+  bool SkipMalformedLines = false;
+  /// By bytes, at line ends; a file with a count cannot be divided
+  FilePiece Piece;
 };
 
-/// Read a text with one point on a line, see findTextCloudLayout(). Points are Float64; "Normals"
-/// are, too, and so is every other column but whole colors, "RGB" (UInt8). A number alone on the
-/// first line is the number of points that follow (PTS); a file may have several such blocks.
+/// Read a text with one point in each line, see findTextCloudLayout(). Points are Float64, as are
+/// "Normals" and every other column; integer colors are "RGB" (UInt8). A single number on the first
+/// line is the number of points that follow (PTS); a file may have several such blocks.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
   const ParseLimits& limits = {}, const ParseProgress& progress = {});
 
-/// Whether bytes from the start of a file are points as text, without decimal commas.
+/// Test whether the first bytes of a file are points as text, without decimal commas.
 bool looksLikeTextCloud(std::string_view start);
 }
 

@@ -25,10 +25,10 @@ std::vector<std::string> fieldsOf(const NamedArray& array)
   return fields;
 }
 
-// A remark with the names of all columns.
+// Write a comment with the names of all columns.
 std::string titleOf(const std::vector<NamedArray>& arrays)
 {
-  FieldNames names(",;\"'#/"); // readers part, quote and begin remarks by these
+  FieldNames names(",;\"'#/"); // readers use these as separators, quotes and starts of comments
   std::string title = "#";
   const auto add = [&](const std::vector<std::string>& fields)
   {

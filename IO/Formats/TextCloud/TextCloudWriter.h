@@ -1,4 +1,4 @@
-/// Writer of points as text, one point a line.
+/// Write points as text, one point in each line.
 
 #ifndef ConformalTextCloudWriter_h
 #define ConformalTextCloudWriter_h
@@ -9,10 +9,10 @@
 
 namespace conformal
 {
-/// Points as text with names of the columns in a remark, if there are more than x, y and z. All
-/// arrays; those of several components other than "Normals" and "RGB" become several columns. A
-/// name that another column has gets "_" behind it, as often as it takes.
-/// @throws ParseError if the caller says stop
+/// Write points as text, with names of the columns in a comment if there are columns beside x, y
+/// and z. All arrays are written. Arrays of several components other than "Normals" and "RGB"
+/// become several columns. Repeated names are made unique by appending "_".
+/// @throws ParseError with Aborted if the progress callback returns false
 std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress = {});
 }
 

@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-// Numbers of the glTF 2.0 specification.
+// Constants of the glTF 2.0 specification.
 constexpr int Float = 5126;
 constexpr int UnsignedInt = 5125;
 constexpr int ArrayBuffer = 34962;
@@ -26,7 +26,7 @@ constexpr std::uint32_t Magic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t JSONChunk = 0x4E4F534A; // "JSON"
 constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
 
-// Calls body for all i below count; reports now and then, from begin to end of the whole.
+// Call body for all i below count and report progress from begin to end.
 template <typename Body>
 void forEach(std::size_t count, const ParseProgress& progress, double begin, double end, Body body)
 {
@@ -47,13 +47,13 @@ void pad(std::string& bytes, char filler)
   bytes.append((4 - bytes.size() % 4) % 4, filler);
 }
 
-// The lists of a glTF document, while the buffer is filled.
+// Lists of a glTF document, while the buffer is filled.
 class GLBBuilder
 {
 public:
   std::string Bytes;
 
-  // A view on the bytes from `begin` on; returns its number.
+  // Add a view of the bytes from `begin` on; return its index.
   int addView(std::size_t begin, int target)
   {
     this->separate(this->Views);
@@ -128,8 +128,8 @@ private:
   int NumberOfAccessors = 0;
 };
 
-// The origin of the file's coordinates: that of the surface, unless it is so far from there that
-// floats are too coarse. Then it is the middle of the surface.
+// Choose the origin of coordinates: that of the surface, or its center if floats are too coarse so
+// far from the origin.
 std::array<double, 3> originOf(const std::vector<double>& positions)
 {
   const FloatRounding rounding =
@@ -142,7 +142,7 @@ std::array<double, 3> originOf(const std::vector<double>& positions)
   return origin;
 }
 
-// What a node has to put the file's coordinates in their place, in meters.
+// Transform of the node from coordinates of the file to meters.
 std::string placementOf(const std::array<double, 3>& origin, double metersPerUnit)
 {
   std::string text;
@@ -170,7 +170,7 @@ std::string placementOf(const std::array<double, 3>& origin, double metersPerUni
   return text;
 }
 
-// Smallest and largest position, as the floats that the file holds.
+// Compute the minimum and maximum position, as the floats in the file.
 template <typename Coordinate>
 std::string boundsOf(std::size_t count, Coordinate coordinate)
 {

@@ -1,4 +1,5 @@
 /// How much of what a surface leaves of its patterns is noise.
+/// Own construction: errors at two resolutions separate noise from detail.
 
 #ifndef ConformalNoiseEstimate_h
 #define ConformalNoiseEstimate_h

@@ -1,4 +1,5 @@
 /// Finds the parts of a learned surface that no samples support.
+/// Own construction: the mismatch error does not detect unsupported area.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h

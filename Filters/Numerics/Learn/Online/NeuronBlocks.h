@@ -1,5 +1,6 @@
 /// Neurons in spatial blocks, so that the winner of a sample is found and its neighborhood
 /// moved without visiting the rest.
+/// Own construction: exact, unlike approximate searches for the winner.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
