@@ -56,7 +56,7 @@ public:
   vtkTypeMacro(vtkConsistentRemesh, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Lattices
+  enum MeshTypes
   {
     GEODESIC = 0,
     ADAPTIVE = 1
@@ -74,10 +74,10 @@ public:
    * The mesh of the sphere. ADAPTIVE (default): points lie evenly over the surfaces, as in
    * vtkAdaptiveSphere, dense where one of them asks for it. GEODESIC: evenly over the sphere.
    */
-  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
-  void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
+  vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
+  void SetMeshTypeToAdaptive() { this->SetMeshType(ADAPTIVE); }
   ///@}
 
   ///@{
@@ -134,7 +134,7 @@ private:
   vtkConsistentRemesh(const vtkConsistentRemesh&) = delete;
   void operator=(const vtkConsistentRemesh&) = delete;
 
-  int Lattice = ADAPTIVE;
+  int MeshType = ADAPTIVE;
   int Frequency = 45;
   int NumberOfPoints = 20000;
   int Alignment = RIGID;

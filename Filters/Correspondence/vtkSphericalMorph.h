@@ -65,7 +65,7 @@ public:
     RIGID = 1
   };
 
-  enum Lattices
+  enum MeshTypes
   {
     GEODESIC = 0,
     ADAPTIVE = 1
@@ -107,10 +107,10 @@ public:
    * The mesh of the sphere. ADAPTIVE (default): points lie evenly over the surfaces, as in
    * vtkAdaptiveSphere, dense where one of them asks for it. GEODESIC: evenly over the sphere.
    */
-  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
-  void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
+  vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
+  void SetMeshTypeToAdaptive() { this->SetMeshType(ADAPTIVE); }
   ///@}
 
   ///@{
@@ -173,7 +173,7 @@ private:
   double MorphFactor = 0.5;
   std::vector<double> Weights;
   int Path = LINEAR;
-  int Lattice = ADAPTIVE;
+  int MeshType = ADAPTIVE;
   int Frequency = 45;
   int NumberOfPoints = 20000;
   bool GenerateTimeSteps = false;

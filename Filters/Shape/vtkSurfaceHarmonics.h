@@ -14,7 +14,7 @@
  * Input port 1 (optional): vtkTable as of output port 1, the reference of Alignment.
  *
  * Output port 0: vtkPolyData, the surface that the harmonics up to ReconstructionDegree make: the
- * input with other points (Lattice INPUT; its active normals are left out), or a geodesic sphere
+ * input with other points (MeshType INPUT; its active normals are left out), or a geodesic sphere
  * (GEODESIC).
  * - point array "SpherePosition" (double, 3 components): of the input, turned by Alignment, or the
  *   directions of the geodesic sphere.
@@ -85,7 +85,7 @@ public:
     MAP_AND_SURFACE = 2
   };
 
-  enum Lattices
+  enum MeshTypes
   {
     INPUT = 0,
     GEODESIC = 1
@@ -113,10 +113,10 @@ public:
    * The mesh of output port 0. INPUT (default): that of the input. GEODESIC: a geodesic sphere of
    * Frequency, its triangles counter-clockwise seen from outside the surface.
    */
-  vtkSetClampMacro(Lattice, int, INPUT, GEODESIC);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToInput() { this->SetLattice(INPUT); }
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
+  vtkSetClampMacro(MeshType, int, INPUT, GEODESIC);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToInput() { this->SetMeshType(INPUT); }
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
   ///@}
 
   ///@{
@@ -182,7 +182,7 @@ private:
 
   int Degree = 20;
   int ReconstructionDegree = 256;
-  int Lattice = INPUT;
+  int MeshType = INPUT;
   int Frequency = 36;
   int Alignment = NONE;
   std::vector<std::string> PointArrays;

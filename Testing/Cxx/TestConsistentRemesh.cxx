@@ -181,7 +181,7 @@ TEST_F(ConsistentRemesh, FewerModesAndOtherAlignments)
 TEST_F(ConsistentRemesh, ConnectionsAreSurfacesToo)
 {
   vtkNew<vtkConsistentRemesh> filter;
-  filter->SetLatticeToGeodesic();
+  filter->SetMeshTypeToGeodesic();
   filter->SetFrequency(7);
   filter->AddInputDataObject(this->Surfaces[0]);
   filter->Update();
@@ -204,7 +204,7 @@ TEST_F(ConsistentRemesh, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetNumberOfModes(3); });
   for (const char* property :
-    { "Lattice", "Frequency", "NumberOfPoints", "Alignment", "NumberOfModes" })
+    { "MeshType", "Frequency", "NumberOfPoints", "Alignment", "NumberOfModes" })
   {
     contract::ExpectPrints(this->Filter, property);
   }

@@ -212,7 +212,7 @@ TEST_F(SurfaceHarmonics, LowDegreesAreLessThanAll)
 
 TEST_F(SurfaceHarmonics, GeodesicSphereIsWhatTheSourceMakes)
 {
-  this->Filter->SetLatticeToGeodesic();
+  this->Filter->SetMeshTypeToGeodesic();
   this->Filter->SetFrequency(9);
   this->Filter->AddPointArray("Number");
   this->Run();
@@ -346,7 +346,7 @@ TEST_F(SurfaceHarmonics, RunsOnlyWhenModifiedAndPrints)
   EXPECT_EQ(this->Filter->GetNumberOfPointArrays(), 1);
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->RemoveAllPointArrays(); });
-  for (const char* property : { "Degree", "ReconstructionDegree", "Lattice", "Frequency",
+  for (const char* property : { "Degree", "ReconstructionDegree", "MeshType", "Frequency",
          "Alignment", "NumberOfPointArrays" })
   {
     contract::ExpectPrints(this->Filter, property);
