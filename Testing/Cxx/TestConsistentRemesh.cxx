@@ -241,8 +241,8 @@ TEST_F(ConsistentRemesh, BadSurfacesAreRefusedByTheirNumber)
 TEST_F(ConsistentRemesh, OpenSurfacesAreRefused)
 {
   fixtures::ChangePolygons(this->Surfaces[5], [](vtkIdType i, vtkIdList*) { return i != 7; });
-  this->ExpectRefused(
-    "surface 5 is open, or its triangles are not oriented alike, at 3 edges, but must be closed");
+  this->ExpectRefused("surface 5 is open, or its triangles are not oriented consistently, at 3 "
+                      "edges, but must be closed");
 }
 
 TEST_F(ConsistentRemesh, ArraysThatDoNotFitAreLeftOutOfTheMean)

@@ -401,7 +401,8 @@ TEST_F(SurfaceHarmonics, BadSurfacesAreRefused)
   this->ExpectRefused("some points of the surface are not finite");
   this->Surface->DeepCopy(Pear());
   fixtures::ChangePolygons(this->Surface, [](vtkIdType i, vtkIdList*) { return i != 7; });
-  this->ExpectRefused("the surface is open, or its triangles are not oriented alike, at 3 edges");
+  this->ExpectRefused(
+    "the surface is open, or its triangles are not oriented consistently, at 3 edges");
   fixtures::ChangePolygons(this->Surface, [](vtkIdType, vtkIdList*) { return false; });
   this->ExpectRefused("the surface has no triangles");
   this->Surface->DeepCopy(Pear());

@@ -43,5 +43,5 @@ def heard(algorithm) -> typing.Iterator[Messages]:
         # The executive adds that the algorithm failed, which says nothing where that has said why.
         own = [text for text in messages.errors if EXECUTIVE not in text]
         if messages.errors:
-            silent = f"{algorithm.GetClassName()} failed and gave no reason; what it was given may be broken"
+            silent = f"{algorithm.GetClassName()} failed without a message; its input may be broken"
             messages.errors[:] = own or [silent]

@@ -105,7 +105,7 @@ def set_property(algorithm, name, value):
     if isinstance(value, str) and value in names:
         getattr(algorithm, setter + "To" + value)()
     elif isinstance(value, str) and names:
-        raise ValueError(f"{name} is {value}, but can be {', '.join(names)}")
+        raise ValueError(f"{name} is {value}, but must be one of {', '.join(names)}")
     else:
         getattr(algorithm, setter)(value)
 

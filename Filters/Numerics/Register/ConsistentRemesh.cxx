@@ -31,7 +31,7 @@ Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
   if (open > 0)
   {
     throw std::invalid_argument("surface " + std::to_string(number) +
-      " is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " is open, or its triangles are not oriented consistently, at " + std::to_string(open) +
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   Placed result;

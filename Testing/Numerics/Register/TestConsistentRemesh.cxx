@@ -148,7 +148,8 @@ TEST(ConsistentRemesh, MapsThatDoNotCoverTheSphereOnceAreRefused)
   expectRefused({ bowl, good }, "the map to the sphere of surface 0 covers it 0 times");
   MappedMesh half = good;
   half.Triangles.conservativeResize(half.Triangles.rows() / 2, 3);
-  expectRefused({ good, half }, "surface 1 is open, or its triangles are not oriented alike, at");
+  expectRefused(
+    { good, half }, "surface 1 is open, or its triangles are not oriented consistently, at");
   expectRefused({}, "there is no surface to remesh");
 }
 
