@@ -16,9 +16,9 @@ from .progress import Bar, printable
 from .steps import Interrupted
 
 DESCRIPTION = """\
-Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may be in any format that
-ConformalSOM or VTK reads (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP ...); only
-its points and colors are used, and its triangles where they are one closed surface."""
+Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may have any format that
+ConformalSOM or VTK reads (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP ...). Its
+points and colors are used; its triangles are used only if they form one closed surface."""
 
 EPILOG = """\
 examples:
