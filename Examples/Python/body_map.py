@@ -68,7 +68,7 @@ def arguments():
     parser.add_argument("--picture", metavar="FILE", help="to draw body and map side by side, PNG or JPEG")
     args = parser.parse_args()
     if args.picture and not pictures.can_draw():
-        parser.error("--picture wants a display: put xvfb-run before the command")
+        parser.error("--picture needs a display: put xvfb-run before the command")
     for path in (args.output, world_file_of(args.output), args.picture):
         if path and os.path.lexists(path):
             parser.error(f"{path} already exists")

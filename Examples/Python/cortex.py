@@ -54,7 +54,7 @@ def arguments():
     parser.add_argument("--picture", metavar="FILE", help="to draw what was found, PNG or JPEG")
     args = parser.parse_args()
     if args.picture and not pictures.can_draw():
-        parser.error("--picture wants a display: put xvfb-run before the command")
+        parser.error("--picture needs a display: put xvfb-run before the command")
     if len(args.surfaces) not in (0, 2):
         parser.error("expected two surfaces, or none")
     if args.values and not args.surfaces:

@@ -36,7 +36,7 @@ def arguments():
                         help="default 0 1 0")
     args = parser.parse_args()
     if args.picture and not pictures.can_draw():
-        parser.error("--picture wants a display: put xvfb-run before the command")
+        parser.error("--picture needs a display: put xvfb-run before the command")
     args.output = args.output or mapped_models.name_of(args.model) + ".coef"
     for path in (args.output, args.picture):
         if path and os.path.lexists(path):

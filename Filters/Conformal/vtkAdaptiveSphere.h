@@ -2,36 +2,37 @@
  * @class   vtkAdaptiveSphere
  * @brief   make a mesh of the sphere that is dense where a surface or a picture needs it
  *
- * A closed mesh of the unit sphere with as many points as wanted, close to each other where a
- * surface that is mapped to the sphere needs them, with no angle below 28 degrees. As the Sphere
- * of a vtkCurvedSeamlessSurface it determines where the surface gets its points.
+ * Make a closed mesh of the unit sphere with a given number of points. Points are dense where a
+ * surface that is mapped to the sphere needs them, and no angle is below 28 degrees. Connect the
+ * mesh as the Sphere of a vtkCurvedSeamlessSurface to control where the surface gets its points.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
- * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. The map must cover the sphere exactly once.
- * - a point or cell array of 1 component named by DensityArrayName, with Density ARRAY.
- * - the field data of vtkSphericalTextureMap (optional), with Density IMAGE: how the image lies on
- *   the sphere. Without them it is one of longitude and latitude around the directions (0, 0, 1),
- *   its middle, and (0, 1, 0), its top edge.
+ * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
+ *   sphere. The map must cover the sphere exactly once.
+ * - a point or cell array of 1 component with the name DensityArrayName, with Density ARRAY.
+ * - field data of vtkSphericalTextureMap (optional), with Density IMAGE: how the image is laid on
+ *   the sphere. Without them the image is one of longitude and latitude, with its middle in
+ *   direction (0, 0, 1) and its top edge towards (0, 1, 0).
  *
  * Input port 1 (optional): vtkImageData, one slice of point scalars with any number of components.
- * Needed by Density IMAGE.
+ * Density IMAGE needs it.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin, of
- * NumberOfPoints points within 2 percent, triangles counter-clockwise seen from outside. No angle
- * is below 28 degrees, whatever the density. The same input gives the same bits on any number of
+ * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. It has
+ * NumberOfPoints points within 2 percent; its triangles are counter-clockwise seen from outside. No
+ * angle is below 28 degrees for any density. The same input gives the same bits on any number of
  * threads.
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  *
- * On input port 1 of vtkCurvedSeamlessSurface it says where a surface is sampled: N^new of
- * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008), which suggests dense vertices in an area with fine texture. It needs no
- * relation to the triangles of the surface.
+ * On input port 1 of vtkCurvedSeamlessSurface, the mesh gives the directions in which a surface is
+ * sampled. It is N^new of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on
+ * curved seamless surface", Neurocomputing 71 (2008). The paper suggests dense vertices in an area
+ * with fine texture. The mesh is independent of the triangles of the surface.
  *
  * Implementation note: Delaunay refinement after L. P. Chew, "Guaranteed-quality mesh generation
- * for curved surfaces", Symposium on Computational Geometry (1993), by the largest triangle for its
- * place first, until the number is reached; then smoothing that keeps the bound of the angles.
+ * for curved surfaces", Symposium on Computational Geometry (1993). The triangle that is largest
+ * relative to the wanted density is refined first, until the number is reached. A final smoothing
+ * keeps the bound of the angles.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkGeodesicSphereSource vtkSphericalTextureMap
@@ -65,13 +66,15 @@ public:
 
   ///@{
   /**
-   * Where points are dense. AREA (default): evenly over the surface. CURVATURE: half of them by how
-   * much the surface bends. ARRAY: by an array of points for an area of the surface, of which only
-   * the ratios count. IMAGE: half of them by the change of the picture on input port 1.
+   * Density of the points. AREA (default): uniform over the surface. CURVATURE: half of the points
+   * in proportion to the curvature of the surface. ARRAY: in proportion to an array, as points per
+   * area of the surface; only ratios matter. IMAGE: half of the points in proportion to the
+   * gradient of the picture on input port 1.
    *
-   * AREA is in inverse proportion to what the map leaves of the surface's area. CURVATURE and IMAGE
-   * spread the other half evenly over the surface; what bends is measured by the sum of the
-   * absolute principal curvatures, the picture's change is that with the direction.
+   * AREA is inversely proportional to the area scale of the map. CURVATURE and IMAGE distribute the
+   * other half of the points uniformly over the surface. Curvature is measured by the sum of the
+   * absolute principal curvatures. The gradient of the picture is taken with respect to the
+   * direction on the sphere.
    */
   vtkSetClampMacro(Density, int, AREA, IMAGE);
   vtkGetMacro(Density, int);
@@ -83,8 +86,9 @@ public:
 
   ///@{
   /**
-   * ARRAY: name of a point array, or else of a cell array, of 1 component, finite and not negative,
-   * not 0 everywhere. Where it is 0 there are as few points as the angles allow. Default is empty.
+   * ARRAY: name of a point array, or else of a cell array, with 1 component. Values must be finite
+   * and not negative, with at least one above 0. Where the value is 0 there are as few points as
+   * the angles allow. Default is empty.
    */
   vtkSetMacro(DensityArrayName, std::string);
   vtkGetMacro(DensityArrayName, std::string);
@@ -92,8 +96,8 @@ public:
 
   ///@{
   /**
-   * Number of points that the mesh is to have; it has them within 2 percent. In [500, 100000000].
-   * Default is 64,002, as many as a geodesic sphere of frequency 80.
+   * Number of points of the mesh, reached within 2 percent. In [500, 100000000]. Default is 64,002,
+   * as many as a geodesic sphere of frequency 80.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
@@ -105,7 +109,7 @@ public:
   void SetImageConnection(vtkAlgorithmOutput* output);
 
   /**
-   * The picture without a pipeline.
+   * Set the picture of Density IMAGE without a pipeline connection.
    */
   void SetImageData(vtkImageData* image);
 

@@ -62,7 +62,7 @@ int vtkConformalDistortion::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (glue::IsEmptyInput(this, input, "the surface is empty; nothing was measured"))
+      if (glue::IsEmptyInput(this, input, "the surface is empty; there are no measures"))
       {
         return;
       }

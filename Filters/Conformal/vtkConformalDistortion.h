@@ -2,34 +2,36 @@
  * @class   vtkConformalDistortion
  * @brief   measure the angle and area distortion of a surface's map to the sphere
  *
- * Add the cell arrays AngleDistortion (degrees; 0 means none), AreaDistortion (logarithm; 0
- * means none) and QuasiConformalError (1 means none), and their means in the field data, among
- * them NumberOfFlippedTriangles.
+ * Add the cell arrays AngleDistortion (degrees; 0 means none), AreaDistortion (logarithm; 0 means
+ * none) and QuasiConformalError (1 means none). The field data hold their means, and the number of
+ * flipped triangles.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
- * Polygons and strips are treated as triangles; their value is the mean over these.
+ * Polygons and strips are treated as triangles; the value of a polygon is the mean over its
+ * triangles.
  *
- * Output port 0: the input, with cell arrays (double, 1 component; lines, vertices and triangles
- * without area on the surface or the sphere get the value of no distortion)
- * - "AngleDistortion": mean difference between the angles of a corner on the surface and on the
- *   sphere, in degrees. 0 means none.
- * - "AreaDistortion": logarithm of the ratio of a triangle's share of the sphere's area to its
- * share of the surface's. 0 means none.
+ * Output port 0: the input, with cell arrays (double, 1 component). Lines, vertices and triangles
+ * without area on the surface or the sphere get the value of no distortion.
+ * - "AngleDistortion": mean absolute difference between the angles of a triangle on the surface and
+ *   on the sphere, in degrees. 0 means none.
+ * - "AreaDistortion": logarithm of a triangle's fraction of the sphere's area, divided by its
+ *   fraction of the surface's area. 0 means none.
  * - "QuasiConformalError": ratio of the largest to the smallest stretch of lengths. 1 means none.
  *
  * Field data (one value), over the triangles that have an area on both:
  * - "MeanAngleDistortion", "MeanQuasiConformalError" (double).
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
- * - "SphereDegree" (double): how often the sphere is covered, 1 for a proper map. Less than 0 if
- *   the triangles run clockwise there: -1 for a map that mirrors, and for a surface wound inward.
- * - "NumberOfFlippedTriangles" (vtkIdType): triangles turned over by the map, against most of the
- *   sphere's area, or flat on the sphere. 0 for a map that mirrors all of them.
- * - "NumberOfZeroAreaTriangles" (vtkIdType): those without area, left out.
+ * - "SphereDegree" (double): how often the triangles cover the sphere, 1 for a proper map. Negative
+ *   if the triangles are clockwise on the sphere: -1 for a map that mirrors, and for a surface
+ *   oriented inward.
+ * - "NumberOfFlippedTriangles" (vtkIdType): triangles on the sphere that are flat, or oriented
+ *   against most of the sphere's area. 0 for a map that mirrors all of them.
+ * - "NumberOfZeroAreaTriangles" (vtkIdType): triangles without area, which are left out.
  *
- * Triangles on the sphere are taken flat, between the places of their corners. That a map to the
- * sphere is conformal is what sections 2 and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), build on; these
- * figures say to which degree it is.
+ * Triangles on the sphere are treated as flat, between the positions of their corners. Sections 2
+ * and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless
+ * surface", Neurocomputing 71 (2008), assume that the map to the sphere is conformal. These figures
+ * measure to which degree it is.
  *
  * @sa
  * vtkConformalSOM vtkCurvedSeamlessSurface vtkSurfaceMismatch vtkGenusZeroCheck

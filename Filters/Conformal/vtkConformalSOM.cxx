@@ -124,8 +124,9 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
   }
   if (counts[1] > 0 && inPieces && processes.isFirst())
   {
-    vtkWarningWithObjectMacro(self, << "the input's polygons are spread over several processes; "
-                                       "learning does not start from them, as it may on one");
+    vtkWarningWithObjectMacro(self,
+      << "the input's polygons are spread over several processes; "
+         "learning does not start from them. To use them, give the whole input to one process");
   }
   conformal::MappedMesh own;
   if (glue::HasTriangles(surface) && !inPieces)
@@ -182,18 +183,19 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
   }
   if (quality.InvertedFraction > Tolerated::InvertedFraction)
   {
-    vtkWarningWithObjectMacro(self, << "at " << 100.0 * quality.InvertedFraction
-                                    << " % of the points the mesh faces the wrong way, or two of "
-                                       "its sides lie on them: too little of the object is there. "
-                                       "Give normals, or add points where there are none");
+    vtkWarningWithObjectMacro(
+      self, << "at " << 100.0 * quality.InvertedFraction
+            << " % of the points the mesh faces the wrong way, or two of "
+               "its sides lie on them: too little of the object is sampled. Provide normals, or "
+               "add points where there are none");
   }
   // A geodesic mesh of few neurons has some folds where limbs meet.
   if (quality.FoldedFraction > 2.0 * Tolerated::FoldedFraction)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * quality.FoldedFraction
-                                    << " % of the mesh's edges are folded: the points are too few "
-                                       "or too noisy for it. Learn with fewer neurons or with more "
-                                       "Smoothness");
+    vtkWarningWithObjectMacro(
+      self, << 100.0 * quality.FoldedFraction
+            << " % of the mesh's edges are folded: the points are too few or too noisy. Learn with "
+               "fewer neurons or with more Smoothness");
   }
 }
 
@@ -217,24 +219,24 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   }
   if (result.Noise > muchNoise)
   {
-    vtkWarningWithObjectMacro(self, << "the points have noise of about " << 100.0 * result.Noise
-                                    << " % of the largest radius, which the mesh does not follow; "
-                                       "nor does it follow details that are as small");
+    vtkWarningWithObjectMacro(self,
+      << "the points have noise of about " << 100.0 * result.Noise
+      << " % of the largest radius. The mesh follows neither the noise nor details of its size");
   }
   else if (result.Quality.UndersampledFraction > manyUndersampled)
   {
-    vtkWarningWithObjectMacro(self, << 100.0 * result.Quality.UndersampledFraction
-                                    << " % of the points lie farther than 2 % of the largest "
-                                       "radius from the plane of their neighbors: they are too "
-                                       "few for the object's details, and the mesh between them "
-                                       "is a guess. Add points");
+    vtkWarningWithObjectMacro(
+      self, << 100.0 * result.Quality.UndersampledFraction
+            << " % of the points lie farther than 2 % of the largest "
+               "radius from the plane of their neighbors: they are too "
+               "few for the object's details, and the mesh between them is uncertain. Add points");
   }
   if (result.Quality.LayerDistance > 0.0)
   {
     vtkWarningWithObjectMacro(self, << "the points lie on two layers, "
                                     << 100.0 * result.Quality.LayerDistance
                                     << " % of the largest radius apart, and the mesh lies between "
-                                       "them. Register the scans anew");
+                                       "them. Register the scans again");
   }
   if (result.Noise <= muchNoise && result.CutFraction > 0.0)
   {
@@ -247,8 +249,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   if (result.UnsupportedFraction > 0.002)
   {
     vtkWarningWithObjectMacro(self, << 100.0 * result.UnsupportedFraction
-                                    << " % of the mesh area has no points nearby: it spans holes "
-                                       "in the data or gaps between limbs");
+                                    << " % of the mesh area has no points nearby (holes in the "
+                                       "data, or gaps between limbs). See array Supported");
   }
   if (!result.ConformalMapFits && samples.dimension() == 3)
   {

@@ -2,100 +2,92 @@
  * @class   vtkConformalSOM
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
- * Learn a closed triangle mesh, with a one-to-one map to the sphere, from nothing but points:
- * the conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71
- * (2008). The point array "SpherePosition" of the mesh has the position of each point on the
- * sphere. The second output is a table of how learning went, for a line chart.
+ * Learn a closed triangle mesh, with a one-to-one map to the sphere, from points alone: the
+ * conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008).
+ * The point array "SpherePosition" of the mesh holds the position of each point on the sphere. The
+ * second output is a table of the training history, for a line chart.
  *
- * Input port 0: vtkPointSet, any points in any order. Cells are ignored, but for polygons: learning
- * may start from them, see StartingShape. Points that are not finite are left out with a warning,
- * hidden or duplicate ghost points silently.
+ * Input port 0: vtkPointSet, points in any order. Polygons can serve as a starting shape, see
+ * StartingShape; other cells are ignored. Points with non-finite coordinates are left out with a
+ * warning. Hidden and duplicate ghost points are left out silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
- * "SpherePosition", from which an adaptive mesh is learned instead of StartingShape, or from which
- * ONLINE learning starts instead of the sphere. It must reach
- * no farther from the middle of the points than 4 times as far as they do. Not used for points in a
- * plane, unless MeshType is ADAPTIVE.
+ * "SpherePosition". An adaptive mesh is learned from it instead of from StartingShape; ONLINE
+ * learning starts from it instead of from the sphere. Its distance from the center of the points
+ * must not exceed 4 times that of the points. For points in a plane it is used only if MeshType is
+ * ADAPTIVE.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates,
- * double precision: NumberOfNeurons points and 2 NumberOfNeurons - 4 triangles, or, if it is
- * geodesic, 10 f^2 + 2 points and 20 f^2 triangles with the f that comes nearest to
- * NumberOfNeurons.
+ * double precision. An adaptive mesh has NumberOfNeurons points and 2 NumberOfNeurons - 4
+ * triangles. A geodesic mesh has 10 f^2 + 2 points and 20 f^2 triangles, with the f that comes
+ * nearest to NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
- *   Of a geodesic mesh the position vector n_i of the neuron; of an adaptive mesh that of a
- * conformal map. vtkGlobalConformalMap makes other maps, such as one with more area for limbs
- * (AreaBalance).
- * - point array "Supported" (double, 1 component): 1 where the input has points nearby, falling to
- *   0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
+ *   For a geodesic mesh it is the position vector n_i of the neuron; for an adaptive mesh it is a
+ *   conformal map. vtkGlobalConformalMap computes other maps, such as one with more area for limbs
+ *   (AreaBalance).
+ * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
+ *   to 0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
- *   neuron and the input points it stands for; 0 without points.
+ *   neuron and the input points assigned to it; 0 without points.
  * - field data "AffineRank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0
- *   for equal points; below 3 the mesh is right but flat, and there is a warning.
- * - field data "UnsupportedFraction" (1 value): share of the mesh's area without points where some
- *   are due: a hole filling, or a web between limbs. 0 in Online mode.
- * - field data "UncoveredFraction" (1 value): share of the points that lie apart from the mesh, but
- *   not from each other: the mesh does not reach them. A point counts by the area it stands for.
- * - field data "InvertedFraction" (1 value): share of the points, by area too, at which the mesh
- *   faces the wrong way, by their normals or by winding numbers; or where two of its sides lie on
- * the same points.
- * - field data "FoldedFraction" (1 value): share of the mesh's edges that are bent by more than 150
- *   degrees.
- * - field data "UndersampledFraction" (1 value): share of the points, by area, farther than 2 % of
- *   the largest radius from the plane of their eight nearest neighbors: they are too few for the
- *   shape.
- * - field data "LayerDistance" (1 value): distance between two layers that the points lie on, as in
- *   scans that are not registered well, in the points' unit; 0 for one layer.
- * - field data "AreaRatio" (1 value): area of the mesh, over that of the surface before the fit.
- * Well above 1 the mesh has crumpled.
- * - field data "NoiseLevel" (1 value): standard deviation of the noise that was found, in the
- *   points' unit; 0 where detail explains the distances between points and mesh. In Online mode,
- *   this and the fractions are 0, and AreaRatio is 1. There is a warning for each that is bad.
- * - field data "StartedFromHull" (1 value): whether the mesh was learned from a hull.
- * - field data "StartedFromMesh" (1 value): whether the mesh was learned from a mesh, the input's
- * own polygons or the mesh on input port 1.
- * - field data "HullMethod" (1 value): DISTANCE or WINDING_NUMBERS, the method of that hull; 0
- * without a hull.
- * - field data "NormalsUsed" (1 value): whether winding numbers used normals of the input.
- * - field data "NumberOfStarts" (1 value): number of starts that were learned from; the best mesh
- * is kept.
- * - field data "VertexShift" (1 value): share by which vtkCurvedSeamlessSurface moves the vertices
- * so that curved triangles keep the volume of the fitted flat ones; 0 if the mesh was not fitted.
+ *   for equal points. Below 3 the mesh is valid but flat, and there is a warning.
+ * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without points nearby:
+ *   hole fillings, and webs (spurious membranes) between limbs. 0 in Online mode.
+ * - field data "UncoveredFraction" (1 value): fraction of the points, weighted by area, that lie
+ *   close to each other but far from the mesh.
+ * - field data "InvertedFraction" (1 value): fraction of the points, weighted by area, at which
+ *   normals or winding numbers show that the mesh faces the wrong way. Points on which two sides of
+ *   the mesh lie count, too.
+ * - field data "FoldedFraction" (1 value): fraction of the mesh's edges with a bend of more than
+ *   150 degrees.
+ * - field data "UndersampledFraction" (1 value): fraction of the points, weighted by area, that are
+ *   too few for the shape: farther than 2 % of the largest radius from the plane of their eight
+ *   nearest neighbors.
+ * - field data "LayerDistance" (1 value): distance between two layers of points, as in badly
+ *   registered scans, in the points' unit; 0 for one layer.
+ * - field data "AreaRatio" (1 value): area of the mesh, divided by that of the surface before the
+ *   fit. A value well above 1 means that the mesh is crumpled.
+ * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the points'
+ *   unit; 0 where detail explains the distances between points and mesh. In Online mode it is 0,
+ *   and so are all fractions; AreaRatio is 1. Each bad value causes a warning.
+ * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull.
+ * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from a mesh: the input's own
+ *   polygons or the mesh on input port 1.
+ * - field data "HullMethod" (1 value): method of that hull, DISTANCE or WINDING_NUMBERS; 0 without
+ *   a hull.
+ * - field data "NormalsUsed" (1 value): 1 if winding numbers used normals of the input.
+ * - field data "NumberOfStarts" (1 value): number of starts that were tried. The best mesh is kept.
+ * - field data "VertexShift" (1 value): fraction by which vtkCurvedSeamlessSurface moves the
+ *   vertices so that curved triangles keep the volume of the fitted flat ones; 0 if the mesh was
+ *   not fitted.
  * - with DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType),
  *   the active global ids.
  *
- * Output port 1: vtkTable, on the first process, one row for each epoch (Online), pass (Batch) or
- * iteration of the fit: "Frequency" of the geodesic sphere with about as many triangles,
- * "NeighborhoodRadius" sigma(t) on the unit sphere, "LearningRate" alpha(t), "MeanSquareError" of
- * the points presented, to the mesh, and "MeanDisplacement" of the neurons; both in the unit of
- * training, in which the cloud's largest distance from its centroid is 1.
+ * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass (Batch)
+ * or iteration of the fit. Column "Frequency" belongs to the geodesic sphere with about as many
+ * triangles. "NeighborhoodRadius" is sigma(t) on the unit sphere, "LearningRate" is alpha(t).
+ * "MeanSquareError" is that of the presented points to the mesh; "MeanDisplacement" is that of the
+ * neurons. Both are in the unit of training, in which the cloud's largest distance from its
+ * centroid is 1.
  *
- * Output port 2: vtkMultiBlockDataSet, empty without GenerateStages: the surfaces that learning
- * went through, on the first process. The block name has the number of the start, from 1 and with
- * abandoned ones counted, the start and
- * the stage, such as "1 sphere: level 4", "2 hull: turn 1", "2 hull: fit" and "2 hull: kept". Each
- * block is a vtkPolyData with the field data "StartNumber", "DefectScore" (above 1 the surface is
- * bad), "UncoveredFraction", "InvertedFraction" and "FoldedFraction"; Online they are 0.
- *
- * The conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), section 2: neurons on
- * a geodesic sphere learn weight vectors in the space of the points. TrainingMode ONLINE is the
+ * Neurons on a geodesic sphere learn weight vectors in the space of the points (section 2 of the
+ * paper, "Conformal self-organizing map on curved seamless surface"). TrainingMode ONLINE is the
  * paper's learning algorithm, one point at a time, with the paper's constants as defaults. BATCH,
- * the default, takes all points at a time on ever finer networks and ends with a least-squares fit:
- * it fits more than a hundred times closer in a fraction of the time.
+ * the default, uses all points at once on a sequence of finer networks and ends with a
+ * least-squares fit. It fits more than a hundred times closer in a fraction of the time.
  *
  * ONLINE learns by Eqs. 3 to 5, and the neurons' positions on the sphere are the paper's map. BATCH
- * learns by Eq. 3 over all points. A geodesic mesh is learned on all networks, then fitted. An
- * adaptive mesh is learned on coarse networks only, and only for objects without limbs; from there,
- * or from a hull of the points, the surface is remeshed and fitted in turns, and mapped to the
- * sphere conformally. The paper names meshes that grow and swap edges as alternatives to its
- * network.
+ * applies Eq. 3 to all points. A geodesic mesh is learned on all networks, then fitted. An adaptive
+ * mesh is learned on coarse networks only, and only for objects without limbs. From there, or from
+ * a hull of the points, the surface is alternately remeshed and fitted, then mapped to the sphere
+ * conformally. The paper names meshes that grow and swap edges as alternatives to its network.
  *
- * Implementation note: taken literally the paper's constants stop learning before the neighborhood
- * is as small as a triangle; Documentation/Filters.md has the measurement.
+ * Implementation note: with the paper's constants, learning stops before the neighborhood is as
+ * small as a triangle. Documentation/Filters.md has the measurement.
  *
- * Implementation note: E_mis measures from the points to the mesh only, and a mesh learned from the
- * sphere may span webs between limbs that E_mis does not show. For an adaptive mesh they are found,
- * and it is learned anew from a hull; see StartingShape.
+ * Implementation note: E_mis measures distances from the points to the mesh only. A mesh learned
+ * from the sphere may span webs between limbs, which E_mis does not detect. An adaptive mesh is
+ * checked for webs and, if it has some, learned again from a hull; see StartingShape.
  *
  * @sa
  * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkGlobalConformalMap vtkSphericalTextureMap
@@ -155,21 +147,21 @@ public:
 
   /**
    * A closed mesh of genus zero with the point array "SpherePosition" to start from, such as an
-   * earlier result. Without it learning starts as StartingShape states.
+   * earlier result. Without it, learning starts as specified by StartingShape.
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
   /**
-   * Set the optional mesh to start from without a pipeline.
+   * Set the optional starting mesh without a pipeline connection.
    */
   void SetStartData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   ///@{
   /**
-   * Type of the mesh. GEODESIC: the paper's geodesic sphere, whose triangles keep their neighbors,
-   * so that they stretch over limbs. ADAPTIVE: triangles of one size all over the surface, nearly
-   * equilateral on long limbs too; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in batch
-   * learning, GEODESIC in online learning and for points in a plane.
+   * Type of the mesh. GEODESIC: the paper's geodesic sphere with fixed connectivity; its triangles
+   * stretch over limbs. ADAPTIVE: nearly equilateral triangles of equal size all over the surface,
+   * long limbs included; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in batch learning,
+   * GEODESIC in online learning and for points in a plane.
    *
    * A geodesic mesh is learned from the sphere. Points of an adaptive mesh lie on sharp edges and
    * in corners of the object. Documentation/Fit.md compares both.
@@ -194,9 +186,9 @@ public:
 
   ///@{
   /**
-   * BATCH (default): all points at a time on ever finer lattices, then a least-squares fit; much
-   * closer to the points, and faster. ONLINE: the paper's CSM Learning Algorithm, one point at a
-   * time.
+   * Training algorithm. BATCH (default): all points at once on a sequence of finer networks, then a
+   * least-squares fit; much closer to the points, and faster. ONLINE: the paper's CSM Learning
+   * Algorithm, one point at a time.
    */
   vtkSetClampMacro(TrainingMode, int, BATCH, ONLINE);
   vtkGetMacro(TrainingMode, int);
@@ -206,9 +198,9 @@ public:
 
   ///@{
   /**
-   * Point array of the input with 1 component, the priority of each point: how often it is drawn
-   * (Online, in the second half of the epochs) or how much it weighs (Batch). Default is none,
-   * which an empty name means too: equal priority.
+   * Point array of the input with 1 component, the priority of each point. Online: frequency with
+   * which the point is drawn, in the second half of the epochs. Batch: weight of the point. Default
+   * is none (or an empty name): equal priority.
    *
    * The paper gives priority to extrusive parts. Negative and non-finite values count as 0, with a
    * warning.
@@ -219,8 +211,8 @@ public:
 
   ///@{
   /**
-   * Seed of the choice of points. At least 0. Default is 1. The same input gives the same bits, on
-   * any number of threads and processes.
+   * Seed of the random choice of points. At least 0. Default is 1. The same input gives the same
+   * bits, on any number of threads and processes.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -228,15 +220,15 @@ public:
 
   ///@{
   /**
-   * Which point of the sphere a pattern stands for. CONFORMAL: the conformal image of its
-   * projection, Eqs. 4 and 5 of the paper. WINNER: a neuron, which is the plain self-organizing
-   * map. AFFINE: the affine image of the projection. AUTOMATIC_REFERENCE (default): CONFORMAL in
-   * online learning, AFFINE in batch learning.
+   * Reference point on the sphere for each sample. CONFORMAL: conformal image of the sample's
+   * projection, Eqs. 4 and 5 of the paper. WINNER: a neuron, as in the plain self-organizing map.
+   * AFFINE: affine image of the projection. AUTOMATIC_REFERENCE (default): CONFORMAL in online
+   * learning, AFFINE in batch learning.
    *
-   * The neuron is the winning one, r = n_c, in online learning; in batch learning it is the corner
-   * with the largest barycentric weight of the triangle that the pattern is projected on. In batch
-   * learning AFFINE is as close as CONFORMAL in less time. There the property counts while a mesh
-   * is learned from the sphere, not in the fit.
+   * With WINNER, online learning uses the winning neuron, r = n_c. Batch learning uses the corner
+   * with the largest barycentric weight in the triangle of the projection. In batch learning AFFINE
+   * is as close as CONFORMAL in less time. There the property matters only while a mesh is learned
+   * from the sphere, not in the fit.
    */
   vtkSetClampMacro(ReferencePoint, int, AUTOMATIC_REFERENCE, AFFINE);
   vtkGetMacro(ReferencePoint, int);
@@ -256,7 +248,7 @@ public:
 
   ///@{
   /**
-   * Online: patterns drawn in one epoch. At least 1. Default is 8000, as in the paper.
+   * Online: number of samples drawn in one epoch. At least 1. Default is 8000, as in the paper.
    */
   vtkSetClampMacro(SamplesPerEpoch, int, 1, VTK_INT_MAX);
   vtkGetMacro(SamplesPerEpoch, int);
@@ -268,8 +260,8 @@ public:
    * learning rate. Positive, but alpha_0 in [0, 1). Default is (0.4, 20, 0.01, 60).
    *
    * The neighborhood is h(d) = exp(-d^2 / (2 sigma^2)) with sigma(t) = sigma_0 exp(-t / tau_1), a
-   * length on the unit sphere; the learning rate is alpha(t) = alpha_0 exp(-t / tau_2); t counts
-   * epochs.
+   * length on the unit sphere. The learning rate is alpha(t) = alpha_0 exp(-t / tau_2). The time t
+   * is the number of the epoch.
    */
   vtkSetVector4Macro(OnlineConstants, double);
   vtkGetVector4Macro(OnlineConstants, double);
@@ -277,8 +269,8 @@ public:
 
   ///@{
   /**
-   * Batch: least-squares iterations over the points after learning; of an adaptive mesh, with those
-   * before the last remeshing, which are up to half of them. At least 0. Default is 10.
+   * Batch: number of least-squares iterations after learning. For an adaptive mesh the number
+   * includes iterations before the last remeshing, up to half of all. At least 0. Default is 10.
    */
   vtkSetClampMacro(FitIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(FitIterations, int);
@@ -286,8 +278,8 @@ public:
 
   ///@{
   /**
-   * Batch: weight of the Laplacian in the fit, for each point of a neuron. Not negative. Default
-   * is 0.01; larger values smooth noise. Noise that is found in the points adds to it.
+   * Batch: weight of the Laplacian in the fit, per point of a neuron. Not negative. Default is
+   * 0.01. Larger values smooth noise. Noise that is detected in the points increases the weight.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -295,24 +287,25 @@ public:
 
   ///@{
   /**
-   * Surface from which an adaptive mesh is learned, if there is no mesh on input port 1. AUTOMATIC
-   * (default): the input's own polygons, if they are one closed surface of genus zero of all
-   * points; else the sphere, and anew from a closed hull of the points where the sphere leads to
-   * webs between limbs, to hole fillings, or to a bad mesh. SPHERE, HULL or MESH, the input's
-   * polygons: always from that.
+   * Surface from which an adaptive mesh is learned, if input port 1 has no mesh. AUTOMATIC
+   * (default): the input's polygons, if they form one closed surface of genus zero through all
+   * points; else the sphere. If the mesh then has webs between limbs or hole fillings, or is bad
+   * otherwise, it is learned again from a closed hull of the points. SPHERE, HULL, MESH (the
+   * input's polygons): always that shape.
    *
-   * The best mesh is kept; UncoveredFraction, InvertedFraction and FoldedFraction are what is bad
-   * of one. A geodesic mesh is learned from the sphere, and HULL or MESH is an error then. With
+   * The best mesh is kept. UncoveredFraction, InvertedFraction and FoldedFraction measure how bad a
+   * mesh is. A geodesic mesh is learned from the sphere; HULL and MESH are errors then. With
    * MeshType AUTOMATIC_MESH, points in a plane are always learned from the sphere.
    *
-   * Where vertices of the polygons are sparse, points on these are learned from too. With MESH it
-   * is an error if the polygons are not a closed surface of genus zero, and points that none of
-   * them has are left out with a warning. With AUTOMATIC other polygons only orient the points, see
-   * HullMethod. Of several processes, one must have all of the input for its polygons to be used:
-   * with MESH it is an error if several have points, with AUTOMATIC there is a warning.
+   * Where vertices of the polygons are sparse, additional samples are drawn from the polygons. With
+   * MESH, polygons that do not form a closed surface of genus zero are an error. Points of no
+   * polygon are left out with a warning. With AUTOMATIC, polygons of any other kind only orient the
+   * points, see HullMethod. Among several processes, polygons are used only if one process has all
+   * of the input. If several processes have points, MESH is an error, and AUTOMATIC gives a
+   * warning.
    *
-   * Small webs show only in the fitted mesh. Where more than 0.1 % of its area has no points
-   * nearby, it is learned anew from a hull, which takes as long again.
+   * Small webs are visible only in the fitted mesh. If more than 0.1 % of its area has no points
+   * nearby, the mesh is learned again from a hull, which doubles the time.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, MESH);
   vtkGetMacro(StartingShape, int);
@@ -324,14 +317,14 @@ public:
 
   ///@{
   /**
-   * Batch: how a hull to learn from classifies inside and outside, as Method of vtkGenusZeroHull:
-   * by DISTANCE, or by WINDING_NUMBERS, for scans with large holes, hidden sides or noise.
-   * AUTOMATIC_METHOD (default): as AUTOMATIC there; a bad adaptive mesh is learned anew from the
-   * other hull, and the better one is kept.
+   * Batch: classifier of inside and outside for a hull to learn from, as Method of
+   * vtkGenusZeroHull. DISTANCE, or WINDING_NUMBERS for scans with large holes, hidden sides or
+   * noise. AUTOMATIC_METHOD (default): as AUTOMATIC of that filter. A bad adaptive mesh is then
+   * learned again from the other hull, and the better mesh is kept.
    *
-   * Winding numbers use the normals of the input's polygons, oriented consistently, if most of its
-   * points are of one; else its active normals; else, and where these do not agree on what is
-   * inside, they find them.
+   * Winding numbers use the consistently oriented normals of the input's polygons, if most of its
+   * points belong to a polygon. Otherwise they use its active normals. Without any, or where
+   * normals contradict each other about the inside, normals are estimated.
    */
   vtkSetClampMacro(HullMethod, int, AUTOMATIC_METHOD, WINDING_NUMBERS);
   vtkGetMacro(HullMethod, int);
@@ -342,11 +335,8 @@ public:
 
   ///@{
   /**
-   * Whether output port 2 has the surfaces that learning went through: the start, each level or
-   * turn, the fit, and the result, each with its quality. For figures, and for finding the cause of
-   * a bad result. Default is off.
-   *
-   * Each stage is evaluated, which takes some tenths of a second, and held in memory.
+   * Whether to add the point array "QuantizationError": root mean square distance between each
+   * point of the mesh and the input points assigned to it. Default is off.
    */
   vtkSetMacro(GenerateStages, bool);
   vtkGetMacro(GenerateStages, bool);
@@ -355,10 +345,10 @@ public:
 
   ///@{
   /**
-   * The processes that share the points. Each runs this filter with its own points, perhaps none,
-   * and asks its inputs for its own piece; the surface is that of all points together, to the bit,
-   * however many processes there are. Default is the global controller; null for points of this
-   * process alone.
+   * Controller of the processes that share the points. Each process runs this filter on its own
+   * piece of the points, which may be empty. The surface is that of all points together, with the
+   * same bits on any number of processes. Default is the global controller; null uses the points of
+   * this process alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -366,9 +356,9 @@ public:
 
   ///@{
   /**
-   * Whether each process gets a piece of the surface: a run of its triangles, with the points they
-   * use and with global ids. Default is off: the first process gets all of it, the others empty
-   * arrays.
+   * Whether to give each process a piece of the surface: a range of its triangles, with their
+   * points and with global ids. Default is off: the first process gets the whole surface, the
+   * others get empty arrays.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);

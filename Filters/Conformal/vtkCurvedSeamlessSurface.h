@@ -2,50 +2,50 @@
  * @class   vtkCurvedSeamlessSurface
  * @brief   make a mesh that is mapped to the sphere a smooth, dense surface (CSS)
  *
- * Make a smooth, dense, closed surface of a mesh that is mapped to the sphere, such as the
- * output of vtkConformalSOM, and keep its map: the CSS algorithm of section 3 of C.-Y. Liou,
- * Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The surface has the point arrays
- * "SpherePosition" and Normals.
+ * Make a smooth, dense, closed surface from a mesh that is mapped to the sphere, such as the output
+ * of vtkConformalSOM, and keep its map. This is the CSS algorithm of section 3 of C.-Y. Liou, Y.-T.
+ * Kuo, J.-C. Huang, Neurocomputing 71 (2008). The surface has the point arrays "SpherePosition" and
+ * Normals.
  *
- * Input port 0: vtkPolyData, a closed surface of genus zero, of a vtkConformalSOM or any other
- * origin. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
- * triangles turned to agree with each other, isolated points dropped, each with one warning.
- * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. The map must cover the sphere exactly once.
+ * Input port 0: vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
+ * source. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
+ * triangles are oriented consistently, and isolated points are dropped, each with one warning.
+ * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
+ *   sphere. The map must cover the sphere exactly once.
  * - field array "VertexShift" (1 component, optional, at least 1 tuple): see the property
  *   VertexShift.
  *
  * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
- * directions of its points, taken from the point array "SpherePosition" (3 components) where there
- * is one and from the coordinates otherwise, and is given its triangles. Without it the property
- * Sampling says where the surface is evaluated.
+ * directions of its points and gets its triangles. The directions are the point array
+ * "SpherePosition" (3 components), or else the coordinates. Without this input the property
+ * Sampling determines where the surface is evaluated.
  *
  * Input port 2 (optional): vtkPointSet, the cloud that DomeHeight FITTED fits the surface to.
  * Points that are not finite are left out with a warning, ghost points silently.
  *
  * Output port 0: vtkPolyData, the surface, in the coordinates of port 0 as doubles.
  * - point array "SpherePosition" (double, 3 components): unit vector of each point.
- * - point array "Normals" (double, 3 components): outward. With DomeHeight CURVATURE and FITTED the
- *   surface's normals for shading, which are continuous across the edges of port 0; else the mean
- * of the normals of the triangles around each point, weighted by area. Where there is none it is
- * the normal of the flat triangle the point comes from, or if that is degenerate its
- * SpherePosition.
+ * - point array "Normals" (double, 3 components): outward. With DomeHeight CURVATURE and FITTED
+ *   they are shading normals, which are continuous across the edges of port 0. Otherwise they are
+ *   means of the normals of the triangles around each point, weighted by area. Where a mean is 0,
+ *   the normal of the flat triangle is used, or, if that is degenerate, SpherePosition.
  * - point array "Supported" (double, 1 component), if port 0 has it, interpolated.
- * - cell array "Degenerate" (unsigned char): 1 in triangles with a point that comes from a
- *   degenerate triangle of port 0; with Sampling NETWORK in those that are cut from one.
- * - field array "NumberOfDegeneratePatches" (vtkIdType): of the triangles of port 0, how many
- *   have no shape in space or on the sphere and are mapped affinely; or with DomeHeight CURVATURE
- *   and FITTED would turn over and are flatter; or with PUBLISHED and SCALED have a neighbor that
- *   faces the opposite way and use their own normal. There is a warning.
+ * - cell array "Degenerate" (unsigned char): 1 in triangles with a point from a degenerate triangle
+ *   of port 0; with Sampling NETWORK in the parts of a degenerate triangle.
+ * - field array "NumberOfDegeneratePatches" (vtkIdType): number of triangles of port 0 where the
+ *   construction is replaced, with a warning. Triangles degenerate in space or on the sphere are
+ *   mapped affinely. With DomeHeight CURVATURE and FITTED, patches that would turn over are
+ *   flattened. With PUBLISHED and SCALED, triangles with a neighbor that faces the opposite way use
+ *   their own normal.
  *
- * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11 with
+ * The algorithm is that of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11, with
  * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
  *
- * Implementation note: the published maps slip along the edges of port 0, and the published domes
- * bring the surface no closer to the object. Both are kept, as SeamMode PER_TRIANGLE and DomeHeight
- * PUBLISHED. The defaults make one continuous one-to-one map of them, and domes that follow the
- * surface's own curvature. GetMap() evaluates the surface anywhere.
+ * Implementation note: the published maps of neighboring triangles differ along the edges of port
+ * 0, and the published domes bring the surface no closer to the object. Both are available, as
+ * SeamMode PER_TRIANGLE and DomeHeight PUBLISHED. The defaults are one continuous one-to-one map,
+ * and domes that follow the surface's own curvature. GetMap() evaluates the surface anywhere.
  *
  * @sa
  * vtkCurvedSeamlessMap vtkConformalSOM vtkGeodesicSphereSource vtkGenusZeroCheck
@@ -71,14 +71,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * A mesh of the sphere at whose points the surface is evaluated, and whose triangles it gets:
-   * N^new in the paper, input port 1. Without it Sampling determines the points. Sampling NETWORK
-   * does not use it.
+   * A mesh of the sphere, N^new in the paper, input port 1. The surface is evaluated at its points
+   * and gets its triangles. Without it Sampling determines the points. Sampling NETWORK does not
+   * use it.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
   /**
-   * Set the dense mesh of the sphere without a pipeline.
+   * Set the dense mesh of the sphere without a pipeline connection.
    */
   void SetSphereData(vtkPolyData* sphere);
 
@@ -106,15 +106,15 @@ public:
 
   ///@{
   /**
-   * Where the surface gets its points. DIRECTIONS: evenly over the sphere, or at the points of the
-   * mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that are
-   * small on the sphere get theirs. AUTOMATIC (default): DIRECTIONS where input port 1 has a mesh
-   * or the input's mesh lies on the sphere as a geodesic one, NETWORK otherwise.
+   * Distribution of the surface's points. DIRECTIONS: evenly over the sphere, or at the points of
+   * the mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that
+   * are small on the sphere get points. AUTOMATIC (default): DIRECTIONS if input port 1 has a mesh
+   * or the input's mesh is geodesic on the sphere, NETWORK otherwise.
    *
-   * DIRECTIONS without a mesh on input port 1 evaluates the surface at the points of a geodesic
+   * Without a mesh on input port 1, DIRECTIONS evaluates the surface at the points of a geodesic
    * sphere of the Frequency. NETWORK cuts every triangle on the sphere into Subdivisions x
-   * Subdivisions: the mesh's own points come first, then those on edges, then those inside
-   * triangles; input port 1 is not used. A mesh lies on the sphere as a geodesic one if
+   * Subdivisions. The mesh's own points come first, then those on edges, then those inside
+   * triangles. NETWORK does not use input port 1. A mesh is geodesic on the sphere if
    * vtkConformalSOM learned it with MeshType GEODESIC.
    */
   vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
@@ -126,10 +126,10 @@ public:
 
   ///@{
   /**
-   * DIRECTIONS: frequency f of the geodesic sphere that is used without a mesh on input port 1; the
-   * surface has 10 f^2 + 2 points and 20 f^2 triangles. If it is a multiple of the frequency of the
-   * input's mesh, no triangle lies across one of its edges. NETWORK with Subdivisions 0: the
-   * surface gets at least as many points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   * DIRECTIONS: frequency f of the geodesic sphere that is used without a mesh on input port 1. The
+   * surface has 10 f^2 + 2 points and 20 f^2 triangles. If f is a multiple of the frequency of the
+   * input's mesh, no triangle crosses an edge of that mesh. NETWORK with Subdivisions 0: lower
+   * bound of the number of points. In [1, 1000]. Default is 80, which gives 64,002 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -137,34 +137,34 @@ public:
 
   ///@{
   /**
-   * NETWORK: k, the number of parts into which the edges of the mesh are cut; of N points and
-   * 2 N - 4 triangles it makes (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0 (default)
-   * takes the least k that gives at least the 10 f^2 + 2 points of the Frequency: 3 for the 12,962
-   * points of a learned mesh, which makes 116,642. In [0, 100].
+   * NETWORK: number k of parts into which the edges of the mesh are cut. N points and 2 N - 4
+   * triangles become (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0 (default): the smallest
+   * k that gives at least the 10 f^2 + 2 points of the Frequency. For the 12,962 points of a
+   * learned mesh this is 3, with 116,642 points. In [0, 100].
    */
   vtkSetClampMacro(Subdivisions, int, 0, 100);
   vtkGetMacro(Subdivisions, int);
   ///@}
 
   /**
-   * The points that the surface is fitted to. Only for, and needed by, DomeHeight FITTED.
+   * The points to which the surface is fitted. DomeHeight FITTED needs them; other modes do not use
+   * them.
    */
   void SetCloudConnection(vtkAlgorithmOutput* output);
 
   /**
-   * Set the cloud that DomeHeight FITTED fits the surface to without a pipeline.
+   * Set the cloud of DomeHeight FITTED without a pipeline connection.
    */
   void SetCloudData(vtkPointSet* cloud);
 
   ///@{
   /**
-   * The processes that share the cloud of DomeHeight FITTED. Each runs this filter with its own
-   * points of the cloud, perhaps none, and asks its inputs for its own piece. The surface to be
-   * fitted is that of the first process that has one. It is fitted to all points together, the same
-   * to the bit however many processes there are, and that process gets the result; the others get
-   * empty arrays, and the map too. Default is the global controller; null for a cloud of this
-   * process alone. The other DomeHeights need no cloud, and each process makes the surface of its
-   * own input.
+   * Controller of the processes that share the cloud of DomeHeight FITTED. Each process runs this
+   * filter on its own piece of the cloud, which may be empty. The surface to be fitted is that of
+   * the first process that has one. It is fitted to all points together, with the same bits on any
+   * number of processes. That process gets the result and the map; the others get empty arrays.
+   * Default is the global controller; null uses a cloud of this process alone. Other values of
+   * DomeHeight need no cloud: each process makes the surface of its own input.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -172,8 +172,9 @@ public:
 
   ///@{
   /**
-   * How the maps of neighboring triangles join. EDGE_MATCHED (default): as one continuous map.
-   * PER_TRIANGLE: as published, each triangle for itself, with a jump along the common edge.
+   * Continuity of the map across the edges of the input's triangles. EDGE_MATCHED (default): one
+   * continuous map. PER_TRIANGLE: as published, one map per triangle, with a jump along the common
+   * edge.
    */
   vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
   vtkGetMacro(SeamMode, int);
@@ -183,15 +184,15 @@ public:
 
   ///@{
   /**
-   * What is raised over the flat triangles. CURVATURE (default): a dome that follows the mesh's own
-   * normals, outwards on ridges and inwards in hollows. FITTED: one that is fitted to the cloud on
-   * input port 2. PUBLISHED and SCALED: the domes of the paper, which rise outwards everywhere.
-   * NONE: nothing.
+   * Shape of the domes that are raised over the flat triangles. CURVATURE (default): domes that
+   * follow the mesh's own normals, outwards on ridges and inwards in hollows. FITTED: domes that
+   * are fitted to the cloud on input port 2. PUBLISHED and SCALED: domes of the paper, which rise
+   * outwards everywhere. NONE: flat triangles.
    *
-   * CURVATURE makes PN triangles on the mean normals of the vertices; FITTED fits their positions
-   * and normals by least squares. PUBLISHED takes the domes of the unit sphere, times the model's
-   * largest distance from the mean of its points; SCALED the same in proportion to the model's
-   * local size.
+   * CURVATURE makes PN triangles with the mean normals of the vertices. FITTED fits positions and
+   * normals of the vertices by least squares. PUBLISHED scales the domes of the unit sphere by the
+   * model's largest distance from the mean of its points. SCALED scales them by the model's local
+   * size.
    */
   vtkSetClampMacro(DomeHeight, int, NONE, FITTED);
   vtkGetMacro(DomeHeight, int);
@@ -204,16 +205,16 @@ public:
 
   ///@{
   /**
-   * How far the vertices of a mesh that was fitted to points are moved, as a share of what would
-   * keep its volume, in [0, 2]. 0 makes the surface go through the mesh's points; a negative value,
-   * the default, stands for the field array "VertexShift" of the mesh, which vtkConformalSOM
-   * writes, or for 0 where there is none.
+   * Shift of the vertices of a mesh that was fitted to points, as a fraction of the shift that
+   * would keep its volume, in [0, 2]. With 0 the surface passes through the mesh's points. A
+   * negative value (default) uses the mesh's field array "VertexShift", which vtkConformalSOM
+   * writes, or 0 without that array.
    *
-   * Flat triangles fitted by least squares lie in the middle of the points, their vertices outside
-   * of ridges; curved triangles (CURVATURE and FITTED) through the vertices would lie too far out.
-   * Without the array there is a warning if the mesh has the connectivity of a geodesic sphere or
-   * even triangles, as the meshes of vtkConformalSOM have, since the array may have been lost, for
-   * instance in a file; 1 is then about right.
+   * Flat triangles fitted by least squares run through the middle of the points, with their
+   * vertices outside of ridges. Curved triangles (CURVATURE and FITTED) through the vertices would
+   * lie too far out. A file format may drop the array. There is a warning if the array is missing
+   * and the mesh resembles one of vtkConformalSOM (connectivity of a geodesic sphere, or triangles
+   * of equal size). A value of 1 is then about right.
    */
   vtkSetClampMacro(VertexShift, double, -1.0, 2.0);
   vtkGetMacro(VertexShift, double);
@@ -221,8 +222,8 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: how often the closest points are looked up and the surface is drawn to them.
-   * In [0, 100]. Default is 6.
+   * DomeHeight FITTED: number of rounds. Each round finds the closest points and fits the surface
+   * to them. In [0, 100]. Default is 6.
    */
   vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
   vtkGetMacro(NumberOfFitRounds, int);
@@ -230,22 +231,23 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: weight of a smooth surface against a close one, per point of a vertex. In
-   * [0, 1000]. Default is 0.01; larger values smooth noise.
+   * DomeHeight FITTED: weight of smoothness against closeness, per point of a vertex. In [0, 1000].
+   * Default is 0.01. Larger values smooth noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);
   ///@}
 
   /**
-   * The map that the output was sampled from by the last Update(); before, there is none built.
+   * Return the map from which the last Update() sampled the output. Before the first Update() the
+   * map is not built.
    */
   vtkCurvedSeamlessMap* GetMap();
 
   /**
-   * Build the map of a surface with the properties of this filter, without running it. Its inputs
-   * are not used. The cloud may be null; DomeHeight FITTED needs it. Returns false, with an error
-   * of the map, if the surface has no map.
+   * Build the map of a surface with the properties of this filter, without running it. The filter's
+   * inputs are not used. The cloud may be null, but DomeHeight FITTED needs it. Returns false, with
+   * an error of the map, if the surface is not valid.
    */
   bool BuildMap(vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessMap* map);
 

@@ -2,37 +2,41 @@
  * @class   vtkGenusZeroCheck
  * @brief   check whether a surface is closed, manifold, connected, of genus zero and oriented
  *
- * Pass the surface on with field data: IsGenusZero, the numbers of boundary edges, components,
- * non-manifold edges and so on, the ids of faulty edges, points and cells, and all of it in
- * words in GenusZeroReport. A spreadsheet view shows them under Field Data.
+ * Pass the surface through and add field data: IsGenusZero, the numbers of boundary edges,
+ * components, non-manifold edges and other faults, and the ids of faulty edges, points and cells.
+ * GenusZeroReport describes the faults in words. A spreadsheet view shows them under Field Data.
  *
- * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines
- * are ignored.
+ * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
+ * ignored.
  *
- * Output port 0: the input, with field data that says what is wrong and where. Figures (vtkIdType,
+ * Output port 0: the input, with field data about faults and where they are. Figures (vtkIdType,
  * one value):
  * - "IsGenusZero": 1 if the surface is closed, manifold, in one piece and of Euler number 2.
- *   Orientation, triangles without area and isolated points are faults that can be repaired and
- *   do not count here.
+ *   Inconsistent orientation, triangles without area and isolated points can be repaired and do not
+ *   count here.
  * - "EulerNumber": vertices - edges + triangles, without isolated points.
- * - "NumberOfBoundaryEdges", "NumberOfBoundaryLoops" (connected sets of boundary edges),
- *   "NumberOfNonManifoldEdges" (of more than two triangles), "NumberOfNonManifoldVertices" (where
- *   several fans of triangles meet), "NumberOfComponents", "NumberOfInconsistentEdges" (which both
- *   triangles run the same way), "NumberOfDegenerateTriangles" (a repeated point or no area; those
- *   of a repeated point take no part in the other figures), "NumberOfIsolatedPoints" (of no
- *   triangle), "NumberOfNonFinitePoints".
- * - "IsInsideOut": 1 if the triangles of a closed, consistently oriented surface are clockwise
- *   seen from outside.
+ * - "NumberOfBoundaryEdges".
+ * - "NumberOfBoundaryLoops": connected sets of boundary edges.
+ * - "NumberOfNonManifoldEdges": edges of more than two triangles.
+ * - "NumberOfNonManifoldVertices": vertices with more than one fan of triangles.
+ * - "NumberOfComponents".
+ * - "NumberOfInconsistentEdges": edges with the same direction in both triangles.
+ * - "NumberOfDegenerateTriangles": triangles with a repeated point or without area. Triangles with
+ *   a repeated point do not count in the other figures.
+ * - "NumberOfIsolatedPoints": points of no triangle.
+ * - "NumberOfNonFinitePoints".
+ * - "IsInsideOut": 1 if the triangles of a closed, consistently oriented surface are clockwise seen
+ *   from outside.
  *
- * Where (vtkIdType, as many tuples as there are faults):
+ * Positions of the faults (vtkIdType, one tuple per fault):
  * - "BoundaryEdges", "NonManifoldEdges", "InconsistentEdges" (2 components): point ids.
  * - "NonManifoldVertices", "IsolatedPoints": point ids.
  * - "DegenerateTriangles": cell ids.
  *
- * And "GenusZeroReport" (string): the same in words, a line what the surface is and a line for each
- * fault.
+ * Report:
+ * - "GenusZeroReport" (string): one line about the surface, and one line for each fault.
  *
- * A bad mesh is no error: to report it is what the filter is for.
+ * A faulty mesh causes no error; the filter reports it in the field data.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkConformalDistortion vtkFeatureEdges

@@ -194,15 +194,15 @@ void AddFigures(vtkFieldData* data, const Repaired& repaired, conformal::Index n
   report.Add("NumberOfPointsMerged", repaired.NumberOfPointsMerged,
     "coincident points of open edges were merged");
   report.Add("NumberOfTrianglesDropped", gluing.NumberOfRepeatedPoints + gluing.NumberOfDuplicates,
-    "triangles with a repeated point, or that were there twice, were dropped");
+    "triangles with a repeated point, or duplicates of others, were dropped");
   report.Add("NumberOfEdgesSeparated", gluing.NumberOfNonManifoldEdges,
     "edges of more than two triangles were separated");
-  report.Add(
-    "NumberOfPartsRemoved", gluing.NumberOfPartsRemoved, "parts beside the largest were left out");
+  report.Add("NumberOfPartsRemoved", gluing.NumberOfPartsRemoved,
+    "parts other than the largest were left out");
   report.Add("NumberOfTrianglesRemoved", gluing.NumberOfTrianglesRemoved,
     "triangles belonged to these parts");
   report.Add("NumberOfTrianglesTurned", gluing.NumberOfTurnedTriangles,
-    "triangles were reversed to agree in orientation");
+    "triangles were reversed for a consistent orientation");
   report.Add(
     "NumberOfBoundariesFilled", repaired.count(RepairLoopType::FilledHole), "holes were filled");
   report.Add("NumberOfBoundariesLeft", repaired.count(RepairLoopType::OpenHole),
@@ -230,8 +230,8 @@ void WarnOfRepairs(vtkObject* self, const Repaired& repaired)
                          dropped = gluing.NumberOfRepeatedPoints + gluing.NumberOfDuplicates;
   if (dropped > 0)
   {
-    vtkWarningWithObjectMacro(self,
-      << dropped << " triangles were dropped: they have a repeated point, or are there twice");
+    vtkWarningWithObjectMacro(
+      self, << dropped << " triangles were dropped: they have a repeated point, or are duplicates");
   }
   if (gluing.NumberOfNonManifoldEdges > 0)
   {
@@ -241,7 +241,7 @@ void WarnOfRepairs(vtkObject* self, const Repaired& repaired)
   if (gluing.NumberOfPartsRemoved > 0)
   {
     vtkWarningWithObjectMacro(self, << gluing.NumberOfPartsRemoved
-                                    << " parts beside the largest were left out, with "
+                                    << " parts other than the largest were left out, with "
                                     << 100.0 * gluing.AreaRemoved << " % of the area");
   }
   if (open > 0)

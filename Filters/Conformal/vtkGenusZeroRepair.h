@@ -2,57 +2,59 @@
  * @class   vtkGenusZeroRepair
  * @brief   free a triangle mesh from handles, small holes and other parts, and leave the rest alone
  *
- * Keep the largest part of the mesh, fill its holes, and cut each handle along a short loop
- * around it or through it, so that the result is a closed surface of genus zero. Triangles that
- * are left are not changed. The second output has the loops; the field data state what was done.
+ * Keep the largest part of the mesh, fill its holes, and cut each handle along a short loop around
+ * it or through it. The result is a closed surface of genus zero. Remaining triangles are not
+ * changed. The second output has the loops; the field data state each repair.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
  *
- * Output port 0: vtkPolyData, the largest part of it as a closed triangle mesh of genus zero,
- * triangles counter-clockwise seen from outside, double precision. No point is moved: triangles
- * that are left keep their coordinates to the bit and their order, and come before those that were
- * added. An input that needs no repair is passed as it is. With
+ * Output port 0: vtkPolyData, the largest part as a closed triangle mesh of genus zero, double
+ * precision, triangles counter-clockwise seen from outside. No point is moved. Remaining triangles
+ * keep their coordinates, bit by bit, and their order; added triangles follow them. An input that
+ * needs no repair is passed unchanged. The output has
  * - cell array "OriginalCellIds" (vtkIdType): the input's cell that the triangle is, or is part of;
- *   -1 for those that were added.
- * - point array "OriginalPointIds" (vtkIdType): the input's point; -1 for those that were added.
- * The points along a cut are there twice.
- * - the input's point arrays of numbers: of points that were added, means of those around; arrays
- *   of integers of 1 component are labels, of which the most frequent is taken. "SpherePosition",
- *   active normals, texture coordinates and global and pedigree ids are left out where there was
- *   something to repair; so are cell arrays, which "OriginalCellIds" finds.
+ *   -1 for added triangles.
+ * - point array "OriginalPointIds" (vtkIdType): the input's point; -1 for added points. Points
+ *   along a cut are duplicated.
+ * - the input's numeric point arrays. Added points get the mean of the points around them; in
+ *   integer arrays of 1 component (labels) they get the most frequent label. A repair removes
+ *   "SpherePosition", active normals, texture coordinates, and global and pedigree ids. It also
+ *   removes cell arrays; "OriginalCellIds" refers to them.
  *
  * Output port 1: vtkPolyData, a closed polyline for each place of repair, with cell arrays
- * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) a boundary that was filled, 1 (OPEN_HOLE) one that was
- *   not since it is too large, 2 (CUT_HANDLE) around a handle, which was cut through there, 3
- *   (FILLED_TUNNEL) through a handle, whose hole was filled there.
- * - "LoopLength" (double); "LoopAreaFraction" (double): area of what fills it, as a share of the
- *   area of the surface.
+ * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) a boundary that was filled; 1 (OPEN_HOLE) a boundary
+ *   that was too large to be filled; 2 (CUT_HANDLE) a loop around a handle that was cut through; 3
+ *   (FILLED_TUNNEL) a loop through a handle whose hole was filled.
+ * - "LoopLength" (double): length of the loop.
+ * - "LoopAreaFraction" (double): area of the filling, as a fraction of the area of the surface.
  *
  * Field data of port 0 (one value, vtkIdType unless noted):
- * - "IsGenusZero": 1 if the output is a closed surface of genus zero, as vtkGenusZeroCheck says;
- *   0 if a hole was left. "EulerNumber": of the output.
- * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": together the number of handles there were.
+ * - "IsGenusZero": 1 if the output is a closed surface of genus zero, as in vtkGenusZeroCheck; 0 if
+ *   a hole was left.
+ * - "EulerNumber": of the output.
+ * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": their sum is the number of handles of the input.
  * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft".
- * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): of the
- * parts beside the largest.
- * - "NumberOfPointsMerged": coincident points of open edges. "NumberOfTrianglesTurned": to agree
- *   in orientation. "NumberOfTrianglesDropped": with a repeated point, or there twice.
- *   "NumberOfEdgesSeparated": of more than two triangles.
- * - "NumberOfTrianglesAdded"; "UntouchedFraction" (double): share of the input's triangles that are
- *   in the output.
- * - "RepairReport" (string): the same in words, a line for each thing done, and for each not done.
+ * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): all parts
+ *   but the largest.
+ * - "NumberOfPointsMerged": coincident points of open edges.
+ * - "NumberOfTrianglesTurned": triangles reversed for a consistent orientation.
+ * - "NumberOfTrianglesDropped": triangles with a repeated point, and duplicates.
+ * - "NumberOfEdgesSeparated": edges of more than two triangles.
+ * - "NumberOfTrianglesAdded".
+ * - "UntouchedFraction" (double): fraction of the input's triangles that are in the output.
+ * - "RepairReport" (string): one line for each repair that was made, and for each that was not.
  *
- * One warning each if a hole was left open, if other parts were left out, if edges of more than two
- * triangles had to be separated, or if triangles were dropped. A surface whose largest part is not
- * orientable is an error.
+ * There is one warning each for holes left open, other parts left out, separated edges of more than
+ * two triangles, and dropped triangles. A largest part that is not orientable is an error.
  *
- * Not in the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
- * seamless surface", Neurocomputing 71 (2008)), but what its surfaces of genus zero come from.
- * Around a handle and through it there are two kinds of loops; the mesh is cut along a shortest one
- * and both sides of the cut are filled (Wood and others 2004; the loops by Eppstein 2003, Erickson
- * and Whittlesey 2005; see Documentation/references.bib). The two sides lie at the same places:
- * programs that merge points by their coordinates would join them again.
+ * The repair is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)), whose method needs
+ * surfaces of genus zero. Every handle has loops around it and loops through it. The mesh is cut
+ * along a shortest loop, and both sides of the cut are filled (Wood and others 2004). Loops are
+ * found after Eppstein 2003 and Erickson and Whittlesey 2005; see Documentation/references.bib.
+ * Both sides have the same positions: programs that merge points by coordinates would join them
+ * again.
  *
  * @sa
  * vtkGenusZeroCheck vtkGenusZeroHull vtkGlobalConformalMap vtkFillHolesFilter
@@ -82,8 +84,8 @@ public:
 
   ///@{
   /**
-   * The largest hole that is filled: the area of what fills it, as a share of the area of the
-   * surface. Larger ones are left open, with a warning. In [0, 1]. Default is 0.25.
+   * Maximum size of a hole that is filled: area of the filling, as a fraction of the area of the
+   * surface. Larger holes stay open, with a warning. In [0, 1]. Default is 0.25.
    */
   vtkSetClampMacro(MaximumHoleArea, double, 0.0, 1.0);
   vtkGetMacro(MaximumHoleArea, double);

@@ -3,42 +3,41 @@
  * @brief   map a closed surface to the sphere, conformally and without folds
  *
  * Give every point of a closed triangle mesh without handles its position on the sphere, the point
- * array "SpherePosition", so that angles are kept: what the method of the paper is compared with.
- * The field data state whether the map is finished and folds nowhere.
+ * array "SpherePosition", so that angles are preserved. The paper compares its method with such
+ * maps. The field data state whether the map has converged and the number of flipped triangles.
  *
  * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
- * triangles. Coincident points of open edges are merged, triangles turned and points of no triangle
- * dropped, each with a warning.
+ * triangles. Coincident points of open edges are merged, triangles are oriented consistently, and
+ * points of no triangle are dropped, each with a warning.
  *
- * Output port 0: the input, or, if it had to be repaired, its triangles; with
- * - point array "SpherePosition" (double, 3 components): the point's place on the unit sphere.
+ * Output port 0: the input, or, if it had to be repaired, its triangles, with
+ * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
  *
  * Field data (one value):
  * - "Energy" (double): harmonic energy of the map. 4 pi means conformal.
- * - "NumberOfIterations" (vtkIdType): steps of GUYAU; linear solves of ROBUST.
- * - "Converged" (vtkIdType): 1 if no triangle is flipped and, for GUYAU, both phases ended by
- *   Tolerance and no string constant is infinite.
- * - "NumberOfFlippedTriangles" (vtkIdType): by exact arithmetic, flat ones included.
- * - "SphereMapTier" (vtkIdType): what ROBUST had to do. 0: solve linear equations. 1: also unfold
- *   triangles in places. 2: insert the vertices one by one, which never folds, since areas were
- *   asked for, or a conformal map would have triangles too small for numbers.
- * - "NumberOfNegativeStringConstants" (vtkIdType): edges whose opposite angles add up to more than
- *   180 degrees.
+ * - "NumberOfIterations" (vtkIdType): number of steps of GUYAU, or of linear solves of ROBUST.
+ * - "Converged" (vtkIdType): 1 if no triangle is flipped. GUYAU must also end both phases by
+ *   Tolerance, without infinite string constants.
+ * - "NumberOfFlippedTriangles" (vtkIdType): flipped and flat triangles, by exact arithmetic.
+ * - "SphereMapTier" (vtkIdType): steps that ROBUST needed. 0: linear equations. 1: also local
+ *   unfolding of triangles. 2: insertion of the vertices one by one, which never folds. Tier 2
+ *   serves AreaBalance, and conformal maps with triangles too small for double precision.
+ * - "NumberOfNegativeStringConstants" (vtkIdType): edges with opposite angles that add up to more
+ *   than 180 degrees.
  * - "NumberOfInfiniteStringConstants" (vtkIdType): edges of triangles without area.
  *
- * The global conformal parameterization of X. Gu, S.-T. Yau is what section 4.1 of C.-Y. Liou,
- * Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008), is compared with. GUYAU is that procedure, with the failures the paper
- * shows: obtuse triangles give negative string constants and folds, triangles without area infinite
- * ones. ROBUST maps every surface one to one.
+ * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
+ * seamless surface", Neurocomputing 71 (2008), compares its method with the global conformal
+ * parameterization of X. Gu, S.-T. Yau. GUYAU is that procedure, with the failures that the paper
+ * shows. Obtuse triangles cause negative string constants and folds; triangles without area cause
+ * infinite string constants. ROBUST maps every surface one to one.
  *
- * A conformal map is given up to a Moebius transform. ROBUST moves the mean of the surface,
- * weighted by area, to the sphere's center, and turns the sphere to where it agrees best with the
- * directions from the surface's middle.
+ * A conformal map is unique up to a Moebius transform. ROBUST moves the mean of the surface,
+ * weighted by area, to the sphere's center. It then rotates the sphere for the best agreement with
+ * the directions from the surface's middle.
  *
- * @note
- * Limbs shrink exponentially in a conformal map. Keep SpherePosition in double precision; programs
- * that look at the map as float see flipped triangles that are not there.
+ * @note Limbs shrink exponentially in a conformal map. Keep SpherePosition in double precision. In
+ * programs that convert the map to float, triangles seem flipped that are not.
  *
  * @sa
  * vtkConformalDistortion vtkCurvedSeamlessSurface vtkSphericalAlignment vtkConformalSOM
@@ -65,8 +64,8 @@ public:
 
   ///@{
   /**
-   * How the map is made. ROBUST (default): without folds, whatever the surface. GUYAU: as Gu and
-   * Yau published it, which folds at obtuse triangles.
+   * Algorithm of the map. ROBUST (default): without folds, for every surface. GUYAU: as Gu and Yau
+   * published it, which folds at obtuse triangles.
    */
   vtkSetClampMacro(Method, int, ROBUST, GUYAU);
   vtkGetMacro(Method, int);
@@ -76,8 +75,9 @@ public:
 
   ///@{
   /**
-   * ROBUST only: from conformal, 0, to nearly equal in area, 1. In between angles are given up for
-   * areas step by step, so that limbs keep their share of the sphere. Default is 0.
+   * ROBUST only: trade-off between conformal (0) and nearly equal in area (1). Values in between
+   * trade angles for areas, so that limbs keep their fraction of the sphere. In [0, 1]. Default is
+   * 0.
    */
   vtkSetClampMacro(AreaBalance, double, 0.0, 1.0);
   vtkGetMacro(AreaBalance, double);
@@ -85,7 +85,7 @@ public:
 
   ///@{
   /**
-   * GUYAU only: steps of each phase at most. At least 0. Default is 5000.
+   * GUYAU only: maximum number of steps of each phase. At least 0. Default is 5000.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -93,8 +93,8 @@ public:
 
   ///@{
   /**
-   * GUYAU only: relative change of the energy in a step at which a phase ends. At least 0. Default
-   * is 1e-7.
+   * GUYAU only: relative change of the energy in one step that ends a phase. In [0, 1]. Default is
+   * 1e-7.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);

@@ -3,12 +3,11 @@
  * @brief   blend a picture of the front and one of the back into an image of the sphere
  *
  * Make one image of two pictures, for the texture coordinates of vtkSphericalTextureMap in a
- * projection that holds all of the sphere (any but STEREOGRAPHIC). The front picture lies where
- * that filter's view meets the surface; over the equator between front and back the one fades
- * into the other.
+ * projection of the whole sphere (any but STEREOGRAPHIC). The middle of the front picture lies at
+ * the image's pole. The pictures fade into each other over the equator between front and back.
  *
- * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
- * image lies on the sphere, with the point array "SpherePosition" (3 components).
+ * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
+ * "SpherePosition" (3 components). Its field data define how the image is laid on the sphere.
  *
  * Input port 1: vtkImageData, the front picture: one slice, scalars of any type and number of
  * components. Its middle lies at the surface's "SpherePole", its top towards "SphereUp".
@@ -17,17 +16,16 @@
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its
  * middle.
- * - the blended pixels, of the front picture's name, type and components, as active scalars; whole
- *   numbers are rounded.
+ * - the blended pixels, as active scalars with the name, type and components of the front picture.
+ *   Integers are rounded.
  *
- * Seen through the surface's texture coordinates, which should hold all of the sphere (any
- * projection but STEREOGRAPHIC), each picture is laid on its side of the surface by stereographic
- * projection, section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on
- * curved seamless surface", Neurocomputing 71 (2008). Over the equator between the two poles the
- * one fades into the other.
+ * Each picture is laid on its side of the surface by stereographic projection, section 4.2 of C.-Y.
+ * Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008). The pictures fade into each other over the equator between the two
+ * poles. The texture coordinates should cover the whole sphere (any projection but STEREOGRAPHIC).
  *
- * Implementation note: the paper has one picture. Its border, and all behind it, is left to the
- * other picture here.
+ * Implementation note: the paper uses one picture. Here the second picture covers the border of the
+ * first and the region behind it.
  *
  * @sa
  * vtkSphericalTextureMap vtkSphericalTextureImage
@@ -51,7 +49,7 @@ public:
 
   ///@{
   /**
-   * The pictures of the front and of the back: one slice each, with equally many components.
+   * The pictures of the front and of the back: one slice each, with equal numbers of components.
    */
   void SetFrontConnection(vtkAlgorithmOutput* algOutput);
   void SetFrontData(vtkImageData* front);
@@ -62,7 +60,7 @@ public:
   ///@{
   /**
    * Direction from the model to the viewer of the back picture, in the coordinates of the model. Of
-   * any length, but not zero. Default is (0, 0, -1).
+   * any length but 0. Default is (0, 0, -1).
    */
   vtkSetVector3Macro(BackViewDirection, double);
   vtkGetVector3Macro(BackViewDirection, double);
@@ -70,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Direction that is up for the viewer of the back picture. Of any length, but not zero, and not
-   * parallel to BackViewDirection. Default is (0, 1, 0).
+   * Direction that is up in the back picture, in the coordinates of the model. Of any length but 0,
+   * and not parallel to BackViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(BackViewUp, double);
   vtkGetVector3Macro(BackViewUp, double);
@@ -79,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Degrees of the sphere across the circle inscribed in each picture. 180 plus BlendAngle just
-   * covers what is to be blended. In [0.001, 340]. Default is 210.
+   * Angle on the sphere, in degrees, across the circle inscribed in each picture. 180 plus
+   * BlendAngle is just enough for the blended band. In [0.001, 340]. Default is 210.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);
@@ -88,7 +86,8 @@ public:
 
   ///@{
   /**
-   * Degrees of the sphere over which the pictures fade into each other. In [0, 180]. Default is 30.
+   * Angle on the sphere, in degrees, over which the pictures fade into each other. In [0, 180].
+   * Default is 30.
    */
   vtkSetClampMacro(BlendAngle, double, 0.0, 180.0);
   vtkGetMacro(BlendAngle, double);
@@ -96,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Pixels across and up. At least (1, 1), no more pixels than an int counts. Default is (1024,
-   * 1024).
+   * Width and height of the image in pixels. At least (1, 1); the number of pixels must fit into an
+   * int. Default is (1024, 1024).
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);

@@ -2,41 +2,41 @@
  * @class   vtkSphericalTextureImage
  * @brief   bake colors or arrays of a surface into an image of the sphere
  *
- * Make an image that, seen through the texture coordinates of vtkSphericalTextureMap, looks like
- * the surface: save it as PNG and load it as a Texture. Its point array OutsideSurface is 1
- * where the map to the sphere has a hole.
+ * Make an image that looks like the surface when applied with the texture coordinates of
+ * vtkSphericalTextureMap. Save it as PNG and load it as a Texture. Its point array OutsideSurface
+ * is 1 where the map to the sphere has a hole.
  *
- * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap, whose field data say how the
- * image lies on the sphere, with the point array "SpherePosition" (3 components). Seams may be
- * split or not. Polygons and strips are treated as triangles.
+ * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
+ * "SpherePosition" (3 components). Its field data define how the image is laid on the sphere. Seams
+ * may be split. Polygons and strips are treated as triangles.
  *
- * Input port 1, optional: vtkPointSet, what the values are taken from instead: where it is a
- * vtkPolyData with triangles, from the point of these closest to the point of the surface, else
- * from the closest point. So an image can hold all the colors of a scan whose mesh was learned
+ * Input port 1, optional: vtkPointSet, a source of the values in place of the surface. From a
+ * vtkPolyData with triangles, the value at the closest point of its triangles is used, otherwise
+ * that of the closest point. An image can thus hold all colors of a scan whose mesh was learned
  * with far fewer points.
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its
  * middle.
- * - point array of the same name, type and components as the one baked, the active scalars; whole
- *   numbers are rounded.
+ * - the baked point array, as active scalars with the same name, type and components. Integers are
+ *   rounded.
  * - point array "OutsideSurface" (unsigned char, 1 component): 1 where the map to the sphere has a
  *   hole; values are 0 there.
  *
- * Of several processes (Controller) each has its own points of the source, perhaps none, and the
- * first that has a surface has all of it. Each gets the whole image, whose pixels have the values
- * of the closest of all points, to the bit whatever the number of processes. A cloud stays where it
- * is, triangles are gathered on each process. Without a source each process bakes its own surface.
+ * With several processes (Controller), each has its own points of the source, perhaps none. The
+ * first process that has a surface must have all of it. Each process gets the whole image. A pixel
+ * has the value of the closest of all points, with the same bits on any number of processes. Points
+ * of a cloud are not moved between processes; triangles are gathered on each process. Without a
+ * source, each process bakes its own surface.
  *
- * Seen through the texture coordinates of vtkSphericalTextureMap the image is the surface's own
- * look. At the seams it is padded as wide as TextureMargin of vtkSphericalTextureMap allows, with
- * what the sphere has beyond them.
+ * At the seams the image is padded with values from beyond them, as wide as TextureMargin of
+ * vtkSphericalTextureMap allows.
  *
- * The inverse of the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * The image inverts the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008).
  *
- * Implementation note: a pixel shows the point of the surface whose place on the sphere lies in the
- * direction of the pixel's middle. Where many vertices share a pixel the image has no room for
- * them.
+ * Implementation note: a pixel shows the point of the surface whose position on the sphere lies in
+ * the direction of the pixel's middle. Where many vertices share a pixel, the image undersamples
+ * the surface.
  *
  * @sa
  * vtkSphericalTextureMap vtkTexturedSurfaceWriter
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * What the values are taken from instead, at the closest point: for example the colored scan that
-   * the surface was learned from. Without it they are those of the surface.
+   * Source of the values, sampled at the closest point, such as the colored scan from which the
+   * surface was learned. Without it the surface is the source.
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkPointSet* source);
@@ -72,8 +72,8 @@ public:
 
   ///@{
   /**
-   * The processes that share the source. Each runs this filter and asks its inputs for its own
-   * piece. Default is the global controller; null for a source of this process alone.
+   * Controller of the processes that share the source. Each process runs this filter on its own
+   * piece. Default is the global controller; null uses the source of this process alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -81,7 +81,8 @@ public:
 
   ///@{
   /**
-   * Point array to bake. Empty (default) for the active scalars, such as the colors of a scan.
+   * Name of the point array to bake. Empty (default) selects the active scalars, such as the colors
+   * of a scan.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
@@ -89,9 +90,9 @@ public:
 
   ///@{
   /**
-   * Pixels across and up. Square pixels on the sphere's equator come of 2 : 1 for
-   * LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP, whose faces then are squares, and 1 : 1 else. At least
-   * (1, 1), no more pixels than an int counts. Default is (1024, 1024).
+   * Width and height of the image in pixels. For square pixels on the sphere's equator, choose a
+   * ratio of 2 : 1 for LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP (square faces), and 1 : 1 otherwise.
+   * At least (1, 1); the number of pixels must fit into an int. Default is (1024, 1024).
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);

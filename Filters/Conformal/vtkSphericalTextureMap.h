@@ -2,45 +2,45 @@
  * @class   vtkSphericalTextureMap
  * @brief   compute texture coordinates from a map to the sphere, for a chosen view
  *
- * Give a mapped surface texture coordinates, which become its active ones: load a picture as
- * Texture in the Display section and it shows, its middle facing the ViewDirection. Section 4.2
- * of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008), and three projections that
- * hold all of the sphere.
+ * Add active texture coordinates to a mapped surface. A picture that is loaded as Texture in the
+ * Display section then appears with its middle facing the ViewDirection. STEREOGRAPHIC is the
+ * projection of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). Three
+ * more projections hold the whole sphere.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles.
  *
  * Output port 0: the input, with point arrays
- * - "Texture Coordinates" (float, 2 components): s to the right and t upwards in the image, finite
- *   everywhere and in [0, 1] unless Wrap is REPEAT; the active texture coordinates.
- * - "OutsideImage" (unsigned char, 1 component): 1 where the image does not reach.
+ * - "Texture Coordinates" (float, 2 components), active: s to the right and t upwards in the image.
+ *   Finite everywhere, and in [0, 1] unless Wrap is REPEAT.
+ * - "OutsideImage" (unsigned char, 1 component): 1 where the point lies outside of the image.
  *
  * With SplitSeam also
- * - point array "OriginalPointIds" (vtkIdType, 1 component): the point of the input that each is,
- * or -1 for a point where an edge was cut. The input's points come first, in their order.
- * - cell array "OriginalCellIds" (vtkIdType, 1 component): the cell of the input that each triangle
- *   is a part of. Cell data are copied, point data interpolated on cut edges. Vertices and lines
- * are left out.
+ * - point array "OriginalPointIds" (vtkIdType, 1 component): the input's point, or -1 for a point
+ *   where an edge was cut. The input's points come first, in their order.
+ * - cell array "OriginalCellIds" (vtkIdType, 1 component): the input's cell of which the triangle
+ *   is a part. Cell data are copied, point data are interpolated on cut edges. Vertices and lines
+ *   are left out.
  *
- * and field data, which say how the image lies on the sphere,
- * - "SpherePole" (double, 3 components, unit vector): the place of the image's middle, as the
- *   projections have it.
- * - "SphereUp", "SphereRight" (likewise): directions on the sphere there, towards the top and the
- *   right edge of the image.
- * - "TextureProjection" (vtkIdType, 1 component), "TextureFieldOfView", "TextureMargin" (double,
- *   1 component) and "TextureScale" (double, 2 components): the properties.
+ * Field data define how the image is laid on the sphere:
+ * - "SpherePole" (double, 3 components, unit vector): position of the image's middle on the sphere.
+ * - "SphereUp", "SphereRight" (double, 3 components, unit vectors): directions on the sphere at the
+ *   pole, towards the top and the right edge of the image.
+ * - "TextureProjection" (vtkIdType, 1 component), "TextureFieldOfView", "TextureMargin" (double, 1
+ *   component) and "TextureScale" (double, 2 components): the properties.
  *
- * The view of the model chooses the pole, the image goes to the sphere by stereographic projection
- * and from the sphere to the surface: section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * A view of the model determines the pole. Stereographic projection maps the image to the sphere,
+ * and the sphere to the surface: section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). The projection is
- * conformal and most regular near the pole. The other projections hold all of the sphere in one
+ * conformal and most regular near the pole. The other projections hold the whole sphere in one
  * image.
  *
- * Implementation note: the paper leaves open how a view chooses the pole and how the image is
- * turned. Here the pole is the point met first by a viewer looking along the line through the
- * centroid of the surface's area (or, should that line miss the surface, its farthest point that
- * way), or a point picked by the user. The image stands upright for the viewer and is not mirrored,
- * in the mean over a cap of an eighth of FieldOfView around the pole.
+ * Implementation note: the paper specifies neither how a view determines the pole nor the rotation
+ * of the image. Here the line of sight passes through the centroid of the surface's area, and the
+ * pole is its first intersection with the surface. If the line misses the surface, the pole is the
+ * surface's farthest point towards the viewer. With UseViewPoint, the pole is a chosen point. The
+ * image is upright for the viewer and not mirrored, on average over a cap of an eighth of
+ * FieldOfView around the pole.
  *
  * @sa
  * vtkSphericalTextureImage vtkCurvedSeamlessSurface vtkConformalSOM vtkTextureMapToSphere
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Direction from the model to the viewer, in the coordinates of the model. Of any length, but not
-   * zero. Default is (0, 0, 1).
+   * Direction from the model to the viewer, in the coordinates of the model. Of any length but 0.
+   * Default is (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Direction in the coordinates of the model that the viewer sees as up. Of any length, but not
-   * zero, and not parallel to ViewDirection. Default is (0, 1, 0).
+   * Direction that is up for the viewer, in the coordinates of the model. Of any length but 0, and
+   * not parallel to ViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);
@@ -79,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Whether the pole is at ViewPoint, seen along the surface's normal there, instead of where the
-   * view in ViewDirection meets the surface. Default is off.
+   * Whether the pole is at ViewPoint, viewed along the surface's normal. Default is off: the pole
+   * is where the line of sight in ViewDirection intersects the surface.
    */
   vtkSetMacro(UseViewPoint, bool);
   vtkGetMacro(UseViewPoint, bool);
@@ -89,14 +89,16 @@ public:
 
   ///@{
   /**
-   * A point on the model, as a picker returns it; the closest point of the surface is taken. Only
-   * with UseViewPoint. Default is (0, 0, 0).
+   * Point on the model, such as a picked one; the closest point of the surface is the pole. Used
+   * only with UseViewPoint. Default is (0, 0, 0).
    */
   vtkSetVector3Macro(ViewPoint, double);
   vtkGetVector3Macro(ViewPoint, double);
   ///@}
 
-  /** How the sphere becomes a plane; SphericalCoordinates.md has the formulas. */
+  /**
+   * Projections of the sphere to the plane; Documentation/SphericalCoordinates.md has the formulas.
+   */
   enum Projections
   {
     STEREOGRAPHIC = 0,
@@ -107,9 +109,9 @@ public:
 
   ///@{
   /**
-   * Projection of the image. STEREOGRAPHIC is the paper's: conformal, for one picture seen from one
-   * side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3 : 2) hold all of
-   * the sphere, and have seams: use SplitSeam. Default is STEREOGRAPHIC.
+   * Projection of the image. STEREOGRAPHIC (default) is the paper's: conformal, for one picture
+   * from one side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3 : 2)
+   * hold the whole sphere and have seams: use SplitSeam.
    */
   vtkSetClampMacro(Projection, int, STEREOGRAPHIC, CUBE_MAP);
   vtkGetMacro(Projection, int);
@@ -121,9 +123,9 @@ public:
 
   ///@{
   /**
-   * Degrees of the sphere from one side to the other of the circle inscribed in the image. 180 lays
-   * that circle on the equator, so that the image covers a hemisphere and a little more in its
-   * corners. Only for STEREOGRAPHIC. In [0.001, 340]. Default is 180.
+   * Angle on the sphere, in degrees, across the circle inscribed in the image. 180 puts that circle
+   * on the equator: the image covers a hemisphere, and a little more in its corners. Used only by
+   * STEREOGRAPHIC. In [0.001, 340]. Default is 180.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);
@@ -131,8 +133,8 @@ public:
 
   ///@{
   /**
-   * Degrees by which the viewer sees the image turned counter-clockwise about the pole. Default is
-   * 0.
+   * Angle, in degrees, by which the image is rotated counter-clockwise about the pole, seen by the
+   * viewer. Default is 0.
    */
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
@@ -140,14 +142,16 @@ public:
 
   ///@{
   /**
-   * Factors by which the image is wider and higher, about its middle. (1.5, 1) shows a picture of
-   * 3 : 2 undistorted. In [0.001, 1000]. Default is (1, 1).
+   * Factors by which the image is widened and heightened about its middle. (1.5, 1) shows a picture
+   * of 3 : 2 undistorted. In [0.001, 1000]. Default is (1, 1).
    */
   vtkSetVector2Macro(Scale, double);
   vtkGetVector2Macro(Scale, double);
   ///@}
 
-  /** What is to be seen where the image does not reach. */
+  /**
+   * Extensions of the image beyond its borders.
+   */
   enum Wraps
   {
     CLAMP = 0,
@@ -157,9 +161,9 @@ public:
 
   ///@{
   /**
-   * What lies where the image does not reach. CLAMP (default): the border of the image. REPEAT: the
-   * image again; its coordinates go on beyond [0, 1], for a texture that repeats. MIRROR: the image
-   * mirrored at its borders, where SplitSeam cuts the surface.
+   * Extension of the image beyond its borders. CLAMP (default): the color of the border. REPEAT:
+   * the image again, with coordinates outside of [0, 1], for a repeating texture. MIRROR: the image
+   * mirrored at its borders; SplitSeam cuts the surface there.
    */
   vtkSetClampMacro(Wrap, int, CLAMP, MIRROR);
   vtkGetMacro(Wrap, int);
@@ -170,12 +174,12 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the projection's seams and folds and the image's borders, so
-   * that no triangle shows the image backwards or squeezed. The output consists of triangles and is
-   * no closed mesh any more. Default is off.
+   * Whether to cut the surface along the projection's seams and folds and along the image's
+   * borders. Then no triangle shows the image backwards or squeezed. The output consists of
+   * triangles and is no longer a closed mesh. Default is off.
    *
-   * The points there get a copy for each side, and "OutsideImage" is the same at all corners of
-   * each triangle. STEREOGRAPHIC then has no image within 10 degrees of the opposite pole.
+   * Points on the cuts are duplicated for each side, and "OutsideImage" is equal at all corners of
+   * a triangle. STEREOGRAPHIC then has no image within 10 degrees of the opposite pole.
    */
   vtkSetMacro(SplitSeam, bool);
   vtkGetMacro(SplitSeam, bool);
@@ -184,9 +188,9 @@ public:
 
   ///@{
   /**
-   * Share of the image's side (CUBE_MAP: of a face's) left free along the seams of OCTAHEDRAL and
-   * CUBE_MAP, so that a renderer that mixes neighboring pixels finds what belongs there, if the
-   * image was made for it, as vtkSphericalTextureImage does. In [0, 0.25]. Default is 0.
+   * Margin along the seams of OCTAHEDRAL and CUBE_MAP, as a fraction of the side of the image
+   * (CUBE_MAP: of a face). A renderer that interpolates between pixels then finds valid values
+   * there, if the image has padding, as from vtkSphericalTextureImage. In [0, 0.25]. Default is 0.
    */
   vtkSetClampMacro(Margin, double, 0.0, 0.25);
   vtkGetMacro(Margin, double);

@@ -122,7 +122,7 @@ int vtkSurfaceMismatch::RequestData(
       if (!hasModel || !hasReference)
       {
         glue::WarnOfEmptyInput(this,
-          hasModel ? "the reference is empty; nothing was measured"
+          hasModel ? "the reference is empty; there are no distances"
                    : "the model is empty; nothing was measured");
         return;
       }

@@ -2,41 +2,42 @@
  * @class   vtkSurfaceMismatch
  * @brief   measure the distances between a model surface and its reference, in both directions
  *
- * Add the point array Distance to the surface and, as a second output, to the reference. The
- * field data of the surface hold the mean square distances, the mismatch error E_mis of the
- * paper as MeanSquarePointToSurface among them, and the largest.
+ * Add the point array Distance to the surface and, as a second output, to the reference. The field
+ * data of the surface hold the mean square distances and the largest distance.
+ * MeanSquarePointToSurface is the mismatch error E_mis of the paper.
  *
  * Input port 0: vtkPolyData, the model, a surface. Polygons and strips are treated as triangles.
  *
  * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. Distances to a
- * reference without polygons are those to its nearest point. All points of the reference count as
- * data, also those of no polygon.
+ * reference without polygons are those to its nearest point. All points of the reference are used,
+ * including points of no polygon.
  *
  * Output port 0: vtkPolyData, the model.
  *
- * Output port 1: vtkPolyData, the reference. Each with
- * - point array "Distance" (double, 1 component): distance of the point to the other, in units of
- *   the coordinates.
+ * Output port 1: vtkPolyData, the reference. Both outputs have
+ * - point array "Distance" (double, 1 component): distance from the point to the other surface or
+ *   cloud, in units of the coordinates.
  *
  * Field data of output port 0 (double, one value), in the unit of length chosen by LengthUnit:
- * - "MeanSquarePointToSurface": mean square distance of the reference's points to the model's
+ * - "MeanSquarePointToSurface": mean square distance from the reference's points to the model's
  *   surface, the mismatch error E_mis of the paper.
- * - "MeanSquarePointToVertex": the same to the model's nearest vertex.
- * - "MeanSquareSurfaceToPoint": mean square distance of samples spread evenly over the model's area
- *   to the reference. A model that spans a gap between two limbs has a small E_mis all the same;
- *   it is here, and in the next two, that it shows.
- * - "HausdorffDistance": the largest distance found from either side.
- * - "WebFraction": share of the model's area that is farther than 0.02 from the reference.
- * - "LengthUnit": the length, in units of the coordinates, that counts as 1.
+ * - "MeanSquarePointToVertex": mean square distance from the reference's points to the model's
+ *   nearest vertex.
+ * - "MeanSquareSurfaceToPoint": mean square distance from samples, uniform over the model's area,
+ *   to the reference. A model that spans a gap between two limbs can have a small E_mis; this value
+ *   and the next two detect it.
+ * - "HausdorffDistance": the largest distance in either direction.
+ * - "WebFraction": fraction of the model's area that is farther than 0.02 from the reference.
+ * - "LengthUnit": the length that counts as 1, in units of the coordinates.
  *
- * Of several processes (Controller) each has its own points of the reference, perhaps none, and of
- * the model all, a piece, or nothing: what all have is the model, and what all have the reference.
- * Figures are the same on all processes, to the bit whatever the number of processes; "Distance" is
- * that of the process's own points. A cloud stays where it is; a reference with triangles is
- * gathered on each process, and so is the model.
+ * With several processes (Controller), each has its own points of the reference, perhaps none. Of
+ * the model each has all, a piece, or nothing. Model and reference are the union over all
+ * processes. The figures are equal on all processes, with the same bits on any number of processes.
+ * "Distance" belongs to the process's own points. Points of a cloud are not moved between
+ * processes; the model, and a reference with triangles, are gathered on each process.
  *
- * E_mis is defined in section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing
- * map on curved seamless surface", Neurocomputing 71 (2008).
+ * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
+ * seamless surface", Neurocomputing 71 (2008), defines E_mis.
  *
  * @sa
  * vtkConformalSOM vtkCurvedSeamlessSurface vtkConformalDistortion
@@ -67,9 +68,9 @@ public:
 
   ///@{
   /**
-   * The length that counts as 1 in the figures: the largest distance of a reference point from the
-   * centroid of them all (MAX_RADIUS), half the diagonal of the reference's bounding box
-   * (HALF_DIAGONAL), or 1 in the coordinates (NONE). Default is MAX_RADIUS.
+   * Unit of length of the figures. MAX_RADIUS (default): the largest distance of a reference point
+   * from the centroid of all reference points. HALF_DIAGONAL: half the diagonal of the reference's
+   * bounding box. NONE: the unit of the coordinates.
    */
   vtkSetClampMacro(LengthUnit, int, MAX_RADIUS, NONE);
   vtkGetMacro(LengthUnit, int);
@@ -80,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Samples of the model's surface from which the distance to the reference is measured. In
-   * [1, 100000000]. Default is 60,000.
+   * Number of samples of the model's surface for the distances to the reference. In [1, 100000000].
+   * Default is 60,000.
    */
   vtkSetClampMacro(NumberOfSamples, int, 1, 100000000);
   vtkGetMacro(NumberOfSamples, int);
@@ -89,7 +90,7 @@ public:
 
   ///@{
   /**
-   * Seed of the samples' places. At least 0. Default is 1.
+   * Seed of the random positions of the samples. At least 0. Default is 1.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -97,7 +98,7 @@ public:
 
   ///@{
   /**
-   * The surface or cloud of points that the model is compared with.
+   * The surface or cloud of points with which the model is compared.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);
@@ -105,8 +106,9 @@ public:
 
   ///@{
   /**
-   * The processes that share the model and the reference. Each runs this filter and asks its inputs
-   * for its own piece. Default is the global controller; null for points of this process alone.
+   * Controller of the processes that share the model and the reference. Each process runs this
+   * filter on its own piece. Default is the global controller; null uses the points of this process
+   * alone.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

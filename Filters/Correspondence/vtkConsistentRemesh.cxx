@@ -177,7 +177,7 @@ int vtkConsistentRemesh::RequestData(
   vtkMultiBlockDataSet* output = vtkMultiBlockDataSet::GetData(outputVector, 0);
   vtkPolyData* meanOutput = vtkPolyData::GetData(outputVector, 1);
   conformal::ConsistentRemeshOptions remesh;
-  remesh.Lattice = static_cast<conformal::RemeshLattice>(this->Lattice);
+  remesh.MeshType = static_cast<conformal::RemeshMeshType>(this->MeshType);
   remesh.Frequency = this->Frequency;
   remesh.NumberOfPoints = this->NumberOfPoints;
   conformal::ShapeModesOptions options;
@@ -213,10 +213,10 @@ int vtkConsistentRemesh::RequestData(
 //------------------------------------------------------------------------------
 void vtkConsistentRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const lattices[] = { "Geodesic", "Adaptive" };
+  static const char* const meshTypes[] = { "Geodesic", "Adaptive" };
   static const char* const alignments[] = { "None", "Rigid", "Similarity" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Lattice: " << lattices[this->Lattice] << "\n";
+  os << indent << "MeshType: " << meshTypes[this->MeshType] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Alignment: " << alignments[this->Alignment] << "\n";

@@ -2,38 +2,40 @@
  * @class   vtkConsistentRemesh
  * @brief   put mapped surfaces on one mesh, with their mean shape and principal components
  *
- * Give surfaces with the point array "SpherePosition" the same points of the sphere and the same
- * triangles: points at the same position of the sphere correspond. The second output is their mean
- * shape with its principal components.
+ * Resample surfaces with the point array "SpherePosition" at the same points of the sphere, with
+ * the same triangles. Points at the same position of the sphere correspond. The second output is
+ * the mean shape with its principal components.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data,
- * with the point array "SpherePosition". Polygons and strips are cut into triangles. Each has
- * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. What lies at the same place corresponds. The surface must be closed and the map cover the
- *   sphere exactly once; all maps must mirror their surfaces, or none.
+ * with the point array "SpherePosition". Polygons and strips are cut into triangles. Each surface
+ * has
+ * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
+ *   sphere. Equal positions correspond. The surface must be closed, and the map must cover the
+ *   sphere exactly once. Either all maps mirror their surfaces, or none.
  *
- * Output port 0: vtkMultiBlockDataSet, a block for each surface in their order, with the names of
- * the input's blocks: a vtkPolyData of the points of that surface in directions that all blocks
- * share, where it was. The polygons of all blocks are the same to the bit.
+ * Output port 0: vtkMultiBlockDataSet with one block for each surface, in their order, with the
+ * names of the input's blocks. A block is a vtkPolyData with the points of that surface, in place,
+ * in directions shared by all blocks. The polygons of all blocks are identical.
  * - point array "SpherePosition" (double, 3 components): the directions.
- * - the point arrays of the surface, interpolated (vtkSphericalResample says which).
- * - field data "MeanSquarePointToSurface" (double): of the surface's points to the block, in
- *   squares of the surface's largest radius, as vtkSurfaceMismatch has it.
- * - field data "ShapeScores" (double, as many components as there are modes; absent without any):
- *   how many standard deviations of each mode the shape is from the mean.
+ * - the point arrays of the surface, interpolated as in vtkSphericalResample.
+ * - field data "MeanSquarePointToSurface" (double): mean square distance from the surface's points
+ *   to the block, in squares of the surface's largest radius, as in vtkSurfaceMismatch.
+ * - field data "ShapeScores" (double, one component per mode; absent without modes): number of
+ *   standard deviations of each mode between the shape and the mean.
  *
- * Output port 1: vtkPolyData, the mean shape on the same mesh, after the surfaces were brought
- * together by Alignment; it lies where the first one does.
+ * Output port 1: vtkPolyData, the mean shape on the same mesh, after Alignment of the surfaces; it
+ * lies where the first surface does.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement by
- *   one standard deviation of a principal component. Points plus the sum of scores times modes are
- *   the aligned shape, if all modes are kept.
+ *   one standard deviation of a principal component. If all modes are kept, the aligned shape is
+ *   the mean points plus the sum of scores times modes.
  * - the point arrays that all surfaces have: the mean of numbers, the most frequent label.
- * - field data "ExplainedVariance" (double, a value for each mode; absent without any): the share
- *   of the variance.
+ * - field data "ExplainedVariance" (double, one value per mode; absent without modes): fraction of
+ *   the variance.
  *
- * Points count by the area around them, in the mean over the surfaces, so that it does not matter
- * where the mesh is dense. The same input gives the same bits on any number of threads.
+ * Points are weighted by the area around them, in the mean over the surfaces. The result therefore
+ * does not depend on where the mesh is dense. The same input gives the same bits on any number of
+ * threads.
  *
  * Implementation note: generalized Procrustes alignment after J. C. Gower, Psychometrika 40 (1975).
  *
@@ -56,7 +58,7 @@ public:
   vtkTypeMacro(vtkConsistentRemesh, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Lattices
+  enum MeshTypes
   {
     GEODESIC = 0,
     ADAPTIVE = 1
@@ -71,18 +73,19 @@ public:
 
   ///@{
   /**
-   * The mesh of the sphere. ADAPTIVE (default): points lie evenly over the surfaces, as in
-   * vtkAdaptiveSphere, dense where one of them asks for it. GEODESIC: evenly over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
+   * vtkAdaptiveSphere, and dense where any surface needs it. GEODESIC: points are uniform over the
+   * sphere.
    */
-  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
-  void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
+  vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
+  void SetMeshTypeToAdaptive() { this->SetMeshType(ADAPTIVE); }
   ///@}
 
   ///@{
   /**
-   * GEODESIC: f, for 10 f^2 + 2 points, in [1, 10000]. Default is 45: 20,252 points.
+   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -90,7 +93,7 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points, met within 2 percent, in [500, 100000000]. Default is 20,000.
+   * ADAPTIVE: number of points, reached within 2 percent. In [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
@@ -98,8 +101,8 @@ public:
 
   ///@{
   /**
-   * What is taken out of the shapes before they are compared. NONE: nothing. RIGID (default): where
-   * they lie and how they are turned. SIMILARITY: their size, too.
+   * Transforms that are removed from the shapes before they are compared. NONE: none. RIGID
+   * (default): position and orientation. SIMILARITY: position, orientation and size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -110,15 +113,15 @@ public:
 
   ///@{
   /**
-   * Number of principal components, in [0, 1000]: the largest, of which there are fewer than
-   * surfaces. Default is 10.
+   * Number of principal components to keep, largest first. There are fewer of them than surfaces.
+   * In [0, 1000]. Default is 10.
    */
   vtkSetClampMacro(NumberOfModes, int, 0, 1000);
   vtkGetMacro(NumberOfModes, int);
   ///@}
 
   /**
-   * The mean shape, output port 1.
+   * Return the mean shape, output port 1.
    */
   vtkPolyData* GetMeanShape();
 
@@ -134,7 +137,7 @@ private:
   vtkConsistentRemesh(const vtkConsistentRemesh&) = delete;
   void operator=(const vtkConsistentRemesh&) = delete;
 
-  int Lattice = ADAPTIVE;
+  int MeshType = ADAPTIVE;
   int Frequency = 45;
   int NumberOfPoints = 20000;
   int Alignment = RIGID;

@@ -42,7 +42,7 @@ Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landm
     const auto [id, referenceId] = landmarks[i];
     if (id < 0 || id >= map.rows() || referenceId < 0 || referenceId >= reference.rows())
     {
-      throw std::invalid_argument("landmark " + std::to_string(i) + " names the points " +
+      throw std::invalid_argument("landmark " + std::to_string(i) + " refers to the points " +
         std::to_string(id) + " and " + std::to_string(referenceId) + " of " +
         std::to_string(map.rows()) + " and " + std::to_string(reference.rows()));
     }
@@ -138,7 +138,7 @@ int vtkSphericalAlignment::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (glue::IsEmptyInput(this, surface, "the surface is empty; nothing was aligned") ||
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; there is nothing to align") ||
         glue::IsEmptyInput(this, reference, "the reference is empty; nothing was aligned"))
       {
         return;

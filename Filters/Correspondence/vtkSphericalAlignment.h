@@ -2,33 +2,33 @@
  * @class   vtkSphericalAlignment
  * @brief   align one surface's map to the sphere with another one's
  *
- * Move a surface's map, the point array "SpherePosition", to where it agrees best with that of a
- * reference: by pairs of points, or, if the two surfaces lie over each other in space, by
- * themselves. The field array AlignmentError is what is left.
+ * Transform a surface's map, the point array "SpherePosition", for the best agreement with the map
+ * of a reference. Corresponding points are pairs of landmarks, or, if the two surfaces overlap in
+ * space, nearest points. The field array AlignmentError is the remaining distance.
  *
- * Input port 0: vtkPolyData, the surface whose map is moved, with the point array "SpherePosition"
- * (3 components).
+ * Input port 0: vtkPolyData, the surface whose map is transformed, with the point array
+ * "SpherePosition" (3 components).
  *
- * Input port 1: vtkPolyData, the surface whose map it is to agree with, with the same array.
+ * Input port 1: vtkPolyData, the reference surface, with the same array.
  *
  * Output port 0: the input of port 0, with
- * - point array "SpherePosition" (double, 3 components): the same map, moved.
+ * - point array "SpherePosition" (double, 3 components): the transformed map.
  *
  * Field data (double):
- * - "AlignmentError" (one value): root mean square distance on the unit sphere that is left between
- *   what corresponds.
- * - "AlignmentCenter" (3 components): the point of the unit ball that was moved to its center, the
+ * - "AlignmentError" (one value): root mean square distance that remains between corresponding
+ *   points, on the unit sphere.
+ * - "AlignmentCenter" (3 components): the point of the unit ball that was moved to its center; the
  *   zero vector for a rotation.
- * - "AlignmentRotation" (9 components): the rotation after that, row by row.
+ * - "AlignmentRotation" (9 components): the rotation that follows, row by row.
  *
- * Landmarks, pairs of points, define what corresponds. Without any, the surfaces must lie over
- * each other in space, as a scan and a mesh learned from it do: each point then corresponds to the
- * nearest point of the other surface, and points weigh as much as the area around them.
+ * Landmarks, pairs of points, define the correspondence. Without landmarks the surfaces must
+ * overlap in space, as a scan and a mesh learned from it do. Each point then corresponds to the
+ * nearest point of the other surface, weighted by the area around it.
  *
- * Conformal maps to the sphere are given up to a Moebius transform: with it, any three points can
- * be brought to any three places. That freedom is why maps in the sense of sections 2 and 4.1 of
- * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008), can only be compared after an alignment.
+ * Conformal maps to the sphere are unique up to a Moebius transform, which can move any three
+ * points to any three positions. Maps in the sense of sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo,
+ * J.-C. Huang, "Conformal self-organizing map on curved seamless surface", Neurocomputing 71
+ * (2008), are therefore comparable only after an alignment.
  *
  * @sa
  * vtkGlobalConformalMap vtkConformalSOM
@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * What may be done to the map: a ROTATION, which keeps angles and areas, or a MOEBIUS transform,
-   * which keeps angles. Default is ROTATION.
+   * Type of the transform of the map. ROTATION (default) preserves angles and areas. MOEBIUS
+   * preserves angles.
    */
   vtkSetClampMacro(Transform, int, ROTATION, MOEBIUS);
   vtkGetMacro(Transform, int);
@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Pairs of point ids that correspond: one of the surface and one of the reference. Two pairs or
-   * more for a rotation, three or more for a Moebius transform; none (default) to use the surfaces
-   * themselves.
+   * Add a pair of corresponding point ids: one of the surface and one of the reference. A rotation
+   * needs at least two pairs, a Moebius transform at least three. Default is none: nearest points
+   * correspond.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType referencePointId);
   void RemoveAllLandmarks();
@@ -80,7 +80,7 @@ public:
 
   ///@{
   /**
-   * The surface whose map is agreed with, with the point array "SpherePosition".
+   * The reference surface, with the point array "SpherePosition".
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);

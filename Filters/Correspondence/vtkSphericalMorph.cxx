@@ -53,7 +53,7 @@ struct vtkSphericalMorph::Common
   bool isOf(
     const std::vector<vtkMTimeType>& times, const conformal::ConsistentRemeshOptions& options) const
   {
-    return this->Times == times && this->Options.Lattice == options.Lattice &&
+    return this->Times == times && this->Options.MeshType == options.MeshType &&
       this->Options.Frequency == options.Frequency &&
       this->Options.NumberOfPoints == options.NumberOfPoints;
   }
@@ -204,7 +204,7 @@ int vtkSphericalMorph::RequestData(
   const bool isTimed = this->GenerateTimeSteps;
   const std::vector<double> weights = this->Weights;
   conformal::ConsistentRemeshOptions remesh;
-  remesh.Lattice = static_cast<conformal::RemeshLattice>(this->Lattice);
+  remesh.MeshType = static_cast<conformal::RemeshMeshType>(this->MeshType);
   remesh.Frequency = this->Frequency;
   remesh.NumberOfPoints = this->NumberOfPoints;
   conformal::SphericalMorphOptions options;
@@ -249,12 +249,12 @@ int vtkSphericalMorph::RequestData(
 void vtkSphericalMorph::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const paths[] = { "Linear", "Rigid" };
-  static const char* const lattices[] = { "Geodesic", "Adaptive" };
+  static const char* const meshTypes[] = { "Geodesic", "Adaptive" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MorphFactor: " << this->MorphFactor << "\n";
   os << indent << "NumberOfWeights: " << this->Weights.size() << "\n";
   os << indent << "Path: " << paths[this->Path] << "\n";
-  os << indent << "Lattice: " << lattices[this->Lattice] << "\n";
+  os << indent << "MeshType: " << meshTypes[this->MeshType] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "GenerateTimeSteps: " << (this->GenerateTimeSteps ? "on" : "off") << "\n";

@@ -9,32 +9,32 @@
  * Input port 0: vtkPolyData, the first surface, or composite data of several, with the point array
  * "SpherePosition". Polygons and strips are cut into triangles.
  *
- * Input port 1 (optional): vtkPolyData or composite data, more surfaces. Those of both ports, one
- * after the other, are morphed: two or more. Each has
- * - point array "SpherePosition" (3 components, of any length but 0): where on the sphere the point
- *   lies. What lies at the same place corresponds (vtkSphericalAlignment). The map must cover the
- *   sphere exactly once; all maps must mirror their surfaces, or none.
+ * Input port 1 (optional): vtkPolyData or composite data, more surfaces. The surfaces of both
+ * ports, in this order, are morphed; at least two are needed. Each surface has
+ * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
+ *   sphere. Equal positions correspond (vtkSphericalAlignment). The map must cover the sphere
+ *   exactly once. Either all maps mirror their surfaces, or none.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh: the points of all surfaces in the directions
- * of one mesh of the sphere, added up by their weights. With weight 1 of a surface it is that
- * surface in these directions. The same input gives the same bits on any number of threads.
- * - point array "SpherePosition" (double, 3 components): the directions, so that textures are laid
- *   and images baked as on the surfaces.
- * - every point array of numbers that all surfaces have by one name with equally many components:
- *   numbers are added up by the weights, so colors cross-fade; of labels (integers of 1 component)
- *   the one of the largest weight is taken. vtkSphericalResample says which arrays those are.
+ * Output port 0: vtkPolyData, a closed triangle mesh: the weighted sum of the points of all
+ * surfaces in the directions of one mesh of the sphere. If one surface has weight 1, the output is
+ * that surface in these directions. The same input gives the same bits on any number of threads.
+ * - point array "SpherePosition" (double, 3 components): the directions, for textures and baked
+ *   images as on the surfaces.
+ * - every numeric point array that all surfaces have with the same name and number of components.
+ *   Numbers are weighted sums, so colors cross-fade. Labels (integers of 1 component) are those of
+ *   the largest weight. vtkSphericalResample describes which arrays are labels.
  *
  * Field data (double):
  * - "MorphWeights" (1 component, a value for each surface): the weights.
  *
- * With GenerateTimeSteps the filter is a source of time steps from 0 to 1, which are factors: an
- * animation plays the morph. What all factors have in common, the mesh of the sphere and the
- * surfaces in its directions, is kept between runs as long as the inputs stay.
+ * With GenerateTimeSteps the filter is a source of time steps from 0 to 1, which are factors, so
+ * that an animation plays the morph. The mesh of the sphere and the surfaces in its directions do
+ * not depend on the factor. They are kept between runs until the inputs change.
  *
- * Implementation note: RIGID interpolates deformation gradients of triangles as
- * D. Xu, H. Zhang, Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006), and
- * follows rotations from triangle to triangle, so that a part may turn against the whole by more
- * than half a turn, though not by a whole one.
+ * Implementation note: RIGID interpolates deformation gradients of triangles as in D. Xu, H. Zhang,
+ * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). It propagates
+ * rotations from triangle to triangle. A part may rotate against the whole by more than half a
+ * turn, but by less than a whole turn.
  *
  * @sa
  * vtkSphericalAlignment vtkConsistentRemesh vtkSphericalResample vtkSphericalTextureMap
@@ -65,7 +65,7 @@ public:
     RIGID = 1
   };
 
-  enum Lattices
+  enum MeshTypes
   {
     GEODESIC = 0,
     ADAPTIVE = 1
@@ -73,8 +73,8 @@ public:
 
   ///@{
   /**
-   * How far to go, in [0, 1]: 0 is the first surface, 1 the last; with more than two the morph
-   * passes the others at equal steps. Default is 0.5.
+   * Morph factor: 0 gives the first surface, 1 the last. With more than two surfaces, the others
+   * lie at equal steps in between. In [0, 1]. Default is 0.5.
    */
   vtkSetClampMacro(MorphFactor, double, 0.0, 1.0);
   vtkGetMacro(MorphFactor, double);
@@ -82,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Weights instead of a factor, one for each surface in their order, at least 0 and not all 0;
-   * they are divided by their sum. Default is none: MorphFactor counts.
+   * Add a weight, in place of the factor: one for each surface, in their order. Weights are at
+   * least 0 and not all 0; they are divided by their sum. Default is none: MorphFactor is used.
    */
   void AddWeight(double weight);
   void RemoveAllWeights();
@@ -92,9 +92,9 @@ public:
 
   ///@{
   /**
-   * How points go. LINEAR (default): straight; what turns gets smaller on the way. RIGID: triangles
-   * turn and stretch evenly and are put together again by one linear system; a limb that is turned
-   * turns and keeps its size.
+   * Path of the points. LINEAR (default): straight lines, on which rotating parts shrink. RIGID:
+   * triangles rotate and stretch evenly, and one linear system joins them again; a rotating limb
+   * keeps its size.
    */
   vtkSetClampMacro(Path, int, LINEAR, RIGID);
   vtkGetMacro(Path, int);
@@ -104,18 +104,19 @@ public:
 
   ///@{
   /**
-   * The mesh of the sphere. ADAPTIVE (default): points lie evenly over the surfaces, as in
-   * vtkAdaptiveSphere, dense where one of them asks for it. GEODESIC: evenly over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
+   * vtkAdaptiveSphere, and dense where any surface needs it. GEODESIC: points are uniform over the
+   * sphere.
    */
-  vtkSetClampMacro(Lattice, int, GEODESIC, ADAPTIVE);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
-  void SetLatticeToAdaptive() { this->SetLattice(ADAPTIVE); }
+  vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
+  void SetMeshTypeToAdaptive() { this->SetMeshType(ADAPTIVE); }
   ///@}
 
   ///@{
   /**
-   * GEODESIC: f, for 10 f^2 + 2 points, in [1, 10000]. Default is 45: 20,252 points.
+   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -123,7 +124,7 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points, met within 2 percent, in [500, 100000000]. Default is 20,000.
+   * ADAPTIVE: number of points, reached within 2 percent. In [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
@@ -131,7 +132,7 @@ public:
 
   ///@{
   /**
-   * Be a source of time steps: the time asked for, in [0, 1], is the factor instead of MorphFactor.
+   * Whether to be a source of time steps: the requested time, in [0, 1], replaces MorphFactor.
    * Default is off.
    */
   vtkSetMacro(GenerateTimeSteps, bool);
@@ -141,7 +142,7 @@ public:
 
   ///@{
   /**
-   * Number of time steps, at least 2. Default is 25.
+   * Number of time steps. At least 2. Default is 25.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 2, 100000);
   vtkGetMacro(NumberOfTimeSteps, int);
@@ -150,7 +151,7 @@ public:
   ///@{
   /**
    * The surface to morph to, or several as composite data, with the point array "SpherePosition".
-   * Not needed if the input has several.
+   * Optional if the input has several surfaces.
    */
   void SetTargetConnection(vtkAlgorithmOutput* output);
   void SetTargetData(vtkDataObject* target);
@@ -173,7 +174,7 @@ private:
   double MorphFactor = 0.5;
   std::vector<double> Weights;
   int Path = LINEAR;
-  int Lattice = ADAPTIVE;
+  int MeshType = ADAPTIVE;
   int Frequency = 45;
   int NumberOfPoints = 20000;
   bool GenerateTimeSteps = false;

@@ -29,7 +29,7 @@ int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
 {
   if (id < 0 || id >= static_cast<vtkIdType>(vertices.size()) || vertices[id] < 0)
   {
-    throw std::invalid_argument("a landmark names the point " + std::to_string(id) + " of the " +
+    throw std::invalid_argument("a landmark refers to point " + std::to_string(id) + " of the " +
       which + " surface, which has " + std::to_string(vertices.size()) +
       " points; a landmark must be a point of one of its triangles");
   }
@@ -144,10 +144,10 @@ void WarnOfUnmetLandmarks(vtkObject* self, const conformal::SphericalRegistratio
 {
   if (result.NumberOfUnmetLandmarks > 0)
   {
-    vtkWarningWithObjectMacro(self, << result.NumberOfUnmetLandmarks << " of " << numberOfLandmarks
-                                    << " landmarks cannot be met without folding the map; the "
-                                       "largest distance left is "
-                                    << result.LandmarkError << " on the unit sphere");
+    vtkWarningWithObjectMacro(self,
+      << result.NumberOfUnmetLandmarks << " of " << numberOfLandmarks
+      << " landmarks cannot be matched without folds of the map; the largest remaining distance is "
+      << result.LandmarkError << " on the unit sphere");
   }
 }
 
@@ -250,7 +250,8 @@ int vtkSphericalRegistration::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      if (glue::IsEmptyInput(this, moving, "the moving surface is empty; nothing was registered") ||
+      if (glue::IsEmptyInput(
+            this, moving, "the moving surface is empty; there is nothing to register") ||
         glue::IsEmptyInput(this, fixed, "the fixed surface is empty; nothing was registered"))
       {
         return;

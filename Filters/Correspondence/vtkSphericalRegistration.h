@@ -2,38 +2,42 @@
  * @class   vtkSphericalRegistration
  * @brief   deform a surface's map to the sphere until it corresponds to another one's
  *
- * Move a surface's map, the point array "SpherePosition", so that corresponding points of both
- * surfaces have the same position on the sphere: by landmarks, by point arrays, or by the surfaces'
- * own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
- * TargetBarycentric hold what corresponds to each point.
+ * Deform a surface's map, the point array "SpherePosition", so that corresponding points of both
+ * surfaces have the same position on the sphere. Correspondence comes from landmarks, point arrays,
+ * or the surfaces' own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds
+ * and TargetBarycentric hold the corresponding point of each point.
  *
  * Input port 0: vtkPolyData, the moving surface: closed, of genus zero, with the point array
  * "SpherePosition" (3 components), a map that covers the sphere once without folds.
  *
- * Input port 1: vtkPolyData, the fixed surface, likewise.
+ * Input port 1: vtkPolyData, the fixed surface, with the same requirements.
  *
  * Output port 0: the input of port 0, with
- * - point array "SpherePosition" (double, 3 components): the map, deformed so that points of both
- *   surfaces at the same place of the sphere correspond.
+ * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces
+ *   at the same position of the sphere correspond.
  * - point array "TargetPointIds" (idtype, 3 components): corners of the triangle of the fixed
- * surface in which the corresponding point lies, and "TargetBarycentric" (double, 3 components):
- * their weights, at least 0 and of sum 1.
+ *   surface that contains the corresponding point.
+ * - point array "TargetBarycentric" (double, 3 components): weights of these corners, at least 0
+ *   and of sum 1.
  * - point array "TargetCellId" (idtype, 1 component): the cell of the fixed surface.
  *
  * Field data:
  * - "RegistrationStretch" (1 double): symmetric Dirichlet energy of the map between the surfaces,
- *   scaled to one area: 1 if they are isometric.
- * - "LandmarkError" (1 double): largest distance on the unit sphere that is left at a landmark.
+ *   scaled to equal area: 1 if they are isometric.
+ * - "LandmarkError" (1 double): largest distance between corresponding landmarks that remains on
+ *   the unit sphere.
  * - "FeatureAgreement" (2 double): mean correlation of the features before and after.
- * - "NumberOfFolds" (1 idtype): triangles of the map that are flipped, by exact arithmetic.
+ * - "NumberOfFolds" (1 idtype): flipped triangles of the map, by exact arithmetic.
  *
- * Without landmarks the filter compares features of the surfaces' own: mean geodesic distance, area
- * nearby at two scales, mean curvature at two scales; and point arrays named by AddFeature(). The
- * best of many rotations are deformed, and the one is taken that stretches least, agrees most and
- * lies most alike after a rotation in space. Mirror images are never tried. Two or more landmarks
- * fix the rotation; one adds to the choice.
+ * Without landmarks the filter compares features that it computes from the surfaces: mean geodesic
+ * distance, nearby area at two scales, mean curvature at two scales. Point arrays added by
+ * AddFeature() are further features. Several rotations with the best agreement are deformed. The
+ * result with the least stretch, the best agreement and the closest fit after a rotation in space
+ * is kept. Mirror images are never tried. Two or more landmarks determine the rotation; one
+ * landmark adds to the criteria.
  *
- * Landmarks are met as far as the map allows without folds; a warning says how many are not.
+ * Landmarks are matched as closely as the map allows without folds. A warning states how many are
+ * not matched.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample
@@ -66,8 +70,8 @@ public:
 
   ///@{
   /**
-   * What may be done to the map: a ROTATION, which keeps its angles and areas, a MOEBIUS transform,
-   * which keeps its angles, or any DIFFEOMORPHIC deformation. Default is DIFFEOMORPHIC.
+   * Type of the transform of the map. ROTATION preserves angles and areas. MOEBIUS preserves
+   * angles. DIFFEOMORPHIC (default) is any deformation without folds.
    */
   vtkSetClampMacro(SpaceOfTransforms, int, ROTATION, DIFFEOMORPHIC);
   vtkGetMacro(SpaceOfTransforms, int);
@@ -78,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Weight of the features that the filter computes itself, in [0, 1000]; 0 does without them.
-   * Default is 1.
+   * Weight of the features that the filter computes itself; 0 disables them. In [0, 1000]. Default
+   * is 1.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);
@@ -87,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Weight of the stretch between the surfaces against that of features, in [0.001, 1000]. Default
-   * is 1.
+   * Weight of the stretch between the surfaces against that of the features. In [0.001, 1000].
+   * Default is 1.
    */
   vtkSetClampMacro(StretchWeight, double, 0.001, 1000.0);
   vtkGetMacro(StretchWeight, double);
@@ -96,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Frequency f of the finest geodesic sphere that is deformed, of 10 f^2 + 2 vertices, in [8,
-   * 128]. Time grows with its square. Default is 16.
+   * Frequency f of the finest geodesic sphere that is deformed, with 10 f^2 + 2 vertices. Time is
+   * proportional to f^2. In [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -105,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Pairs of point ids that correspond: one of the moving and one of the fixed surface. Default is
-   * none.
+   * Add a pair of corresponding point ids: one of the moving and one of the fixed surface. Default
+   * is none.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType fixedPointId);
   void RemoveAllLandmarks();
@@ -115,8 +119,8 @@ public:
 
   ///@{
   /**
-   * Pairs of positions that correspond, one near the moving and one near the fixed surface, as they
-   * are picked on a screen: the nearest points of the surfaces are taken. Default is none.
+   * Add a pair of corresponding positions, such as picked ones: one near the moving and one near
+   * the fixed surface. The nearest points of the surfaces are used. Default is none.
    */
   void AddLandmarkPosition(
     double x, double y, double z, double fixedX, double fixedY, double fixedZ);
@@ -126,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Point arrays of 1 component that both surfaces have and that are to agree, with a weight,
-   * finite and at least 0; that of the stretch is 1. Each is shifted and scaled to mean 0 and
-   * variance 1 over its surface. Default is none.
+   * Add a point array of 1 component of both surfaces as a feature to match, with a weight. The
+   * weight is finite and at least 0; that of the stretch is 1. Each array is shifted and scaled to
+   * mean 0 and variance 1 over its surface. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

@@ -109,9 +109,9 @@ void WarnOfFolds(vtkObject* self, conformal::Index numberOfFolds)
 {
   if (numberOfFolds > 0)
   {
-    vtkWarningWithObjectMacro(self, << numberOfFolds
-                                    << " triangles of the source's map to the sphere are folded: "
-                                       "values jump there");
+    vtkWarningWithObjectMacro(self,
+      << numberOfFolds
+      << " triangles of the source's map to the sphere are folded: values are discontinuous there");
   }
 }
 

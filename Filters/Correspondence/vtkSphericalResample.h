@@ -2,8 +2,8 @@
  * @class   vtkSphericalResample
  * @brief   carry point arrays from one surface to another by their maps to the sphere
  *
- * Give a surface the point arrays of another one: points at the same position of the sphere
- * correspond. Numbers and colors are averaged, labels (arrays of integers with 1 component) and
+ * Transfer the point arrays of one surface to another: points at the same position of the sphere
+ * correspond. Numbers and colors are averaged; labels (arrays of integers with 1 component) and
  * masks are voted on. Both surfaces have the point array "SpherePosition", and their maps must
  * correspond, as after vtkSphericalAlignment.
  *
@@ -11,30 +11,31 @@
  * "SpherePosition" or points that lie on a sphere around the origin. Polygons and strips are cut
  * into triangles.
  *
- * Input port 1: vtkPolyData, the source: the surface that has the arrays. Both have
- * - point array "SpherePosition" (3 components, of any length but 0, float or double): where on the
- *   sphere the point lies. What lies at the same place corresponds. Surfaces must be closed and the
- *   maps cover the sphere once; of a target with BARYCENTRIC neither counts, nor need there be
- *   triangles. A surface
- *   without the array whose points lie on a sphere around the origin (within a thousandth of its
- *   radius, as those in files of radius 100) is its own map.
+ * Input port 1: vtkPolyData, the source: the surface that has the arrays. Both surfaces have
+ * - point array "SpherePosition" (3 components, of any length but 0, float or double): position of
+ *   the point on the sphere. Equal positions correspond. Surfaces must be closed, and maps must
+ *   cover the sphere once. With BARYCENTRIC this does not apply to the target, which may be without
+ *   triangles. Without the array, points that lie on a sphere around the origin (within a
+ *   thousandth of its radius, as in files of radius 100) are the map themselves.
  *
- * Output port 0: the target, with every point array of the source that has a name and numbers:
- * - an array of integers with 1 component is one of labels (or a mask): each point gets the label
- *   of the largest total weight, of several the smallest;
- * - all others are numbers: each point gets their weighted mean in the array's own type, rounded if
- *   that is one of integers, as colors are.
- * Target arrays of equal name are replaced. "SpherePosition", the active normals and texture
- * coordinates, ghosts, global and pedigree ids of the source are not carried. Numbers that are not
- * finite do not count; points for which none is left get 0, with one warning. The same input gives
- * the same bits on any number of threads.
+ * Output port 0: the target, with every numeric point array of the source that has a name. Target
+ * arrays of equal name are replaced. "SpherePosition", active normals and texture coordinates,
+ * ghosts, and global and pedigree ids of the source are not transferred.
+ * - arrays of integers with 1 component are labels or masks: each point gets the label of the
+ *   largest total weight, or the smallest label of several.
+ * - all other arrays are numbers: each point gets their weighted mean in the array's own type,
+ *   rounded for integers such as colors. Values that are not finite are ignored; points without
+ *   finite values get 0, with one warning.
  * - point array "ResampleMask" (unsigned char, 1 component), with MaskArrayName: 1 where there are
- *   values, 0 where all points of the source that count are masked and the values are 0.
+ *   values; 0, with values of 0, where all contributing points of the source are masked.
  *
- * Weights are those of Connectome Workbench: of BARYCENTRIC its BARYCENTRIC, of AREA_ADAPTIVE its
- * ADAP_BARY_AREA with the two surfaces as its area surfaces; labels as its -label-resample.
+ * The same input gives the same bits on any number of threads.
  *
- * Folds of the source's map are told of in a warning: values jump there.
+ * Weights are those of Connectome Workbench: BARYCENTRIC is its BARYCENTRIC, and AREA_ADAPTIVE is
+ * its ADAP_BARY_AREA with the two surfaces as its area surfaces. Labels are those of its
+ * -label-resample.
+ *
+ * Folds of the source's map cause a warning: values are discontinuous there.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkConsistentRemesh
@@ -65,10 +66,10 @@ public:
 
   ///@{
   /**
-   * What a point is made of. BARYCENTRIC: the three points of the source around it, by barycentric
-   * coordinates; where the target is coarser, others are passed over. AREA_ADAPTIVE (default): all
-   * points of the source, each by the area around it, so that nothing is passed over; where the
-   * target is finer it interpolates.
+   * Interpolation. AREA_ADAPTIVE (default): each point of the source contributes by the area around
+   * it, so that none is skipped; where the target is finer, it interpolates. BARYCENTRIC:
+   * barycentric coordinates in the source's triangle around the target's point; where the target is
+   * coarser, points of the source are skipped.
    */
   vtkSetClampMacro(Method, int, BARYCENTRIC, AREA_ADAPTIVE);
   vtkGetMacro(Method, int);
@@ -78,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Name of a point array of the source, of 1 component: points where it is 0 do not count, as
-   * those of a medial wall. Default is empty: all count.
+   * Name of a point array of the source with 1 component. Points with the value 0, such as those of
+   * a medial wall, are ignored. Default is empty: all points are used.
    */
   vtkSetMacro(MaskArrayName, std::string);
   vtkGetMacro(MaskArrayName, std::string);

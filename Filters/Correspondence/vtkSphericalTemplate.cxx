@@ -61,8 +61,8 @@ std::map<double, int> LandmarksOf(
     }
     if (!landmarks.emplace(number, vertices[i]).second)
     {
-      throw std::invalid_argument("two points are the landmark " + vtkVariant(number).ToString() +
-        ", the second of them point " + std::to_string(i));
+      throw std::invalid_argument("two points have the landmark " + vtkVariant(number).ToString() +
+        "; the second is point " + std::to_string(i));
     }
   }
   return landmarks;
@@ -78,7 +78,7 @@ std::vector<int> Ordered(
     if (ofFirst.count(number) == 0)
     {
       throw std::invalid_argument("the first surface has no landmark " +
-        vtkVariant(number).ToString() + ", which this one has");
+        vtkVariant(number).ToString() + ", but another surface has it");
     }
     vertices.push_back(vertex);
   }
@@ -86,8 +86,8 @@ std::vector<int> Ordered(
   {
     if (landmarks.count(number) == 0)
     {
-      throw std::invalid_argument(
-        "there is no landmark " + vtkVariant(number).ToString() + ", which the first surface has");
+      throw std::invalid_argument("a surface has no landmark " + vtkVariant(number).ToString() +
+        ", but the first surface has it");
     }
   }
   return vertices;
@@ -218,7 +218,7 @@ void Warn(vtkObject* self, const UsedSurfaces& surfaces, const TemplateInputs& i
   if (empty > 0)
   {
     vtkWarningWithObjectMacro(
-      self, << empty << " of " << all << " surfaces are empty; they stay so");
+      self, << empty << " of " << all << " surfaces are empty; their blocks stay empty");
   }
   conformal::Index unmet = 0;
   for (const conformal::SphericalRegistrationResult& registration : result.Registrations)
@@ -229,7 +229,7 @@ void Warn(vtkObject* self, const UsedSurfaces& surfaces, const TemplateInputs& i
   {
     vtkWarningWithObjectMacro(self, << unmet << " of "
                                     << inputs.Core.size() * inputs.Core.front().Landmarks.size()
-                                    << " landmarks cannot be met without folding a map");
+                                    << " landmarks cannot be matched without folds of a map");
   }
 }
 }
@@ -300,7 +300,7 @@ int vtkSphericalTemplate::RequestData(
       const UsedSurfaces surfaces = UsedSurfacesOf(inputVector[0]);
       if (surfaces.Numbers.empty())
       {
-        glue::WarnOfEmptyInput(this, "there is no surface that is not empty; the output is empty");
+        glue::WarnOfEmptyInput(this, "all surfaces are empty; the output is empty");
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);

@@ -2,40 +2,41 @@
  * @class   vtkSphericalTemplate
  * @brief   register many mapped surfaces with their mean, so that all of them correspond
  *
- * Move the maps of all surfaces, their point arrays "SpherePosition", so that corresponding points
- * of all surfaces have the same position on the sphere: each surface is registered with the mean of
- * all, in several rounds. The second output is the mean surface.
+ * Deform the maps of all surfaces, their point arrays "SpherePosition", so that corresponding
+ * points of all surfaces have the same position on the sphere. Each surface is registered with the
+ * mean of all surfaces, in several rounds. The second output is the mean surface.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data:
- * closed, of genus zero, in one space, with the point array "SpherePosition". Each has
+ * closed, of genus zero, in one coordinate system, with the point array "SpherePosition". Each
+ * surface has
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
- * Output port 0: vtkMultiBlockDataSet, a block for each surface in their order, with the names of
- * the input's blocks: the surface as it is, but for
- * - point array "SpherePosition" (double, 3 components): the map, deformed so that points of all
- *   surfaces at the same place of the sphere correspond.
- * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds" as
- *   vtkSphericalRegistration has them, of the registration with the mean.
+ * Output port 0: vtkMultiBlockDataSet with one block for each surface, in their order, with the
+ * names of the input's blocks. A block is the input surface, with
+ * - point array "SpherePosition" (double, 3 components): the deformed map. Points of all surfaces
+ *   at the same position of the sphere correspond.
+ * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds", as
+ *   in vtkSphericalRegistration, of the registration with the mean.
  *
- * Output port 1: vtkPolyData, the mean surface, after the surfaces were brought together by
- * Alignment: 10 f^2 + 2 points, f being MeanFrequency. It lies where the start does.
- * - point array "SpherePosition" (double, 3 components): the directions, evenly over the sphere.
- * - field data "TemplateChange" (double, a value for each round; absent without any): rms distance
- *   of the mean's points from those of the round before, over its rms radius.
+ * Output port 1: vtkPolyData, the mean surface after Alignment of the surfaces, with 10 f^2 + 2
+ * points, where f is MeanFrequency. It lies where the start does.
+ * - point array "SpherePosition" (double, 3 components): the directions, uniform over the sphere.
+ * - field data "TemplateChange" (double, one value per round; absent without rounds): rms distance
+ *   between the mean's points and those of the round before, divided by the rms radius.
  * - field data "TemplateStart" (idtype, 1 value): number of the surface that was the start.
  *
- * All surfaces are registered with the first one, and the one that is closest to the mean of their
- * shapes is the start. All are registered with the start, as vtkSphericalRegistration does it, then
- * in each round with the mean of the round before, of positions and of features. Landmarks, if
- * there are some, are met in each of these steps.
+ * First, all surfaces are registered with the first surface; the surface closest to the mean of
+ * their shapes becomes the start. Next, all surfaces are registered with the start, as in
+ * vtkSphericalRegistration. Each round then registers all surfaces with the mean positions and mean
+ * features of the round before. Landmarks, if any, are used in each step.
  *
- * The order of the surfaces counts only where it makes another one the start, which TemplateStart
- * tells, and in the last digits. The same input gives the same bits on any number of threads.
+ * The order of the surfaces affects only the last digits, unless it changes the start, see
+ * TemplateStart. The same input gives the same bits on any number of threads.
  *
- * Empty blocks stay empty, with a warning; blocks that are not there are left out.
+ * Empty blocks stay empty, with a warning; missing blocks are left out.
  *
- * The mean is on a geodesic sphere. vtkConsistentRemesh makes of output port 0 a mean that is dense
- * where the surfaces are large, with modes and the surfaces' arrays.
+ * The mean has the mesh of a geodesic sphere. vtkConsistentRemesh, applied to output port 0,
+ * computes a mean that is dense where the surfaces are large, with modes and the surfaces' arrays.
  *
  * @sa
  * vtkSphericalRegistration vtkConsistentRemesh vtkSphericalMorph
@@ -69,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Largest number of rounds, in [0, 100]; with 0 all are registered with the start only. Each
-   * takes as long as registering every surface once. Default is 4.
+   * Maximum number of rounds; with 0 all surfaces are registered with the start only. Each round
+   * costs one registration per surface. In [0, 100]. Default is 4.
    */
   vtkSetClampMacro(MaximumNumberOfRounds, int, 0, 100);
   vtkGetMacro(MaximumNumberOfRounds, int);
@@ -78,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Change of the mean with which rounds end, in [0, 1]: rms distance over the rms radius. Default
-   * is 0.01.
+   * Change of the mean that ends the rounds: rms distance divided by the rms radius. In [0, 1].
+   * Default is 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -87,8 +88,8 @@ public:
 
   ///@{
   /**
-   * What is taken out of the shapes before their mean is taken. NONE: nothing. RIGID (default):
-   * where they lie and how they are turned. SIMILARITY: their size, too.
+   * Transforms that are removed from the shapes before their mean is computed. NONE: none. RIGID
+   * (default): position and orientation. SIMILARITY: position, orientation and size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -99,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Frequency f of the mean's geodesic sphere, of 10 f^2 + 2 points, in [8, 1000]. Default is 45:
+   * Frequency f of the mean's geodesic sphere, with 10 f^2 + 2 points. In [8, 1000]. Default is 45:
    * 20,252 points.
    */
   vtkSetClampMacro(MeanFrequency, int, 8, 1000);
@@ -108,8 +109,8 @@ public:
 
   ///@{
   /**
-   * As in vtkSphericalRegistration: weight of the features that the filter computes itself, in
-   * [0, 1000]. Default is 1.
+   * Weight of the features that the filter computes itself, as in vtkSphericalRegistration; 0
+   * disables them. In [0, 1000]. Default is 1.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);
@@ -117,8 +118,8 @@ public:
 
   ///@{
   /**
-   * As in vtkSphericalRegistration: weight of the stretch against that of features, in
-   * [0.001, 1000]. Default is 1.
+   * Weight of the stretch against that of the features, as in vtkSphericalRegistration. In [0.001,
+   * 1000]. Default is 1.
    */
   vtkSetClampMacro(StretchWeight, double, 0.001, 1000.0);
   vtkGetMacro(StretchWeight, double);
@@ -126,7 +127,7 @@ public:
 
   ///@{
   /**
-   * As in vtkSphericalRegistration: frequency of the finest geodesic sphere that is deformed, in
+   * Frequency of the finest geodesic sphere that is deformed, as in vtkSphericalRegistration. In
    * [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
@@ -135,9 +136,9 @@ public:
 
   ///@{
   /**
-   * Name of a point array of 1 component that marks landmarks: points of all surfaces with the same
-   * number above 0 correspond, points with 0 are none. Every surface must have the same numbers,
-   * each at one point. Default is empty: there are none.
+   * Name of a point array of 1 component that marks landmarks. Points with the same number above 0
+   * correspond; points with 0 are no landmarks. Every surface must have the same numbers, each at
+   * one point. Default is empty: no landmarks.
    */
   vtkSetMacro(LandmarkArrayName, std::string);
   vtkGetMacro(LandmarkArrayName, std::string);
@@ -145,7 +146,7 @@ public:
 
   ///@{
   /**
-   * Point arrays of 1 component that all surfaces have and that are to agree, with a weight, as in
+   * Add a point array of 1 component of all surfaces as a feature to match, with a weight, as in
    * vtkSphericalRegistration. Default is none.
    */
   void AddFeature(const char* name, double weight);
@@ -154,7 +155,7 @@ public:
   ///@}
 
   /**
-   * The mean surface, output port 1.
+   * Return the mean surface, output port 1.
    */
   vtkPolyData* GetMeanSurface();
 

@@ -183,15 +183,14 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
   }
   if (!misfits.empty())
   {
-    vtkWarningWithObjectMacro(self, << "the point arrays " << misfits
-                                    << " were left out: they have not as many components on all "
-                                       "surfaces");
+    vtkWarningWithObjectMacro(
+      self, << "the point arrays " << misfits
+            << " were left out: their numbers of components differ between surfaces");
   }
   if (missing > 0)
   {
-    vtkWarningWithObjectMacro(self, << missing
-                                    << " values of point arrays are 0: there are no finite numbers "
-                                       "to make them of");
+    vtkWarningWithObjectMacro(self,
+      << missing << " values of point arrays are 0, since none of their source values is finite");
   }
 }
 

@@ -72,7 +72,7 @@ void RequireOffsets(vtkPolyData* surface, const std::string& what)
     if (!cells->IsValid())
     {
       throw std::invalid_argument(what + ": the offsets of the " + name +
-        " do not fit their point ids (see vtkCellArray::IsValid). Build the cells anew.");
+        " do not fit their point ids (see vtkCellArray::IsValid). Rebuild the cells.");
     }
   }
 }
@@ -88,8 +88,8 @@ void RequireIds(vtkCellArray* cells, vtkIdType firstCellId, vtkIdType numberOfPo
     {
       if (ids[k] < 0 || ids[k] >= numberOfPoints)
       {
-        throw std::invalid_argument("cell " + std::to_string(firstCellId + i) + " names point " +
-          std::to_string(ids[k]) + " of " + std::to_string(numberOfPoints));
+        throw std::invalid_argument("cell " + std::to_string(firstCellId + i) +
+          " refers to point " + std::to_string(ids[k]) + " of " + std::to_string(numberOfPoints));
       }
     }
   }

@@ -82,8 +82,8 @@ void WarnOfFarPoints(vtkObject* self, const conformal::FarPoints& far)
                                     << " points lie far from all others and are left out: the "
                                        "nearest of them is "
                                     << far.Distance
-                                    << " radii from the middle of the others. If they stand for "
-                                       "invalid points, such as (0, 0, 0), remove them");
+                                    << " radii from the middle of the others. If they mark invalid "
+                                       "points, such as (0, 0, 0), remove them");
   }
 }
 }

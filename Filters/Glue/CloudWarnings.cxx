@@ -23,8 +23,8 @@ void WarnOfCutHandles(vtkObject* self, double cutFraction)
 void WarnOfUnusedNormals(vtkObject* self)
 {
   vtkWarningWithObjectMacro(self,
-    << "the normals of the points do not agree on what is inside and are not used; others are "
-       "found from the points. If the normals are right but for their signs, orient them first");
+    << "the normals of the points contradict each other about the inside and are not used; others "
+       "are estimated from the points. If only their signs are wrong, orient them first");
 }
 
 //------------------------------------------------------------------------------

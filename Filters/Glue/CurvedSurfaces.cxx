@@ -38,8 +38,8 @@ double VertexShiftOf(const glue::CurvedSeamlessProperties& properties, vtkObject
       numbers && numbers->GetNumberOfTuples() > 0 ? numbers->GetComponent(0, 0) : -1.0;
     if (!(shift >= 0.0 && shift <= conformal::MaximumVertexShift))
     {
-      throw std::invalid_argument("the field array VertexShift of the surface holds no number from "
-                                  "0 to 2. Give it one, or remove it, or set VertexShift.");
+      throw std::invalid_argument("the field array VertexShift of the surface has no number in [0, "
+                                  "2]. Correct it, remove it, or set VertexShift.");
     }
     return shift;
   }

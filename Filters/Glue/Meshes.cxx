@@ -268,7 +268,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   {
     throw std::invalid_argument(
       "the surface must be closed, manifold, in one piece and of genus zero, but it is " +
-      Sentence(report) + ". vtkGenusZeroCheck lists all of it.");
+      Sentence(report) + ". vtkGenusZeroCheck lists all faults.");
   }
   if (done.Merged > 0)
   {
@@ -282,9 +282,9 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   }
   if (done.Turned > 0)
   {
-    vtkWarningWithObjectMacro(self, << done.Turned
-                                    << " triangles were reversed to agree in orientation with "
-                                       "their neighbors");
+    vtkWarningWithObjectMacro(
+      self, << done.Turned
+            << " triangles were reversed for an orientation consistent with their neighbors");
   }
   if (done.Isolated > 0)
   {

@@ -2,36 +2,35 @@
  * @class   vtkBodyMapImage
  * @brief   draw a map of a body: any array in one of four projections of the sphere
  *
- * Make an image of the body that vtkBodyMap has given longitudes and latitudes. All of the
- * surface is on it. Point arrays state what lies beyond the outline of the map, and where
- * meridians and parallels run.
+ * Make an image of the whole body to which vtkBodyMap has given longitudes and latitudes. Point
+ * arrays mark pixels beyond the outline of the map, and pixels on meridians and parallels.
  *
  * Input port 0: vtkPolyData, an output of vtkBodyMap, or any surface with the point array
- * "SpherePosition" (3 components) whose north pole is (0, 0, 1). Polygons and strips are treated as
+ * "SpherePosition" (3 components) and the north pole (0, 0, 1). Polygons and strips are treated as
  * triangles.
  *
- * Output port 0: vtkImageData of ImageSize pixels, which all of the map fills. Coordinates of a
- * pixel are those of its middle on the map, so that origin and spacing are what a world file holds:
- * degrees from the central meridian and of latitude for EQUIRECTANGULAR, else units of the sphere's
- * radius.
- * - point array of the same name, type and components as the one drawn, the active scalars; whole
- *   numbers are rounded.
+ * Output port 0: vtkImageData of ImageSize pixels, filled by the whole map. The coordinates of a
+ * pixel are those of its middle on the map, so that origin and spacing are the values of a world
+ * file. EQUIRECTANGULAR: degrees from the central meridian, and degrees of latitude. Other
+ * projections: units of the sphere's radius.
+ * - the drawn point array, as active scalars with the same name, type and components. Integers are
+ *   rounded.
  * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map; values are 0 there.
- * - point array "OutsideSurface" (unsigned char): 1 there and where the map to the sphere has a
- * hole.
+ * - point array "OutsideSurface" (unsigned char): 1 beyond the outline and where the map to the
+ *   sphere has a hole.
  * - point array "Graticule" (unsigned char), unless GraticuleSpacing is 0: 1 on meridians and
- *   parallels, one pixel wide. Meridians end at the last parallel but for every 90 degrees.
+ *   parallels, one pixel wide. Meridians end at the last parallel, except every 90 degrees.
  * - point array "BodyPosition" (double, 3 components) with GeneratePositions: the point of the body
  *   that the pixel shows, the inverse of the map; 0 outside.
  *
- * Every point of the body has its place on the map, whatever its shape. A pixel shows the point
- * whose place on the sphere its middle is; where many vertices share a pixel the image has no room
- * for them.
+ * A pixel shows the point of the body whose position on the sphere is the pixel's middle. Every
+ * point of the body, whatever its shape, has a position on the map. Where many vertices share a
+ * pixel, the image undersamples the surface.
  *
- * Not in the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
- * seamless surface", Neurocomputing 71 (2008)). The quincuncial projection is that of C. S. Peirce
- * (1879), by an elliptic integral with complex arguments (Carlson 1995); see
- * Documentation/references.bib.
+ * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The quincuncial
+ * projection is that of C. S. Peirce (1879), computed by an elliptic integral with complex
+ * arguments (Carlson 1995); see Documentation/references.bib.
  *
  * @sa
  * vtkBodyMap vtkSphericalTextureImage vtkPNGWriter vtkTIFFWriter
@@ -62,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Point array to draw. Empty (default) for the active scalars.
+   * Name of the point array to draw. Empty (default) selects the active scalars.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
@@ -70,10 +69,10 @@ public:
 
   ///@{
   /**
-   * The projection. EQUIRECTANGULAR: longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: equal areas,
-   * the northern hemisphere left and the southern right, 2 : 1. MOLLWEIDE: equal areas, an ellipse,
-   * 2 : 1. PEIRCE_QUINCUNCIAL: equal angles, but at four points of the equator; a square with the
-   * north pole in the middle and the south pole in its corners, 1 : 1. Default is EQUIRECTANGULAR.
+   * Projection. EQUIRECTANGULAR (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: equal
+   * areas, the northern hemisphere left and the southern right, 2 : 1. MOLLWEIDE: equal areas, an
+   * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: equal angles, except at four points of the equator; a
+   * square with the north pole in the middle and the south pole in its corners, 1 : 1.
    */
   vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, PEIRCE_QUINCUNCIAL);
   vtkGetMacro(Projection, int);
@@ -85,8 +84,8 @@ public:
 
   ///@{
   /**
-   * The meridian in the middle, in degrees; where a pole is in the middle, the meridian that runs
-   * down from it. In [-360, 360]. Default is 0.
+   * Meridian in the middle, in degrees. If a pole is in the middle, the meridian that runs down
+   * from it. In [-360, 360]. Default is 0.
    */
   vtkSetClampMacro(CentralLongitude, double, -360.0, 360.0);
   vtkGetMacro(CentralLongitude, double);
@@ -94,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Pixels across and up. At least (1, 1), no more pixels than an int counts. Default is
-   * (2000, 1000).
+   * Width and height of the image in pixels. At least (1, 1); the number of pixels must fit into an
+   * int. Default is (2000, 1000).
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);
@@ -103,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Degrees between the lines of "Graticule"; 0 for none. In [0, 90]; below 1 it is 0. Default
-   * is 15.
+   * Angle between the lines of "Graticule", in degrees; 0 for none. In [0, 90]; values below 1 are
+   * set to 0. Default is 15.
    */
   vtkSetClampMacro(GraticuleSpacing, double, 0.0, 90.0);
   vtkGetMacro(GraticuleSpacing, double);

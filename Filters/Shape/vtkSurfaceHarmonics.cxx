@@ -409,7 +409,7 @@ int vtkSurfaceHarmonics::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* tableOutput = vtkTable::GetData(outputVector, 1);
   HarmonicsJob job{ this->Degree, std::min(this->ReconstructionDegree, this->Degree),
-    this->Alignment, this->Lattice == GEODESIC ? this->Frequency : 0, {} };
+    this->Alignment, this->MeshType == GEODESIC ? this->Frequency : 0, {} };
   const std::vector<std::string> names = this->PointArrays;
   return glue::RunCore(this,
     [&]()
@@ -451,12 +451,12 @@ int vtkSurfaceHarmonics::RequestData(
 //------------------------------------------------------------------------------
 void vtkSurfaceHarmonics::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const lattices[] = { "Input", "Geodesic" };
+  static const char* const meshTypes[] = { "Input", "Geodesic" };
   static const char* const alignments[] = { "None", "Map", "MapAndSurface" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Degree: " << this->Degree << "\n";
   os << indent << "ReconstructionDegree: " << this->ReconstructionDegree << "\n";
-  os << indent << "Lattice: " << lattices[this->Lattice] << "\n";
+  os << indent << "MeshType: " << meshTypes[this->MeshType] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "Alignment: " << alignments[this->Alignment] << "\n";
   os << indent << "NumberOfPointArrays: " << this->PointArrays.size() << "\n";

@@ -2,59 +2,60 @@
  * @class   vtkSurfaceHarmonics
  * @brief   compute the spherical harmonics of a mapped surface and of arrays on it
  *
- * Describe a closed surface that has the point array "SpherePosition" by spherical harmonics,
- * and rebuild it from those of low degree. The second output is the table of coefficients, from
- * which vtkSurfaceHarmonicsSource makes surfaces.
+ * Compute the spherical harmonics of a closed surface that has the point array "SpherePosition",
+ * and rebuild the surface from those of low degree. The second output is the table of coefficients,
+ * from which vtkSurfaceHarmonicsSource makes surfaces.
  *
  * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
  * strips are cut into triangles.
- * - point array "SpherePosition" (3 components, of any length but 0): its map to the sphere, which
- *   covers the sphere once without folds, or mirrors the surface so.
+ * - point array "SpherePosition" (3 components, of any length but 0): a map that covers the sphere
+ *   once without folds; it may mirror the surface.
  *
- * Input port 1 (optional): vtkTable as of output port 1, the reference of Alignment.
+ * Input port 1 (optional): vtkTable like that of output port 1, the reference of Alignment.
  *
- * Output port 0: vtkPolyData, the surface that the harmonics up to ReconstructionDegree make: the
- * input with other points (Lattice INPUT; its active normals are left out), or a geodesic sphere
- * (GEODESIC).
- * - point array "SpherePosition" (double, 3 components): of the input, turned by Alignment, or the
- *   directions of the geodesic sphere.
- * - each chosen point array (double), rebuilt likewise.
+ * Output port 0: vtkPolyData, the sum of the harmonics up to ReconstructionDegree. With MeshType
+ * INPUT it is the input with other points, without its active normals. With GEODESIC it is a
+ * geodesic sphere with other points.
+ * - point array "SpherePosition" (double, 3 components): map of the input, rotated by Alignment, or
+ *   the directions of the geodesic sphere.
+ * - each chosen point array (double), rebuilt from its harmonics.
  *
- * Output port 1: vtkTable of (L + 1)^2 rows, L being the Degree: degrees from 0 to L, and for each
- * l the orders m from -l to l.
+ * Output port 1: vtkTable of (L + 1)^2 rows, where L is the Degree: degrees l from 0 to L, and for
+ * each l the orders m from -l to l.
  * - columns "Degree", "Order" (int).
  * - columns "X", "Y", "Z" (double): coefficients of the coordinates, in the unit of the points.
- * - a column of each component of each chosen point array (double): of its name, or with more than
- *   one component of "name_0", "name_1" and so on.
+ * - a column for each component of each chosen point array (double), with the array's name; for
+ *   several components "name_0", "name_1" and so on.
  *
  * Harmonics are real, orthonormal on the unit sphere, and without the Condon-Shortley phase: Y_lm
- * is P_lm(z) cos(m phi) for m >= 0 and P_l|m|(z) sin(|m| phi) for m < 0, z being the third
- * coordinate of SpherePosition and phi the angle from its first to its second. A function is the
- * sum of coefficients times harmonics; that of degree 0 is its mean times sqrt(4 pi).
+ * is P_lm(z) cos(m phi) for m >= 0 and P_l|m|(z) sin(|m| phi) for m < 0. Here z is the third
+ * coordinate of SpherePosition, and phi is the angle from its first to its second. A function is
+ * the sum of coefficients times harmonics. The coefficient of degree 0 is the function's mean times
+ * sqrt(4 pi).
  *
  * Field data of output port 0 (double):
- * - "RootMeanSquareDistance" (1 value): of the input's points from where the harmonics up to
- *   ReconstructionDegree put them, points counting by the area around them; in the unit of the
+ * - "RootMeanSquareDistance" (1 value): distance between the input's points and their positions by
+ *   the harmonics up to ReconstructionDegree. Points are weighted by area; the unit is that of the
  *   points.
  * - "HarmonicPower" (L + 1 values): for each degree, the mean over the sphere of the square of its
- *   part of the coordinates, in the square of that unit. It does not depend on how the surface or
- *   its map is turned. "HarmonicPower_" with the name of an array: the same of its components.
- * - "ShapeSpectrum" (L + 1 values): the root of the power of each degree over that of degree 1, 0
- *   for degree 0: does not depend on where the surface is nor on its size either.
+ *   part of the coordinates, in the square of that unit. It does not depend on the orientation of
+ *   the surface or its map.
+ * - "HarmonicPower_" with the name of an array (L + 1 values): power of the array's components.
+ * - "ShapeSpectrum" (L + 1 values): square root of the power of each degree, divided by that of
+ *   degree 1; 0 for degree 0. It does not depend on position, orientation and size of the surface.
  * - "MapRotation", "SurfaceRotation" (9 components, row by row) and "SurfaceCenter" (3 components):
- *   what Alignment did. A point s that was mapped to p is at SurfaceRotation (s - SurfaceCenter),
- * and mapped to MapRotation p.
+ *   transforms of Alignment. A point s with map p becomes SurfaceRotation (s - SurfaceCenter) with
+ *   map MapRotation p.
  *
- * The coefficients are the solution of least squares over the surface by area: a surface that is
- * made of harmonics up to L, and whose mesh is finer than pi / L on the sphere, gives its
- * coefficients back. How well few harmonics describe a surface depends on the map. Conformal maps
- * shrink limbs to nothing; vtkGlobalConformalMap with an AreaBalance of 0.5 serves most surfaces.
- * The same input gives the same bits on any number of threads.
+ * The coefficients are the least-squares solution over the surface, weighted by area. A surface
+ * that consists of harmonics up to L, with a mesh finer than pi / L on the sphere, reproduces its
+ * coefficients. How well few harmonics describe a surface depends on the map, since conformal maps
+ * shrink limbs. vtkGlobalConformalMap with an AreaBalance of 0.5 is suitable for most surfaces. The
+ * same input gives the same bits on any number of threads.
  *
  * Implementation note: the axes of Alignment are those of C. Brechbuehler, G. Gerig, O. Kuebler,
  * "Parametrization of closed surfaces for 3-D shape description", Computer Vision and Image
- * Understanding 61 (1995), and of SPHARM-PDM, which leaves open to which end of an axis its
- * positive direction points.
+ * Understanding 61 (1995), and of SPHARM-PDM. Both leave the sign of an axis open.
  *
  * @sa
  * vtkSurfaceHarmonicsSource vtkGlobalConformalMap vtkConsistentRemesh
@@ -85,7 +86,7 @@ public:
     MAP_AND_SURFACE = 2
   };
 
-  enum Lattices
+  enum MeshTypes
   {
     INPUT = 0,
     GEODESIC = 1
@@ -93,7 +94,7 @@ public:
 
   ///@{
   /**
-   * The highest degree of the harmonics, L, in [0, 256]. Default is 20.
+   * Maximum degree L of the harmonics. In [0, 256]. Default is 20.
    */
   vtkSetClampMacro(Degree, int, 0, 256);
   vtkGetMacro(Degree, int);
@@ -101,8 +102,8 @@ public:
 
   ///@{
   /**
-   * The highest degree that output port 0 is made of, in [0, 256]; no more than Degree are there.
-   * Default is 256: all of them.
+   * Maximum degree of the harmonics in output port 0; values above Degree mean Degree. In [0, 256].
+   * Default is 256: all.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 256);
   vtkGetMacro(ReconstructionDegree, int);
@@ -110,18 +111,18 @@ public:
 
   ///@{
   /**
-   * The mesh of output port 0. INPUT (default): that of the input. GEODESIC: a geodesic sphere of
-   * Frequency, its triangles counter-clockwise seen from outside the surface.
+   * Mesh of output port 0. INPUT (default): that of the input. GEODESIC: a geodesic sphere of
+   * Frequency, with triangles counter-clockwise seen from outside the surface.
    */
-  vtkSetClampMacro(Lattice, int, INPUT, GEODESIC);
-  vtkGetMacro(Lattice, int);
-  void SetLatticeToInput() { this->SetLattice(INPUT); }
-  void SetLatticeToGeodesic() { this->SetLattice(GEODESIC); }
+  vtkSetClampMacro(MeshType, int, INPUT, GEODESIC);
+  vtkGetMacro(MeshType, int);
+  void SetMeshTypeToInput() { this->SetMeshType(INPUT); }
+  void SetMeshTypeToGeodesic() { this->SetMeshType(GEODESIC); }
   ///@}
 
   ///@{
   /**
-   * GEODESIC: f, for 10 f^2 + 2 points, in [1, 1000]. Default is 36: 12,962 points.
+   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 1000]. Default is 36: 12,962 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -129,15 +130,17 @@ public:
 
   ///@{
   /**
-   * What is turned to where coefficients can be compared, by the ellipsoid that the harmonics of
-   * degree 1 are. MAP: the map to the sphere, so that the longest, middle and shortest axis of that
-   * ellipsoid are mapped to the x, y and z axis. MAP_AND_SURFACE: the surface as well, so that the
-   * axes lie there too, and the center of the ellipsoid is the origin. NONE (default): nothing.
+   * Rotation to a common frame, in which coefficients can be compared, by the ellipsoid of the
+   * harmonics of degree 1. NONE (default): no rotation. MAP: rotate the map so that the longest,
+   * middle and shortest axis of the ellipsoid are mapped to the x, y and z axis. MAP_AND_SURFACE:
+   * also rotate the surface so that the axes lie on x, y and z, and move the ellipsoid's center to
+   * the origin.
    *
-   * Four rotations do that. With a reference, the one after which the surface correlates best with
-   * it is taken, and axes come upon those of the reference; of axes that differ in length by less
-   * than a tenth the direction is searched as well. Without one, the longest and the middle axis
-   * point to where the surface reaches farther, by the third moment over the sphere.
+   * Four rotations align the axes. With a reference, the rotation with the highest correlation
+   * between surface and reference is chosen, and the axes are matched to those of the reference.
+   * The direction of axes whose lengths differ by less than a tenth is then searched as well.
+   * Without a reference, the longest and the middle axis point to where the surface extends
+   * farther, by the third moment over the sphere.
    */
   vtkSetClampMacro(Alignment, int, NONE, MAP_AND_SURFACE);
   vtkGetMacro(Alignment, int);
@@ -148,7 +151,7 @@ public:
 
   ///@{
   /**
-   * Point arrays of numbers whose harmonics are wanted too. Default is none.
+   * Add a point array of numbers whose harmonics are computed, too. Default is none.
    */
   void AddPointArray(const char* name);
   void RemoveAllPointArrays();
@@ -157,14 +160,14 @@ public:
 
   ///@{
   /**
-   * The coefficients of another surface, by which Alignment decides which way axes point.
+   * The coefficients of another surface, which determine the signs of the axes of Alignment.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkTable* reference);
   ///@}
 
   /**
-   * The table of coefficients, output port 1.
+   * Return the table of coefficients, output port 1.
    */
   vtkTable* GetCoefficients();
 
@@ -182,7 +185,7 @@ private:
 
   int Degree = 20;
   int ReconstructionDegree = 256;
-  int Lattice = INPUT;
+  int MeshType = INPUT;
   int Frequency = 36;
   int Alignment = NONE;
   std::vector<std::string> PointArrays;

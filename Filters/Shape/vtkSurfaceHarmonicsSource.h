@@ -2,22 +2,23 @@
  * @class   vtkSurfaceHarmonicsSource
  * @brief   make a surface from a table of its spherical harmonics
  *
- * Make a closed surface of a table of coefficients, as the second output of vtkSurfaceHarmonics
- * is one.
+ * Make a closed surface from a table of coefficients, such as the second output of
+ * vtkSurfaceHarmonics.
  *
- * Input port 0: vtkTable, the coefficients: columns "Degree", "Order", "X", "Y" and "Z"; others of
- * numbers become point arrays. It has a row for each harmonic of degrees 0 to L, at most 1024, in
- * any order:
+ * Input port 0: vtkTable, the coefficients: columns "Degree", "Order", "X", "Y" and "Z"; other
+ * numeric columns become point arrays. The table has one row for each harmonic of degrees 0 to L,
+ * at most 1024, in any order:
  * - columns "Degree", "Order": l, and m from -l to l.
  * - columns "X", "Y", "Z": coefficients of the coordinates.
- * - any other columns of numbers: coefficients of point arrays. Columns of text are left out.
+ * - any other numeric columns: coefficients of point arrays. Columns of text are left out.
  *
- * Output port 0: vtkPolyData, a geodesic sphere of Frequency put to where the harmonics up to
- * ReconstructionDegree have it; triangles counter-clockwise seen from outside the surface.
+ * Output port 0: vtkPolyData, a geodesic sphere of Frequency whose points are the sum of the
+ * harmonics up to ReconstructionDegree. Triangles are counter-clockwise seen from outside the
+ * surface.
  * - point array "SpherePosition" (double, 3 components): the directions.
- * - a point array (double, 1 component) of each other column, by its name.
+ * - a point array (double, 1 component) for each other column, with its name.
  *
- * vtkSurfaceHarmonics makes such tables and says which harmonics they are of.
+ * vtkSurfaceHarmonics makes such tables and defines the harmonics.
  *
  * @sa
  * vtkSurfaceHarmonics vtkGeodesicSphereSource
@@ -38,7 +39,7 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere, for 10 f^2 + 2 points, in [1, 1000]. Default is 36: 12,962
+   * Frequency f of the geodesic sphere, for 10 f^2 + 2 points. In [1, 1000]. Default is 36: 12,962
    * points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
@@ -47,8 +48,8 @@ public:
 
   ///@{
   /**
-   * The highest degree that the surface is made of, in [0, 1024]; no more than the table has are
-   * there. Default is 1024: all of them.
+   * Maximum degree of the harmonics in the surface; values above that of the table mean the latter.
+   * In [0, 1024]. Default is 1024: all.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 1024);
   vtkGetMacro(ReconstructionDegree, int);

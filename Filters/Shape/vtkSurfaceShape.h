@@ -2,35 +2,36 @@
  * @class   vtkSurfaceShape
  * @brief   measure the curvatures of a closed surface and the depth of its folds
  *
- * Add the point arrays MeanCurvature (above 0 where the surface bulges out), GaussianCurvature,
- * and SulcalDepth (above 0 in folds, below 0 on ridges).
+ * Add the point arrays MeanCurvature (positive where the surface bulges out), GaussianCurvature,
+ * and SulcalDepth (positive in folds, negative on ridges).
  *
- * Input port 0: vtkPolyData, a closed surface without handles, mapped to the sphere or not.
+ * Input port 0: vtkPolyData, a closed surface without handles; a map to the sphere is not needed.
  * Polygons and strips are treated as triangles. Coincident points of open edges are merged,
- * triangles turned and points of no triangle dropped, each with a warning.
+ * triangles are oriented consistently, and points of no triangle are dropped, each with a warning.
  *
- * Output port 0: the input, or, if it had to be repaired, its triangles; with point arrays (double)
- * - "MeanCurvature", per length: above 0 where the surface bulges out, 1 / r on a sphere of radius
- *   r. Connectome Workbench has this sign, FreeSurfer's "curv" the other one.
- * - "GaussianCurvature", per area: above 0 on domes and in pits, below 0 on saddles.
- * - "SulcalDepth", a length: above 0 in folds and below 0 on ridges, as FreeSurfer's "sulc"; its
- * mean over the surface is 0.
+ * Output port 0: the input, or, if it had to be repaired, its triangles, with point arrays (double)
+ * - "MeanCurvature", per length: positive where the surface bulges out, 1 / r on a sphere of radius
+ *   r. Connectome Workbench uses the same sign; FreeSurfer's "curv" has the opposite sign.
+ * - "GaussianCurvature", per area: positive on domes and in pits, negative on saddles.
+ * - "SulcalDepth", a length: positive in folds and negative on ridges, as FreeSurfer's "sulc". Its
+ *   mean over the surface is 0.
  *
- * Curvatures are integrals over the edges and the vertices (D. Cohen-Steiner, J.-M. Morvan,
- * "Restricted Delaunay triangulations and normal cycle", SoCG 2003), divided by the area that is
- * nearest to each vertex, and smoothed over CurvatureScale. "SulcalDepth" is the depth potential of
- * M. Boucher, S. Whitesides, A. Evans, "Depth potential function for folding pattern
- * representation, registration and analysis", Medical Image Analysis 13 (2009), the solution u of
- * u / s^2 - Laplacian u = 2 (mean of H - H) with the mean curvature H and s from DepthScale: about
- * the height of the surroundings above the point, where folds are shallow; along the steep walls of
- * deep ones it grows with the way along the wall. It is not FreeSurfer's average convexity, nor a
- * distance to a hull.
+ * Curvatures are integrals over edges and vertices (D. Cohen-Steiner, J.-M. Morvan, "Restricted
+ * Delaunay triangulations and normal cycle", SoCG 2003). They are divided by the area that is
+ * nearest to each vertex, and smoothed over CurvatureScale.
  *
- * vtkSphericalRegistration has features of the same mean curvature of its own; hand it these arrays
- * to register by what you chose.
+ * "SulcalDepth" is the depth potential of M. Boucher, S. Whitesides, A. Evans, "Depth potential
+ * function for folding pattern representation, registration and analysis", Medical Image Analysis
+ * 13 (2009). It is the solution u of u / s^2 - Laplacian u = 2 (mean of H - H) with the mean
+ * curvature H and s from DepthScale. In shallow folds it is about the height of the surroundings
+ * above the point. Along the steep walls of deep folds it grows with the length of the wall. It is
+ * neither FreeSurfer's average convexity nor a distance to a hull.
  *
- * Not in the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
- * seamless surface", Neurocomputing 71 (2008)).
+ * vtkSphericalRegistration computes features from the mean curvature, too. Pass these arrays to it
+ * to register by other scales.
+ *
+ * The measures are not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)).
  *
  * @sa
  * vtkSphericalRegistration vtkSphericalResample vtkGIFTIWriter vtkFreeSurferWriter
@@ -51,8 +52,9 @@ public:
 
   ///@{
   /**
-   * About how far curvatures are smoothed, as a part of the square root of the surface's area; 0
-   * smooths nothing. In [0, 1]. Default is 0.01: 3 mm on a hemisphere of 900 square centimeters.
+   * Approximate length over which curvatures are smoothed, as a fraction of the square root of the
+   * surface's area; 0 disables smoothing. In [0, 1]. Default is 0.01: 3 mm on a hemisphere of 900
+   * square centimeters.
    */
   vtkSetClampMacro(CurvatureScale, double, 0.0, 1.0);
   vtkGetMacro(CurvatureScale, double);
@@ -60,9 +62,8 @@ public:
 
   ///@{
   /**
-   * The distance, as a part of the square root of the surface's area, over which heights are
-   * compared for SulcalDepth: folds that are much wider than that are not seen. In [0.001, 1].
-   * Default is 0.1.
+   * Distance over which heights are compared for SulcalDepth, as a fraction of the square root of
+   * the surface's area. Much wider folds are not detected. In [0.001, 1]. Default is 0.1.
    */
   vtkSetClampMacro(DepthScale, double, 0.001, 1.0);
   vtkGetMacro(DepthScale, double);

@@ -4,17 +4,18 @@
  *
  * Read Geomview's OFF files, text or binary, with normals, colors and texture coordinates.
  *
- * Output port 0: vtkPolyData, the points and polygons of a file whose keyword is
- * [ST][C][N][4][n]OFF, of three dimensions, as text (points are double) or BINARY (float). The
- * keyword may be missing, but CanReadFile() does not know such a file. The fourth coordinate of
- * 4OFF divides the others.
+ * Output port 0: vtkPolyData, the points and polygons of a three-dimensional file with the keyword
+ * [ST][C][N][4][n]OFF. Points of text files are double, those of BINARY files float. The keyword
+ * may be missing; CanReadFile() then returns false. The fourth coordinate of 4OFF divides the
+ * others.
  * - point array "Normals" (type of the points, 3 components), active: N.
  * - point array "TCoords" (type of the points, 2 components), active: ST.
- * - point array "RGB" or "RGBA" (unsigned char), active scalars: C, and what stands behind the
- *   coordinates of a plain OFF. If no number is more than 1 they are fractions, else bytes.
- * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors behind the ids of faces;
- *   white where a face has none.
- * - cell array "ColorIndex" (int, 1 component): a single number there; -1 where there is none.
+ * - point array "RGB" or "RGBA" (unsigned char), active scalars: C, and additional columns of a
+ *   plain OFF. If no number exceeds 1 they are fractions, otherwise bytes.
+ * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors after the ids of faces;
+ *   white for a face without color.
+ * - cell array "ColorIndex" (int, 1 component): a single number after the ids of faces; -1 for a
+ *   face without one.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -36,7 +37,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -4,9 +4,9 @@
  *
  * Write OFF as text, with the active normals, colors and texture coordinates.
  *
- * Input port 0: vtkPolyData. What is written is OFF as text: active normals, colors and texture
- * coordinates of the points, active colors (or else the array "ColorIndex" of 1 integer) of the
- * polygons. Numbers are written so that they are read back the same.
+ * Input port 0: vtkPolyData. The file has the active normals, texture coordinates and colors of the
+ * points. It also has the active colors of the polygons, or else their array "ColorIndex" of 1
+ * integer. Numbers are written with enough digits to be read back exactly.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

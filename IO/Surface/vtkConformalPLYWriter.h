@@ -2,12 +2,12 @@
  * @class   vtkConformalPLYWriter
  * @brief   write PLY with all arrays
  *
- * Write binary PLY with all arrays of points and polygons, "SpherePosition" among them;
- * vtkConformalPLYReader reads the same back.
+ * Write binary PLY with all arrays of points and polygons, including "SpherePosition".
+ * vtkConformalPLYReader reads the arrays back.
  *
- * Input port 0: vtkPolyData. What is written is PLY, binary little endian, with all arrays of
- * points and polygons: active normals, texture coordinates and colors by their usual names, others
- * of several components as NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.
+ * Input port 0: vtkPolyData. The file is PLY, binary little endian, with all arrays of points and
+ * polygons. Active normals, texture coordinates and colors have their usual names. Other arrays of
+ * several components become NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.
  * 8-byte integers become doubles.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.

@@ -2,17 +2,17 @@
  * @class   vtkFreeSurferReader
  * @brief   read FreeSurfer's surfaces with their sphere and their curvature
  *
- * Read a surface such as lh.white and, if named, its sphere (as "SpherePosition") and a file
+ * Read a surface such as lh.white. Optionally, read its sphere (as "SpherePosition") and a file
  * with one number for each point (as Curvature).
  *
  * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
  * lh.white.
  * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
- *   SphereFileName, such as lh.sphere, which has the same faces.
+ *   SphereFileName, such as lh.sphere, which must have the same faces.
  * - point array "Curvature" (float, 1 component): the values of the file CurvatureFileName, such as
  *   lh.curv or lh.thickness, of the new or the old layout.
  *
- * The volume's geometry behind the faces is not read: points are those of the file.
+ * The volume geometry that follows the faces is ignored: points have the coordinates of the file.
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * File whose points are the positions of the surface's points on the sphere, such as lh.sphere.
-   * Default is none.
+   * Name of the file whose points are the positions of the surface's points on the sphere, such as
+   * lh.sphere. Default is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -43,14 +43,15 @@ public:
 
   ///@{
   /**
-   * File with one number for each point, such as lh.curv or lh.thickness. Default is none.
+   * Name of a file with one number for each point, such as lh.curv or lh.thickness. Default is
+   * none.
    */
   vtkSetFilePathMacro(CurvatureFileName);
   vtkGetFilePathMacro(CurvatureFileName);
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

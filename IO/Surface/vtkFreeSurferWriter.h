@@ -2,13 +2,13 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
- * Write triangles with the surface's points, or with their positions on the sphere, or one number
- * for each point.
+ * Write triangles with the surface's points, triangles with their positions on the sphere, or one
+ * number for each point.
  *
- * Input port 0: vtkPolyData of triangles. Content chooses what is written:
+ * Input port 0: vtkPolyData of triangles. Content selects what is written:
  * - SURFACE: the points, as floats, and the triangles.
- * - SPHERE: the same triangles with the points of array "SpherePosition" (3 components) times 100,
- *   the radius of FreeSurfer's spheres.
+ * - SPHERE: the triangles, with the point array "SpherePosition" (3 components) times 100, the
+ *   radius of FreeSurfer's spheres.
  * - CURVATURE: the point array ArrayName (1 component), as floats.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
@@ -39,8 +39,8 @@ public:
 
   ///@{
   /**
-   * What is written. SURFACE (default): points and triangles. SPHERE: the triangles with the point
-   * array "SpherePosition" times 100 as points. CURVATURE: the point array ArrayName.
+   * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles, with the
+   * point array "SpherePosition" times 100 as points. CURVATURE: the point array ArrayName.
    */
   vtkSetClampMacro(Content, int, SURFACE, CURVATURE);
   vtkGetMacro(Content, int);

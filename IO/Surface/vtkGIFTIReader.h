@@ -2,21 +2,21 @@
  * @class   vtkGIFTIReader
  * @brief   read GIFTI surfaces with their sphere and numbers at their points
  *
- * Read a surface (.surf.gii) and, if named, its sphere (as "SpherePosition") and a file with
+ * Read a surface (.surf.gii). Optionally, read its sphere (as "SpherePosition") and a file with
  * arrays of numbers at the points.
  *
  * Output port 0: vtkPolyData, the points (float or double, as in the file) and triangles of a
- * surface (.surf.gii): ASCII, Base64Binary or GZipBase64Binary, of both orders of bytes and of
- * indices.
+ * surface (.surf.gii). Encodings are ASCII, Base64Binary and GZipBase64Binary, with both byte
+ * orders and both orders of indices.
  * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
- *   SphereFileName, which has the same triangles.
- * - point arrays of the type of all other arrays of the file and of the file ShapeFileName
- *   (.shape.gii, .func.gii, .label.gii), named by their metadata "Name", else by their intent, such
- *   as "Shape".
+ *   SphereFileName, which must have the same triangles.
+ * - point arrays, in their own types, from all other arrays of the file and from the file
+ *   ShapeFileName (.shape.gii, .func.gii, .label.gii). Their name is the metadata "Name", or else
+ *   their intent, such as "Shape".
  *
- * Matrices of other coordinate systems and label tables are not read. An entity of the file's own
- * or an array in another file is an error. vtkSurfaceFileReader describes what all
- * readers of this module have in common.
+ * Matrices of other coordinate systems and label tables are ignored. XML entities declared by the
+ * file, and arrays in external files, are errors. vtkSurfaceFileReader describes what all readers
+ * of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -37,7 +37,8 @@ public:
 
   ///@{
   /**
-   * File whose points are the positions of the surface's points on the sphere. Default is none.
+   * Name of the file whose points are the positions of the surface's points on the sphere. Default
+   * is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -45,7 +46,7 @@ public:
 
   ///@{
   /**
-   * File with arrays of numbers at the surface's points, such as .shape.gii, .func.gii or
+   * Name of a file with arrays of numbers at the surface's points, such as .shape.gii, .func.gii or
    * .label.gii. Default is none.
    */
   vtkSetFilePathMacro(ShapeFileName);
@@ -53,7 +54,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

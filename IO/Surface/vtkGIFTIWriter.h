@@ -2,16 +2,16 @@
  * @class   vtkGIFTIWriter
  * @brief   write GIFTI surfaces, spheres and numbers at their points
  *
- * Write points, triangles and every array of the points, compressed, or as files that other
- * programs of neuroimaging read: the geometry, the sphere or the arrays alone.
+ * Write points, triangles and every point array, compressed. For other neuroimaging programs, write
+ * the geometry, the sphere or the arrays alone.
  *
- * Input port 0: vtkPolyData. What is written is GIFTI, compressed. Content is
- * - SURFACE: points in their type, triangles, and every array of the points by its name
- *   (.surf.gii). Polygons of more corners are an error.
+ * Input port 0: vtkPolyData. The file is GIFTI, compressed. Content selects what is written:
+ * - SURFACE: points in their type, triangles, and every point array by its name (.surf.gii).
+ *   Polygons with more than 3 corners are an error.
  * - GEOMETRY: the points, as floats, and the triangles (.surf.gii).
- * - SPHERE: the same triangles with the points of array "SpherePosition" (3 components) times 100,
- *   the radius of spheres of cortical surfaces, as floats (.sphere.surf.gii).
- * - SHAPE: every array of the points with 1 component, by its name, as floats, without the surface
+ * - SPHERE: the triangles, with the point array "SpherePosition" (3 components) times 100 as float
+ *   points (.sphere.surf.gii). 100 is the radius of spheres of cortical surfaces.
+ * - SHAPE: every point array with 1 component, by its name, as floats, without the surface
  *   (.shape.gii). Integers beyond 16,777,216 are rounded.
  *
  * Connectome Workbench reads GEOMETRY, SPHERE and SHAPE; it refuses surfaces with arrays.
@@ -45,10 +45,10 @@ public:
 
   ///@{
   /**
-   * What is written. SURFACE (default): the surface with its arrays. GEOMETRY: its points and
-   * triangles alone. SPHERE: the triangles with the point array "SpherePosition" times 100 as
-   * points. SHAPE: the point arrays with 1 component alone (.shape.gii). Connectome Workbench reads
-   * all but the first.
+   * Content of the file. SURFACE (default): the surface with its arrays. GEOMETRY: points and
+   * triangles only. SPHERE: the triangles, with the point array "SpherePosition" times 100 as
+   * points. SHAPE: only the point arrays with 1 component (.shape.gii). Connectome Workbench reads
+   * all but SURFACE.
    */
   vtkSetClampMacro(Content, int, SURFACE, SHAPE);
   vtkGetMacro(Content, int);
@@ -60,9 +60,8 @@ public:
 
   ///@{
   /**
-   * What the surface is of, such as CortexLeft or CortexRight, for programs that need it, as
-   * Connectome Workbench: the metadata AnatomicalStructurePrimary. Default is empty: none is
-   * written.
+   * Anatomical structure, such as CortexLeft or CortexRight, written as the metadata
+   * AnatomicalStructurePrimary. Connectome Workbench needs it. Default is empty: not written.
    */
   vtkSetMacro(AnatomicalStructure, std::string);
   vtkGetMacro(AnatomicalStructure, std::string);

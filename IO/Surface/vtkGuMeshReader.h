@@ -6,7 +6,7 @@
  *
  * Output port 0: vtkPolyData, the vertices (double) and faces of the file.
  * - point array "SpherePosition" (double, 3 components), of unit length: trait sph of the vertices,
- *   as H. Hoppe's programs write it. All vertices must have it, or none.
+ *   as written by H. Hoppe's programs. Either all vertices must have it, or none.
  * - point array "Normals" (double, 3 components), active: trait normal; 0 where it is missing.
  * - point array "TCoords" (double, 2 components), active: trait uv; 0 where it is missing.
  * - point and cell array "RGB" (unsigned char, 3 components), active scalars: trait rgb of vertices
@@ -32,7 +32,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

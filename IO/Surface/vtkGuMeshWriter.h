@@ -2,15 +2,15 @@
  * @class   vtkGuMeshWriter
  * @brief   write meshes in the .m format of MeshLib, with their sphere map
  *
- * Write points and polygons, and as traits of the points "SpherePosition" (sph), normals,
- * texture coordinates and colors.
+ * Write points and polygons. Traits of the points are "SpherePosition" (sph), normals, texture
+ * coordinates and colors.
  *
- * Input port 0: vtkPolyData. What is written is Gu's .m: points and polygons, and of the points as
- * traits
+ * Input port 0: vtkPolyData. The file has points, polygons and the active colors of the polygons.
+ * Traits of the points are
  * - array "SpherePosition" (3 components): trait sph,
- * - active normals, texture coordinates and colors (3 unsigned chars): normal, uv, rgb,
+ * - active normals, texture coordinates and colors (3 unsigned chars): traits normal, uv, rgb.
  *
- * and of the polygons active colors. Numbers are written so that they are read back the same.
+ * Numbers are written with enough digits to be read back exactly.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

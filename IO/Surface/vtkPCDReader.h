@@ -6,12 +6,12 @@
  * the scanner measured nothing, are left out.
  *
  * Output port 0: vtkPolyData, the points of a file of version 0.5 to 0.7, ascii, binary or
- * binary_compressed, with one vertex for each. The points are floats if x, y and z are, else
- * doubles. A point that is not finite is one that the scanner did not see: it is dropped without a
+ * binary_compressed, with one vertex for each. The points are floats if x, y and z are, otherwise
+ * doubles. Points that are not finite, where the scanner measured nothing, are dropped without a
  * warning.
  * - point array "Normals" (float or double, 3 components), active: normal_x, normal_y, normal_z.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: rgb or rgba of four bytes.
- * - point arrays of the name, type and count of every other field but padding.
+ * - point arrays with the name, type and count of every other field except padding.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -33,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -4,14 +4,15 @@
  *
  * Read the vertices and triangular plates of a shape model, with or without numbered rows.
  *
- * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file that has numbers
- * of vertices and plates and a row for each: X Y Z or I X Y Z, then A B C, I A B C, or 3 A B C, of
- * which the 3 may stand on a line of its own. I counts from 0 or 1; A, B and C number the vertices
- * from 1, or from 0 where a plate names vertex 0. Coordinates are in the file's unit, mostly
- * kilometers. Labels (.lbl, .xml) are not read.
+ * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file. The file begins
+ * with the numbers of vertices and plates and has a row for each. Rows of vertices are X Y Z or I X
+ * Y Z. Rows of plates are A B C, I A B C, or 3 A B C, where the 3 may have its own line. I counts
+ * from 0 or 1. A, B and C number the vertices from 1, or from 0 if a plate refers to vertex 0.
+ * Coordinates are in the file's unit, mostly kilometers. Labels (.lbl, .xml) are ignored.
  *
- * Models of lines "v X Y Z" and "f A B C" are files for vtkOBJReader, and digital elevation models
- * of longitude, latitude and radius (other .tab files) are no plate models: neither is read.
+ * Two similar formats are not supported. vtkOBJReader reads models with lines "v X Y Z" and "f A B
+ * C". Digital elevation models of longitude, latitude and radius (other .tab files) are no plate
+ * models.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -33,7 +34,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -2,19 +2,18 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
- * Give a table, of which vtkSurfaceHarmonicsSource makes the surface.
+ * Read a table of coefficients, from which vtkSurfaceHarmonicsSource makes the surface.
  *
- * Output port 0: vtkTable as vtkSurfaceHarmonics makes it, a row for each harmonic: columns
- * "Degree", "Order" (int) and "X", "Y", "Z" (double). Numbers are those of real orthonormal
- * harmonics without the Condon-Shortley phase, so that vtkSurfaceHarmonicsSource makes the
- * surface of the file: those of orders above 0 are (-1)^m / sqrt(2) times the file's.
+ * Output port 0: vtkTable as from vtkSurfaceHarmonics, with a row for each harmonic: columns
+ * "Degree", "Order" (int) and "X", "Y", "Z" (double). Coefficients are those of real orthonormal
+ * harmonics without the Condon-Shortley phase, as vtkSurfaceHarmonicsSource needs them. Those of
+ * orders above 0 are (-1)^m / sqrt(2) times the file's.
  *
- * SPHARM-PDM's own surfaces (..._SPHARM.vtk) are evaluated at the points opposite to those of its
- * sphere mesh: their points are those of vtkSurfaceHarmonicsSource at minus that direction.
+ * SPHARM-PDM evaluates its own surfaces (..._SPHARM.vtk) at the points opposite to those of its
+ * sphere mesh. Their points are those of vtkSurfaceHarmonicsSource in the negative direction.
  *
- * A file that breaks the rules or ends early gives an error with its line, an empty output, and an
- * error code of vtkErrorCode. A reader that is asked to abort gives an empty output without an
- * error.
+ * A malformed or truncated file causes an error with the number of its line, an empty output, and
+ * an error code of vtkErrorCode. An aborted reader gives an empty output without an error.
  *
  * @sa
  * vtkSPHARMCoefficientWriter vtkSurfaceHarmonicsSource vtkSurfaceHarmonics
@@ -42,17 +41,17 @@ public:
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
-   * The usual extension of such files, with a dot.
+   * Return the usual extension of such files, with a dot.
    */
   const char* GetFileExtensions() { return ".coef"; }
 
   /**
-   * What a list of file types calls them.
+   * Return the name of the format for lists of file types.
    */
   const char* GetDescriptiveName() { return "SPHARM-PDM coefficients"; }
 

@@ -4,10 +4,9 @@
  *
  * Write the table that is the second output of vtkSurfaceHarmonics.
  *
- * Input port 0: vtkTable as vtkSurfaceHarmonics makes it: columns "Degree", "Order", "X", "Y" and
- * "Z". Other columns are left out. Numbers are written with 15 digits, in SPHARM-PDM's own
- * normalization, so that its programs make the same surface of them; vtkSPHARMCoefficientReader
- * reads them back.
+ * Input port 0: vtkTable as from vtkSurfaceHarmonics: columns "Degree", "Order", "X", "Y" and "Z".
+ * Other columns are left out. Numbers have 15 digits and SPHARM-PDM's own normalization, so that
+ * its programs make the same surface. vtkSPHARMCoefficientReader reads them back.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -6,9 +6,9 @@
  * "SpherePosition".
  *
  * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
- * as shape_surf.vtk, text or binary. Its arrays are not read.
+ * as shape_surf.vtk, text or binary. Its arrays are ignored.
  * - point array "SpherePosition" (double, 3 components), of unit length: the points of the sphere,
- *   shape_para.vtk, which has the same polygons.
+ *   shape_para.vtk, which must have the same polygons.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -31,16 +31,16 @@ public:
 
   ///@{
   /**
-   * File whose points are the positions of the surface's points on the sphere. Default is none: the
-   * file shape_para.vtk of a shape_surf.vtk, or of a shape.vtk, is read if it is there.
+   * Name of the file whose points are the positions of the surface's points on the sphere. Default
+   * is none: for shape_surf.vtk or shape.vtk, the file shape_para.vtk is read if it exists.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first bytes, and has its sphere beside it.
-   * Other legacy VTK files are left to VTK's own reader, which reads their arrays.
+   * Return whether the first bytes of a file are of this format and its sphere is beside it. Other
+   * legacy VTK files are left to VTK's own reader, which reads their arrays.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -2,18 +2,18 @@
  * @class   vtkSPHARMSurfaceWriter
  * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition"
- * into shape_para.vtk beside it.
+ * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition" into
+ * shape_para.vtk beside it.
  *
  * Input port 0: vtkPolyData, triangles with the point array "SpherePosition" (3 components).
  *
- * What is written are two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
- * and shape_para.vtk beside it, whose points are SpherePosition, of unit length. (Where a name has
- * no _surf before the extension, _para is added to it.) Numbers are written so that they are read
- * back the same; other arrays are left out.
+ * The writer makes two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
+ * and shape_para.vtk beside it. The points of the latter are SpherePosition, of unit length. If a
+ * name has no _surf before the extension, _para is appended to it. Numbers are written with enough
+ * digits to be read back exactly. Other arrays are left out.
  *
- * The sphere is replaced as the surface is, whoever made it. A warning says so if it was there and
- * the surface was not.
+ * An existing sphere is replaced like the surface, even if another program made it. A warning is
+ * given if the sphere existed but the surface did not.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

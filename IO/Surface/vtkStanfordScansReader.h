@@ -2,16 +2,17 @@
  * @class   vtkStanfordScansReader
  * @brief   read range scans and the motions that align them as one cloud
  *
- * Read all PLY files that a .conf file of the Stanford scanning repository names, each moved by its
- * transform there. The point array ScanId has the number of each point's scan.
+ * Read all PLY files that a .conf file of the Stanford scanning repository lists, and apply to each
+ * its transform from that file. The point array ScanId has the number of each point's scan.
  *
  * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
- * Stanford scanning repository names, each moved as the file says, with one vertex for each.
- * - point array "ScanId" (int, 1 component): which of the scans that the file names, counted from
- * 0.
- * - point arrays of the names and types that all scans have, such as "confidence", "intensity".
- * - field array "NumberOfMissingScans" (vtkIdType, 1 component): named by the file and not there,
- * only if not 0, and then reported in a warning. If none is there it is an error.
+ * Stanford scanning repository lists. Each scan is transformed as specified there. There is one
+ * vertex for each point.
+ * - point array "ScanId" (int, 1 component): number of the scan in the file, counted from 0.
+ * - point arrays that all scans have with equal names and types, such as "confidence", "intensity".
+ * - field array "NumberOfMissingScans" (vtkIdType, 1 component): number of listed scans that do not
+ *   exist. The array exists only if it is not 0, with a warning. If all scans are missing, it is an
+ *   error.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -34,9 +35,9 @@ public:
 
   ///@{
   /**
-   * Whether the quaternions turn the other way. Default is off: a point is turned by the inverse of
-   * the rotation that a quaternion commonly stands for, as the repository's files want it. Wrong
-   * scans do not overlap.
+   * Whether to invert the rotations. Default is off: a point is rotated by the inverse of the
+   * rotation that a quaternion commonly represents, as in the repository's files. If scans do not
+   * overlap, change this property.
    */
   vtkSetMacro(InvertRotation, bool);
   vtkGetMacro(InvertRotation, bool);
@@ -45,8 +46,7 @@ public:
 
   ///@{
   /**
-   * Whether the file may name scans outside of its folder, by their paths or by links. Default is
-   * off.
+   * Whether the file may refer to scans outside of its folder, by paths or links. Default is off.
    */
   vtkSetMacro(AllowExternalFiles, bool);
   vtkGetMacro(AllowExternalFiles, bool);
@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Whether it is an error if a scan that the file names is not there. Default is off: the others
-   * are read, with a warning.
+   * Whether a listed scan that does not exist is an error. Default is off: the other scans are
+   * read, with a warning.
    */
   vtkSetMacro(RequireAllScans, bool);
   vtkGetMacro(RequireAllScans, bool);
@@ -64,7 +64,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first bytes and not by its name.
+   * Return whether the first bytes of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

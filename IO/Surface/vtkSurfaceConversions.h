@@ -1,4 +1,4 @@
-// From vtkPolyData to what the makers of bytes take. Private.
+// Convert vtkPolyData to the data structures of IO/Formats. Private.
 #ifndef vtkSurfaceConversions_h
 #define vtkSurfaceConversions_h
 
@@ -16,7 +16,7 @@ class vtkUnsignedCharArray;
 
 namespace vtkSurfaceConversions
 {
-/// Why nothing was written, with an error code of vtkErrorCode.
+/// Failure to write, with an error code of vtkErrorCode and a message.
 class WriteError : public std::runtime_error
 {
 public:
@@ -28,23 +28,24 @@ public:
   const unsigned long Code;
 };
 
-/// The error code of vtkErrorCode for how reading a file ended; none where it was aborted.
+/// Return the error code of vtkErrorCode for the result of a parser; NoError if it was aborted.
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 
-/// The surface itself if all its cells are triangles, else a triangulated copy without others.
+/// Return the surface itself if all its cells are triangles, else a triangulated copy without
+/// other cells.
 /// @pre the surface passed Glue/Checks.h
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
-/// Points, polygons and named arrays of numbers. The active normals, texture coordinates and
+/// Return points, polygons and named numeric arrays. The active normals, texture coordinates and
 /// colors (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips
-/// become triangles; vertices and lines are left out, and so are cell arrays unless all cells are
+/// become triangles. Vertices and lines are left out, and so are cell arrays unless all cells are
 /// polygons.
 /// @pre the surface passed Glue/Checks.h
 /// @throws WriteError for a surface without points, or a coordinate that is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
-/// The pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
-/// @throws WriteError for another one, and for null
+/// Return the pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
+/// @throws WriteError for any other picture, and for null
 vtkUnsignedCharArray* PixelsOf(vtkImageData* picture);
 }
 

@@ -347,16 +347,15 @@ void vtkSurfaceFileReader::WarnOfAll(
     output->GetFieldData()->AddArray(number);
     vtkWarningMacro(<< fileName << ": " << count << " " << message);
   };
-  warn(
-    "NumberOfDroppedPoints", data.DroppedPoints, "points dropped whose coordinates are not finite");
+  warn("NumberOfDroppedPoints", data.DroppedPoints, "points dropped: a coordinate is not finite");
   warn("NumberOfDroppedPolygons", data.DroppedPolygons,
-    "polygons dropped that have fewer than 3 ids or one of them twice");
-  warn("NumberOfReplacedValues", data.ReplacedValues, "values replaced by 0 that are not finite");
-  warn("NumberOfSkippedLines", data.SkippedLines, "lines skipped that are not points");
+    "polygons dropped: fewer than 3 ids, or a repeated id");
+  warn("NumberOfReplacedValues", data.ReplacedValues, "values that are not finite replaced by 0");
+  warn("NumberOfSkippedLines", data.SkippedLines, "lines without a valid point skipped");
   warn("NumberOfUnreadBytes", data.UnreadBytes,
-    "bytes not read behind all that the header promises; the header or the file is wrong");
+    "bytes after the data that the header declares not read; the header or the file is wrong");
   warn("NumberOfMissingScans", data.MissingScans,
-    "scans that the file names are not there and are left out");
+    "scans that the file lists do not exist and are left out");
 }
 
 //------------------------------------------------------------------------------

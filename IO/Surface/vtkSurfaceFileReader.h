@@ -3,28 +3,29 @@
  * @brief   what all readers of scans and meshes have in common
  *
  * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a
- * cloud and gets one vertex for each point, so that it can be seen.
+ * cloud. It gets one vertex for each point, so that it is visible.
  * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): active
- *   where the file has them. What other arrays there are, and their types, the readers say.
+ *   where the file has them. The readers describe all other arrays and the types.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
  *   "NumberOfSkippedLines", "NumberOfUnreadBytes", "NumberOfMissingScans" (vtkIdType, 1 component):
- *   each there only if not 0, and then reported in a warning. A point of a cloud is dropped if a
- * coordinate is not finite, a polygon if it has fewer than 3 ids or one of them twice; other values
- * that are not finite are replaced by 0.
+ *   each exists only if it is not 0, with a warning. A point of a cloud is dropped if a coordinate
+ *   is not finite. A polygon is dropped if it has fewer than 3 ids or a repeated id. Other values
+ *   that are not finite are replaced by 0.
  *
- * A file that breaks the rules, ends early, or has a mesh with a point that is not finite or an id
- * that no point has, gives an error with its line or byte, an empty output, and an error code of
- * vtkErrorCode. Numbers are read the same in every locale. A reader that is asked to abort gives an
- * empty output without an error.
+ * Malformed files, truncated files, and meshes with non-finite points or invalid ids cause an
+ * error. It states the line or byte, leaves the output empty, and sets an error code of
+ * vtkErrorCode. Numbers are read the same in every locale. An aborted reader gives an empty output
+ * without an error.
  *
- * Properties are those at the beginning of the run: observers of the progress may change them, also
- * names of files, for the next one.
+ * A run uses the properties at its beginning. Observers of the progress may change them, including
+ * file names, for the next run.
  *
- * This class is abstract, and only readers of this module derive from it: what they implement is
- * not installed. Use one of them.
+ * This class is abstract. Only readers of this module derive from it, since the functions that they
+ * implement are not installed. Use one of the derived readers.
  *
- * Asked for a piece, a reader of clouds reads its share of the file and no more, where the format
- * can be cut: the pieces together are the whole, in order. All of another file is the first piece.
+ * If a pipeline requests a piece, a reader of clouds reads only its part of the file, where the
+ * format can be divided. The pieces together are the whole, in order. A file that cannot be divided
+ * is read as the first piece.
  */
 
 #ifndef vtkSurfaceFileReader_h
@@ -56,28 +57,28 @@ public:
   vtkTypeMacro(vtkSurfaceFileReader, vtkAbstractPolyDataReader);
 
   /**
-   * The usual extensions of such files, with a dot, between blanks.
+   * Return the usual extensions of such files, with a dot, separated by blanks.
    */
   virtual const char* GetFileExtensions() = 0;
 
   /**
-   * What a list of file types calls them.
+   * Return the name of the format for lists of file types.
    */
   virtual const char* GetDescriptiveName() = 0;
 
   /**
-   * Get the names of all files that reading opens: FileName, then files that properties name, and
-   * files that FileName names or that belong to it by their names, whether they exist or not. A
-   * program that writes files compares them with these, lest it replace what it reads. No data are
-   * read. The array is filled anew by every call, and is empty if FileName is not set.
+   * Return the names of all files that reading opens, whether they exist or not: FileName, files
+   * that properties name, and files that FileName refers to or that belong to it by their names.
+   * Programs that write files compare names with these, so that they do not replace an input. No
+   * data are read. Every call fills the array anew; it is empty if FileName is not set.
    */
   vtkStringArray* GetReadFileNames();
 
   ///@{
   /**
-   * The processes that read a file together, if each is asked for the piece of its number: an error
-   * of one is an error of all then, so that none goes on to a filter where it would wait for the
-   * others. Default is the global controller.
+   * Controller of the processes that read a file together, if each requests the piece of its
+   * number. An error of one process is then an error of all, so that no process waits for another
+   * in a later filter. Default is the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

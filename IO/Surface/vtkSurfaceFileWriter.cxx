@@ -148,7 +148,7 @@ void vtkSurfaceFileWriter::WriteTogether(const NamedBytes& files)
   if (!foreign.empty())
   {
     vtkWarningMacro(<< "replaced " << foreign << ", though " << files.back().first
-                    << " was not there before: files beside a surface have its name");
+                    << " did not exist before: files beside a surface have its name");
   }
 }
 

@@ -3,34 +3,35 @@
  * @brief   what all writers of scans and meshes have in common
  *
  * Input port 0: vtkPolyData (vtkSPHARMCoefficientWriter: vtkTable), points, with or without
- * polygons; strips are triangulated, vertices and lines are left out. The active normals, texture
- * coordinates and colors (unsigned char) are written as what a format calls so, other arrays by
- * their names. Which of them a format has, the writers say. Arrays that have not a tuple for each
- * point or cell, and cells that name points that are not there, are an error.
+ * polygons. Strips are triangulated; vertices and lines are left out. Active normals, texture
+ * coordinates and colors (unsigned char) are written as those of the format, other arrays by their
+ * names. The writers describe which of them a format has. Arrays without a tuple for each point or
+ * cell, and cells with invalid point ids, are errors.
  *
- * This class is abstract, and only writers of this module derive from it: what they implement is
- * not installed. Use one of them.
+ * This class is abstract. Only writers of this module derive from it, since the functions that they
+ * implement are not installed. Use one of the derived writers.
  *
- * Files are written whole or not at all, and those of one surface all or none: after an error,
- * which sets an error code of vtkErrorCode and makes Write() return 0, older files of the names are
- * as they were. A writer that is asked to abort writes nothing and reports no error; Write()
- * returns 0 then too, and the error code is AbortedError. Text is the same in every locale.
+ * Files are written completely or not at all, and so are all files of one surface. After an error,
+ * existing files are unchanged, an error code of vtkErrorCode is set, and Write() returns 0. An
+ * aborted writer writes nothing and reports no error; Write() returns 0, and the error code is
+ * AbortedError. Text is the same in every locale.
  *
- * Files beside the one of FileName have its name with another ending; the writers list them. They
- * are replaced as the named one is, whoever made them. A warning names those that were there while
- * the named one was not.
+ * Some writers make more files beside FileName, with its name and other endings; the writers list
+ * them. Existing files of these names are replaced like FileName, even if another program made
+ * them. A warning lists those that existed although FileName did not.
  *
- * Properties and inputs are those at the beginning of Write(): observers of the progress may change
- * them for the next one.
+ * A run uses the properties and inputs at the beginning of Write(). Observers of the progress may
+ * change them for the next run.
  *
- * Only regular files are replaced: a directory, pipe, socket or device of the name is refused
- * (CannotOpenFileError), and so is a file that may not be written, and a name with a newline or
- * another control character (UserError). A port without input is a UserError, too, unless it is
- * optional. A symbolic link stays a link, and the file that it points at is replaced or made. A
- * replaced file keeps its permissions other than setuid, setgid and sticky bits, and its owner and
- * group as far as the system allows; its other hard links keep the old content. While a file is
- * written, it has a name of its own in the same folder, ".conformalsom-" and 16 digits, and the
- * permissions of the file that it replaces.
+ * Only regular files are replaced. A directory, pipe, socket or device of the name, and a
+ * write-protected file, are refused (CannotOpenFileError). A name with a newline or another control
+ * character is refused (UserError). A required port without input is a UserError, too.
+ *
+ * A symbolic link stays a link; the file to which it points is replaced or made. A replaced file
+ * keeps its permissions except setuid, setgid and sticky bits. It keeps its owner and group as far
+ * as the system allows. Its other hard links keep the old content. During writing, a file has a
+ * temporary name in the same folder, ".conformalsom-" and 16 digits, and the permissions of the
+ * file that it replaces.
  */
 
 #ifndef vtkSurfaceFileWriter_h
@@ -60,7 +61,7 @@ public:
   enum
   {
     /**
-     * Error code of a writer that was asked to abort: vtkErrorCode::UserError + 1.
+     * Error code of an aborted writer: vtkErrorCode::UserError + 1.
      */
     AbortedError = vtkErrorCode::UserError + 1
   };
@@ -74,7 +75,8 @@ public:
   ///@}
 
   /**
-   * Write the file or files. Returns 1 if they are written, and 0 if not; GetErrorCode() says why.
+   * Write the file or files. Returns 1 on success and 0 otherwise; GetErrorCode() then returns the
+   * reason.
    */
   int Write() override;
 

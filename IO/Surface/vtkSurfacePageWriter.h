@@ -2,35 +2,36 @@
  * @class   vtkSurfacePageWriter
  * @brief   write a web page that shows a surface and its sphere in any browser
  *
- * Write one file that needs no network: surface and sphere turn side by side, with a picture or
- * any point array as color; a point picked on the one is marked on the other.
+ * Write one file that needs no network. Surface and sphere rotate side by side, colored by a
+ * picture or any point array. A point picked on one is marked on the other.
  *
  * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
  * are left out.
  * - point array "SpherePosition" (float or double, 3 components): its map to the sphere.
- * - active texture coordinates of the points (float or double, 2 components): needed with a
- * picture. Surfaces have to be cut along the picture's seams, by SplitSeam of
- * vtkSphericalTextureMap.
- * - all other point arrays of numbers: shown as colors with a legend; arrays of 3 or 4 unsigned
- * chars as the colors that they are, other arrays of several components by the length of their
- * tuples. "Normals" and "vtkGhostType" are left out. Values that are not finite are shown as none.
+ * - active texture coordinates of the points (float or double, 2 components): required with a
+ *   picture. The surface must be cut along the picture's seams, by SplitSeam of
+ *   vtkSphericalTextureMap.
+ * - all other numeric point arrays: shown as colors with a legend. Arrays of 3 or 4 unsigned chars
+ *   are colors themselves; other arrays of several components are shown by the length of their
+ *   tuples. "Normals" and "vtkGhostType" are left out. Values that are not finite are shown as
+ *   missing.
  *
  * Input port 1, optional: vtkImageData, the picture: one slice of unsigned char, 3 (RGB) or 4
  * (RGBA) components.
  *
- * The page is one file that needs no network, and sends nothing: it opens in any browser of 2023 or
- * later, on phones too. Surface and sphere turn side by side, and a slider turns the surface into
- * the sphere. A point picked on the one is marked on the other, with its position, its longitude
- * and latitude as vtkBodyMap has them, and its values. Its title is the name of the file without
- * the ending.
+ * The page is one file that needs no network, and sends nothing. It opens in any browser of 2023 or
+ * later, also on phones. Surface and sphere rotate side by side, and a slider morphs the surface
+ * into the sphere. A point picked on one is marked on the other, with its position, its values, and
+ * its longitude and latitude as in vtkBodyMap. The title is the name of the file without the
+ * ending.
  *
- * It is drawn by three.js, which is put into the page from where it is installed: on Debian by
- * package libjs-three. Without it there is an error that says so.
+ * The page draws with three.js. The writer copies it into the page from its installation: package
+ * libjs-three on Debian. A missing three.js is an error.
  *
- * Positions have 16 bits for each coordinate, within the bounds of the surface, places on the
- * sphere are within 0.006 degrees, values within 1/65534 of their array's range; whole numbers are
- * exact (within a range of 4 * 10^9). With the picture as JPEG, a page of 64,002 points has at most
- * 3 MB unless it has many arrays: each is up to 0.2 MB.
+ * Positions have 16 bits per coordinate, within the bounds of the surface. Positions on the sphere
+ * have an error of at most 0.006 degrees. Values have an error of at most 1/65534 of their array's
+ * range; integers are exact within a range of 4 * 10^9. With the picture as JPEG, a page of 64,002
+ * points has at most 3 MB, unless it has many arrays. Each array adds up to 0.2 MB.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -66,9 +67,8 @@ public:
 
   ///@{
   /**
-   * Name of the point array that the page shows at first; others are chosen from a menu. If empty,
-   * the picture, without one the active colors, or else the first array that is not constant.
-   * Default is empty.
+   * Name of the point array that the page shows first; a menu offers the others. If empty
+   * (default): the picture, else the active colors, else the first array that is not constant.
    */
   vtkSetMacro(ColorArrayName, std::string);
   vtkGetMacro(ColorArrayName, std::string);
@@ -76,9 +76,9 @@ public:
 
   ///@{
   /**
-   * Direction from the model to the viewer when the page is opened, in the coordinates of the
-   * model. Of any length, but not zero. The sphere is turned so that its middle is the point of the
-   * surface that the viewer meets first. Default is (0, 0, 1).
+   * Direction from the model to the viewer when the page opens, in the coordinates of the model. Of
+   * any length but 0. The middle of the sphere shows the first point of the surface along the line
+   * of sight. Default is (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Direction in the coordinates of the model that the viewer sees as up. Of any length, but not
-   * zero, and not parallel to ViewDirection. Default is (0, 1, 0).
+   * Direction that is up for the viewer, in the coordinates of the model. Of any length but 0, and
+   * not parallel to ViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);
@@ -95,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Whether the picture comes again beyond the texture coordinates 0 and 1, instead of its border
-   * drawn out. Default is off.
+   * Whether the picture repeats beyond the texture coordinates 0 and 1. Default is off: the color
+   * of its border is used.
    */
   vtkSetMacro(RepeatTexture, bool);
   vtkGetMacro(RepeatTexture, bool);
@@ -105,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Pixels along the longer side of the picture in the page; larger ones are shrunk. In [1, 8192].
-   * Default is 2048, which every phone can show.
+   * Maximum number of pixels along the longer side of the picture in the page; larger pictures are
+   * scaled down. In [1, 8192]. Default is 2048, which every phone supports.
    */
   vtkSetClampMacro(MaximumTextureSize, int, 1, 8192);
   vtkGetMacro(MaximumTextureSize, int);
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Quality of the picture as JPEG, from 1 (small) to 100. Default is 85.
+   * JPEG quality of the picture: 1 is smallest, 100 is best. In [1, 100]. Default is 85.
    */
   vtkSetClampMacro(TextureQuality, int, 1, 100);
   vtkGetMacro(TextureQuality, int);
@@ -122,9 +122,8 @@ public:
 
   ///@{
   /**
-   * A build of three.js that is a classic script or a CommonJS module: three.min.js, three.js or
-   * three.cjs, of release 111 or later. If empty, that of Debian's package libjs-three. Default is
-   * empty.
+   * File name of three.js, release 111 or later, as a classic script or a CommonJS module:
+   * three.min.js, three.js or three.cjs. If empty (default), that of Debian's package libjs-three.
    */
   vtkSetMacro(ThreeJSFileName, std::string);
   vtkGetMacro(ThreeJSFileName, std::string);

@@ -2,24 +2,24 @@
  * @class   vtkTextCloudReader
  * @brief   read clouds of points as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
- * Read one point from each line, whatever separates the numbers: XYZ, ASC, TXT, CSV, NTS and PTS
- * files. Normals, colors and intensities are recognized by a line of names, or by the numbers
- * themselves.
+ * Read one point from each line, with any separator of the numbers: XYZ, ASC, TXT, CSV, NTS and PTS
+ * files. A line of column names, or the numbers themselves, determine which columns are normals,
+ * colors and intensities.
  *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
- * separated by blanks, tabs, commas or semicolons. Lines that are blank or begin with #, // or ;
- * are passed over. A number alone on the first line is the number of points that follow, as in PTS
+ * separated by blanks, tabs, commas or semicolons. Blank lines and lines that begin with #, // or ;
+ * are skipped. A number alone on the first line is the number of points that follow, as in PTS
  * files, which may have several such blocks.
  *
- * A line of names before the numbers, a remark or not, tells the columns; without it their number
- * and their values in the first hundred lines do.
+ * A line of column names before the numbers, also as a comment, defines the columns. Otherwise
+ * their number and their values in the first hundred lines determine them.
  * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x ...; the
  *   last three of six if all are of unit length.
  * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red ... if
- *   all are whole numbers in 0..255; the last three of six; with the normals of nine.
+ *   all are integers in 0..255; the last three of six; with the normals of nine.
  * - point array "Intensity" (double, 1 component): column i or intensity; the fourth of four; with
  *   the colors of seven.
- * - point arrays (double, 1 component) of the name of every other column, or "Column4" and so on.
+ * - point arrays (double, 1 component) with the name of every other column, or "Column4" and so on.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -42,8 +42,8 @@ public:
 
   ///@{
   /**
-   * Whether one half is written 0,5. Commas part no numbers then. Default is off, and then a file
-   * that has such numbers between blanks or semicolons is refused.
+   * Whether the decimal separator is a comma, as in 0,5. Commas then do not separate numbers.
+   * Default is off: a file with such numbers between blanks or semicolons is refused.
    */
   vtkSetMacro(DecimalComma, bool);
   vtkGetMacro(DecimalComma, bool);
@@ -52,8 +52,8 @@ public:
 
   ///@{
   /**
-   * Whether lines that are no points are counted in field array "NumberOfSkippedLines" instead of
-   * being an error. Default is off.
+   * Whether lines without a valid point are skipped and counted in field array
+   * "NumberOfSkippedLines". Default is off: such a line is an error.
    */
   vtkSetMacro(SkipMalformedLines, bool);
   vtkGetMacro(SkipMalformedLines, bool);
@@ -61,7 +61,7 @@ public:
   ///@}
 
   /**
-   * Whether a file is of this format, judged by its first lines and not by its name.
+   * Return whether the first lines of a file are of this format. The name does not matter.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

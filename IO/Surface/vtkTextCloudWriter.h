@@ -2,14 +2,14 @@
  * @class   vtkTextCloudWriter
  * @brief   write clouds of points as text
  *
- * Write one point on a line, with all its numbers between blanks; a remark at the start names
- * the columns. Polygons are left out.
+ * Write one point per line, with all its numbers separated by blanks. A comment at the beginning
+ * names the columns. Polygons are left out.
  *
- * Input port 0: vtkPolyData. What is written is one point on a line, all its numbers between
- * blanks; a remark at the start names the columns if there are more than x, y and z. Arrays of
- * several components other than active normals and colors (3 unsigned chars) become several
- * columns; a name that another column has gets "_" behind it. Polygons are left out. Numbers are
- * written so that they are read back the same.
+ * Input port 0: vtkPolyData. Each line has one point, with all its numbers separated by blanks. A
+ * comment at the beginning names the columns if there are more than x, y and z. Arrays of several
+ * components other than active normals and colors (3 unsigned chars) become several columns. A name
+ * that another column already has gets a trailing "_". Polygons are left out. Numbers are written
+ * with enough digits to be read back exactly.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -188,7 +188,7 @@ TEST(BodyMap, SaysWhatIsWrong)
   const auto surface = fixtures::TwoLobes(8);
   filter->SetInputData(surface);
   filter->SetCenter(0.0, 0.0, 100.0);
-  expect("the rotation axis does not meet the surface to the north of Center");
+  expect("the rotation axis does not intersect the surface to the north of Center");
   filter->SetCenter(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
   expect("must be finite");
   filter->SetCenter(0.0, 0.0, 0.0);

@@ -278,7 +278,7 @@ TEST(ConformalSOM, StartsFromTheMeshOnPortOne)
   EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetArray("StartedFromMesh")->GetTuple1(0), 1.0);
   filter->SetMeshTypeToGeodesic();
   filter->Update();
-  EXPECT_NE(observed.ErrorMessage().find("let MeshType be Adaptive"), std::string::npos);
+  EXPECT_NE(observed.ErrorMessage().find("set MeshType to Adaptive"), std::string::npos);
   filter->SetMeshTypeToAutomatic();
 
   vtkNew<vtkPolyData> unmapped;

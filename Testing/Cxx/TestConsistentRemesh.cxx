@@ -181,7 +181,7 @@ TEST_F(ConsistentRemesh, FewerModesAndOtherAlignments)
 TEST_F(ConsistentRemesh, ConnectionsAreSurfacesToo)
 {
   vtkNew<vtkConsistentRemesh> filter;
-  filter->SetLatticeToGeodesic();
+  filter->SetMeshTypeToGeodesic();
   filter->SetFrequency(7);
   filter->AddInputDataObject(this->Surfaces[0]);
   filter->Update();
@@ -204,7 +204,7 @@ TEST_F(ConsistentRemesh, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetNumberOfModes(3); });
   for (const char* property :
-    { "Lattice", "Frequency", "NumberOfPoints", "Alignment", "NumberOfModes" })
+    { "MeshType", "Frequency", "NumberOfPoints", "Alignment", "NumberOfModes" })
   {
     contract::ExpectPrints(this->Filter, property);
   }
@@ -241,8 +241,8 @@ TEST_F(ConsistentRemesh, BadSurfacesAreRefusedByTheirNumber)
 TEST_F(ConsistentRemesh, OpenSurfacesAreRefused)
 {
   fixtures::ChangePolygons(this->Surfaces[5], [](vtkIdType i, vtkIdList*) { return i != 7; });
-  this->ExpectRefused(
-    "surface 5 is open, or its triangles are not oriented alike, at 3 edges, but must be closed");
+  this->ExpectRefused("surface 5 is open, or its triangles are not oriented consistently, at 3 "
+                      "edges, but must be closed");
 }
 
 TEST_F(ConsistentRemesh, ArraysThatDoNotFitAreLeftOutOfTheMean)

@@ -537,7 +537,7 @@ std::vector<Case> Cases()
         filter->SetInputData(Mesh(scale, 7));
         filter->SetTargetData(target);
         filter->SetPath(path);
-        filter->SetLatticeToGeodesic();
+        filter->SetMeshTypeToGeodesic();
         filter->SetFrequency(6);
         return Run(filter);
       } });
@@ -555,7 +555,7 @@ std::vector<Case> Cases()
       vtkNew<vtkConsistentRemesh> filter;
       filter->AddInputDataObject(Mesh(scale, 7));
       filter->AddInputDataObject(other);
-      filter->SetLatticeToGeodesic();
+      filter->SetMeshTypeToGeodesic();
       filter->SetFrequency(6);
       return Run(filter, { "ShapeMode1" });
     } });

@@ -359,7 +359,7 @@ TEST_F(CurvedSeamlessMap, ArraysThatDoNotFitTheirPointsAreRefused)
   vtkNew<vtkDoubleArray> shift;
   shift->SetName("VertexShift");
   surface->GetFieldData()->AddArray(shift);
-  const char* message = "VertexShift of the surface holds no number from 0 to 2";
+  const char* message = "VertexShift of the surface has no number in [0, 2]";
   this->ExpectError(this->Build(surface), message);
   shift->InsertNextValue(2.5);
   this->ExpectError(this->Build(surface), message);

@@ -396,7 +396,8 @@ TEST_F(CurvedSeamlessSurface, MoreTrianglesThanAnIntCountsAreRefused)
 {
   this->Filter->SetSamplingToNetwork();
   this->Filter->SetSubdivisions(100);
-  this->ExpectRefused(Ellipsoid(110), "more than an int counts"); // 242,000 times 10,000
+  this->ExpectRefused(
+    Ellipsoid(110), "more triangles than fit into an int"); // 242,000 times 10,000
 }
 
 TEST_F(CurvedSeamlessSurface, LeavesItsInputAlone)

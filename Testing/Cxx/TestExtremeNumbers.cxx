@@ -166,7 +166,7 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   alignment->SetInputData(1, Scaled(1.0, 4));
   add("alignment", alignment, ofPoints("SpherePosition"));
   vtkNew<vtkConsistentRemesh> remesh;
-  remesh->SetLatticeToGeodesic();
+  remesh->SetMeshTypeToGeodesic();
   remesh->SetFrequency(5);
   add("remesh", remesh,
     [](vtkDataObject* output)
@@ -179,7 +179,7 @@ std::vector<MapUser> MapUsers(vtkPolyData* surface)
   add("harmonics", harmonics, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalMorph> morph;
   morph->SetTargetData(Scaled(1.0, 4));
-  morph->SetLatticeToGeodesic();
+  morph->SetMeshTypeToGeodesic();
   morph->SetFrequency(5);
   add("morph", morph, ofPoints("SpherePosition"));
   vtkNew<vtkSphericalRegistration> registration;

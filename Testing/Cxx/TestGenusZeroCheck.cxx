@@ -197,7 +197,7 @@ TEST(GenusZeroCheck, RefusesIdsOutOfRange)
   check->SetInputData(surface);
   check->Update();
   EXPECT_TRUE(observed.Error());
-  EXPECT_NE(observed.ErrorMessage().find("cell 0 names point 1 of 1"), std::string::npos);
+  EXPECT_NE(observed.ErrorMessage().find("cell 0 refers to point 1 of 1"), std::string::npos);
   EXPECT_EQ(check->GetOutput()->GetNumberOfPoints(), 0);
 }
 

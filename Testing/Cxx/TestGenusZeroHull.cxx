@@ -605,7 +605,8 @@ TEST_F(GenusZeroHull, WarnsOfNormalsThatDisagree)
   EXPECT_FALSE(observed.Warning());
   this->Filter->SetMethodToWindingNumbers();
   this->Filter->Update();
-  EXPECT_NE(observed.WarningMessage().find("do not agree on what is inside"), std::string::npos);
+  EXPECT_NE(
+    observed.WarningMessage().find("contradict each other about the inside"), std::string::npos);
   EXPECT_EQ(this->Figure("NormalsUsed"), 0);
   EXPECT_EQ(this->Figure("Method"), vtkGenusZeroHull::WINDING_NUMBERS);
   EXPECT_TRUE(this->IsGenusZero());

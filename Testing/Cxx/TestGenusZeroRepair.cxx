@@ -288,7 +288,7 @@ TEST(GenusZeroRepair, LeavesOtherPartsOutWithAWarning)
   contract::Observed observed(filter);
   filter->SetInputData(Appended(Scaled(0.1, 5.0), Scaled(1.0, 0.0)));
   filter->Update();
-  observed.ExpectWarning("1 parts beside the largest were left out, with 0.990");
+  observed.ExpectWarning("1 parts other than the largest were left out, with 0.990");
   ExpectGenusZero(filter->GetOutput());
   EXPECT_EQ(Figure(filter, "NumberOfPartsRemoved"), 1);
   EXPECT_EQ(Figure(filter, "NumberOfTrianglesRemoved"), 500);

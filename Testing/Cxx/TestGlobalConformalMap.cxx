@@ -415,7 +415,7 @@ TEST_F(GlobalConformalMap, NonManifoldSurfacesAreRefusedWithFirstIds)
       }
       return true;
     });
-  this->ExpectRefused(both->GetOutput(), "1 vertex where several fans of triangles meet (first: ");
+  this->ExpectRefused(both->GetOutput(), "1 vertex with several fans of triangles (first: ");
 }
 
 TEST_F(GlobalConformalMap, PointsThatAreNotFiniteAreRefused)

@@ -192,7 +192,8 @@ TEST(InputArrays, EveryFilterOfCellsRefusesIdsThatNoPointHas)
         const vtkSmartPointer<vtkAlgorithm> filter = test.With(port, BrokenCells({ 0, 3 }, id));
         if (readsCells(test.Name, port))
         {
-          EXPECT_NE(RefusalOf(filter).find("cell 0 names point " + std::to_string(id) + " of 162"),
+          EXPECT_NE(
+            RefusalOf(filter).find("cell 0 refers to point " + std::to_string(id) + " of 162"),
             std::string::npos);
         }
         else
@@ -267,12 +268,12 @@ TEST(InputArrays, EveryWriterRefusesBrokenCellsAndWritesNothing)
       EXPECT_EQ(folder.numberOfFiles(), 0u);
     };
     refuse(BrokenCells({ 0, 1000000 }, 2), "the offsets of the polygons");
-    refuse(BrokenCells({ 0, 3 }, 1000000), "cell 0 names point 1000000 of 162");
+    refuse(BrokenCells({ 0, 3 }, 1000000), "cell 0 refers to point 1000000 of 162");
     // Strips, which are cut up first.
     const auto strips = BrokenCells({ 0, 3 }, 1000000);
     strips->SetStrips(strips->GetPolys());
     strips->SetPolys(nullptr);
-    refuse(strips, "cell 0 names point 1000000 of 162");
+    refuse(strips, "cell 0 refers to point 1000000 of 162");
   }
 }
 

@@ -486,7 +486,7 @@ TEST(Progress, OfTheAdaptiveSphere)
 TEST(Progress, OfTheConsistentRemesh)
 {
   using Remesh = vtkConsistentRemesh;
-  const auto of = [](std::vector<vtkSmartPointer<vtkPolyData>> others, int lattice)
+  const auto of = [](std::vector<vtkSmartPointer<vtkPolyData>> others, int meshType)
   {
     return [=](Remesh* remesh)
     {
@@ -494,27 +494,27 @@ TEST(Progress, OfTheConsistentRemesh)
       {
         remesh->AddInputDataObject(other);
       }
-      remesh->SetLattice(lattice);
+      remesh->SetMeshType(meshType);
     };
   };
   const auto head = Colored(Head(50)), limbs = Colored(Limbs(60)), fine = Colored(Head(120));
-  for (const int lattice : { Remesh::GEODESIC, Remesh::ADAPTIVE })
+  for (const int meshType : { Remesh::GEODESIC, Remesh::ADAPTIVE })
   {
-    const std::string name = "ConsistentRemesh " + std::to_string(lattice);
-    ExpectProgress(name, Of<Remesh>(head, of({ limbs, head, limbs }, lattice)));
-    ExpectProgress(name + ", fine meshes", Of<Remesh>(fine, of({ fine }, lattice)));
+    const std::string name = "ConsistentRemesh " + std::to_string(meshType);
+    ExpectProgress(name, Of<Remesh>(head, of({ limbs, head, limbs }, meshType)));
+    ExpectProgress(name + ", fine meshes", Of<Remesh>(fine, of({ fine }, meshType)));
   }
 }
 
 TEST(Progress, OfTheHarmonics)
 {
   using Harmonics = vtkSurfaceHarmonics;
-  const auto of = [](int degree, int lattice, int alignment)
+  const auto of = [](int degree, int meshType, int alignment)
   {
     return [=](Harmonics* harmonics)
     {
       harmonics->SetDegree(degree);
-      harmonics->SetLattice(lattice);
+      harmonics->SetMeshType(meshType);
       harmonics->SetAlignment(alignment);
     };
   };
@@ -547,13 +547,13 @@ TEST(Progress, OfTheHarmonicsSource)
 TEST(Progress, OfTheMorph)
 {
   using Morph = vtkSphericalMorph;
-  const auto to = [](vtkPolyData* target, int lattice, int path)
+  const auto to = [](vtkPolyData* target, int meshType, int path)
   {
     const vtkSmartPointer<vtkPolyData> held = target;
     return [=](Morph* morph)
     {
       morph->SetTargetData(held);
-      morph->SetLattice(lattice);
+      morph->SetMeshType(meshType);
       morph->SetPath(path);
       morph->SetFrequency(70);
       morph->SetNumberOfPoints(30000);
@@ -562,11 +562,11 @@ TEST(Progress, OfTheMorph)
   const auto head = Colored(Head(60)), limbs = Colored(Limbs(80)), fine = Colored(Head(180));
   for (const int path : { Morph::LINEAR, Morph::RIGID })
   {
-    for (const int lattice : { Morph::GEODESIC, Morph::ADAPTIVE })
+    for (const int meshType : { Morph::GEODESIC, Morph::ADAPTIVE })
     {
-      const std::string name = "SphericalMorph " + std::to_string(path) + std::to_string(lattice);
-      ExpectProgress(name, Of<Morph>(head, to(limbs, lattice, path)));
-      ExpectProgress(name + ", fine meshes", Of<Morph>(fine, to(fine, lattice, path)));
+      const std::string name = "SphericalMorph " + std::to_string(path) + std::to_string(meshType);
+      ExpectProgress(name, Of<Morph>(head, to(limbs, meshType, path)));
+      ExpectProgress(name + ", fine meshes", Of<Morph>(fine, to(fine, meshType, path)));
     }
   }
 }

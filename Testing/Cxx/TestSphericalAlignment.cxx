@@ -263,10 +263,10 @@ TEST_F(SphericalAlignment, LandmarksThatAreNotThereAreRefused)
 {
   this->Filter->AddLandmark(0, 0);
   this->Filter->AddLandmark(3, 642);
-  this->ExpectRefused("landmark 1 names the points 3 and 642 of 642 and 642");
+  this->ExpectRefused("landmark 1 refers to the points 3 and 642 of 642 and 642");
   this->Filter->RemoveAllLandmarks();
   this->Filter->AddLandmark(-1, 2);
-  this->ExpectRefused("landmark 0 names the points -1 and 2");
+  this->ExpectRefused("landmark 0 refers to the points -1 and 2");
 }
 
 TEST_F(SphericalAlignment, TooFewLandmarksAreRefused)

@@ -191,7 +191,7 @@ TEST_F(SphericalMorph, WritesTheContractsArrays)
   check->Update();
   EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsGenusZero")->GetTuple1(0), 1.0);
   EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("IsInsideOut")->GetTuple1(0), 0.0);
-  this->Filter->SetLatticeToGeodesic();
+  this->Filter->SetMeshTypeToGeodesic();
   this->Filter->SetFrequency(7);
   EXPECT_EQ(this->Run()->GetNumberOfPoints(), 492);
 }
@@ -209,7 +209,7 @@ TEST_F(SphericalMorph, AtTheEndsItIsEitherSurface)
 
 TEST_F(SphericalMorph, SwappedInputsMirror)
 {
-  this->Filter->SetLatticeToGeodesic();
+  this->Filter->SetMeshTypeToGeodesic();
   this->Filter->SetFrequency(12);
   for (const int path : { vtkSphericalMorph::LINEAR, vtkSphericalMorph::RIGID })
   {
@@ -419,7 +419,7 @@ TEST_F(SphericalMorph, RunsOnlyWhenModifiedAndPrints)
       this->Filter->AddWeight(2.0);
     });
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->RemoveAllWeights(); });
-  for (const char* property : { "MorphFactor", "NumberOfWeights", "Path", "Lattice", "Frequency",
+  for (const char* property : { "MorphFactor", "NumberOfWeights", "Path", "MeshType", "Frequency",
          "NumberOfPoints", "GenerateTimeSteps", "NumberOfTimeSteps" })
   {
     contract::ExpectPrints(this->Filter, property);

@@ -153,7 +153,7 @@ TEST_F(SphericalRegistration, LandmarksThatFoldGiveAWarning)
   this->Filter->AddLandmark(c, c);
   contract::Observed observed(this->Filter);
   this->Filter->Update();
-  EXPECT_NE(observed.WarningMessage().find("landmarks cannot be met without folding the map"),
+  EXPECT_NE(observed.WarningMessage().find("landmarks cannot be matched without folds of the map"),
     std::string::npos);
   EXPECT_EQ(this->Field("NumberOfFolds"), 0.0);
 }
@@ -161,7 +161,7 @@ TEST_F(SphericalRegistration, LandmarksThatFoldGiveAWarning)
 TEST_F(SphericalRegistration, RefusesWhatItCannotUse)
 {
   this->Filter->AddLandmark(0, 100000);
-  this->ExpectRefused("a landmark names the point 100000 of the fixed surface");
+  this->ExpectRefused("a landmark refers to point 100000 of the fixed surface");
   this->Filter->RemoveAllLandmarks();
   this->Filter->AddLandmark(4, 5);
   this->Filter->AddLandmark(4, 6);

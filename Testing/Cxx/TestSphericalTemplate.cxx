@@ -177,7 +177,7 @@ TEST_F(SphericalTemplate, EmptyBlocksStayEmpty)
 {
   this->Blocks->SetBlock(0, vtkNew<vtkPolyData>());
   this->Run();
-  this->Seen.ExpectWarning("1 of 3 surfaces are empty; they stay so");
+  this->Seen.ExpectWarning("1 of 3 surfaces are empty; their blocks stay empty");
   ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfBlocks(), 3u);
   EXPECT_EQ(BlockOf(this->Filter, 0)->GetNumberOfPoints(), 0);
   EXPECT_NE(BlockOf(this->Filter, 2)->GetFieldData()->GetArray("RegistrationStretch"), nullptr);
@@ -186,7 +186,7 @@ TEST_F(SphericalTemplate, EmptyBlocksStayEmpty)
     this->Filter->GetMeanSurface()->GetFieldData()->GetArray("TemplateStart")->GetTuple1(0), 1.0);
   this->Filter->SetInputDataObject(vtkNew<vtkMultiBlockDataSet>());
   this->Run();
-  this->Seen.ExpectWarning("there is no surface that is not empty; the output is empty");
+  this->Seen.ExpectWarning("all surfaces are empty; the output is empty");
   EXPECT_EQ(this->Filter->GetMeanSurface()->GetNumberOfPoints(), 0);
 }
 
@@ -222,12 +222,12 @@ TEST_F(SphericalTemplate, LandmarksThatDoNotFitAreNamed)
   vtkDataArray* marks = this->Surfaces[1]->GetPointData()->GetArray("Marks");
   marks->SetTuple1(50, 2);
   this->ExpectRefused(
-    "surface 1 (\"second\"): two points are the landmark 2, the second of them point 50");
+    "surface 1 (\"second\"): two points have the landmark 2; the second is point 50");
   marks->SetTuple1(50, 77);
   this->ExpectRefused("the first surface has no landmark 77, which");
   marks->SetTuple1(50, 0);
   marks->SetTuple1(0, 0);
-  this->ExpectRefused("surface 1 (\"second\"): there is no landmark 5");
+  this->ExpectRefused("surface 1 (\"second\"): a surface has no landmark 5");
   this->Filter->SetLandmarkArrayName("Nothing");
   this->ExpectRefused("surface 0: there is no point array \"Nothing\" of 1 component");
   this->Filter->SetLandmarkArrayName("");

@@ -179,5 +179,5 @@ TEST(StanfordScansReader, GoesWithoutScansThatAreNotThere)
 
   contract::ExpectRefused(
     Read<vtkStanfordScansReader>(folder.write("b.conf", "mesh missing.ply 0 0 0 0 0 0 1\n")),
-    vtkErrorCode::FileNotFoundError, "none of the scans is there");
+    vtkErrorCode::FileNotFoundError, "none of the scans exists");
 }

@@ -212,7 +212,7 @@ TEST_F(SurfaceHarmonics, LowDegreesAreLessThanAll)
 
 TEST_F(SurfaceHarmonics, GeodesicSphereIsWhatTheSourceMakes)
 {
-  this->Filter->SetLatticeToGeodesic();
+  this->Filter->SetMeshTypeToGeodesic();
   this->Filter->SetFrequency(9);
   this->Filter->AddPointArray("Number");
   this->Run();
@@ -346,7 +346,7 @@ TEST_F(SurfaceHarmonics, RunsOnlyWhenModifiedAndPrints)
   EXPECT_EQ(this->Filter->GetNumberOfPointArrays(), 1);
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->RemoveAllPointArrays(); });
-  for (const char* property : { "Degree", "ReconstructionDegree", "Lattice", "Frequency",
+  for (const char* property : { "Degree", "ReconstructionDegree", "MeshType", "Frequency",
          "Alignment", "NumberOfPointArrays" })
   {
     contract::ExpectPrints(this->Filter, property);
@@ -401,7 +401,8 @@ TEST_F(SurfaceHarmonics, BadSurfacesAreRefused)
   this->ExpectRefused("some points of the surface are not finite");
   this->Surface->DeepCopy(Pear());
   fixtures::ChangePolygons(this->Surface, [](vtkIdType i, vtkIdList*) { return i != 7; });
-  this->ExpectRefused("the surface is open, or its triangles are not oriented alike, at 3 edges");
+  this->ExpectRefused(
+    "the surface is open, or its triangles are not oriented consistently, at 3 edges");
   fixtures::ChangePolygons(this->Surface, [](vtkIdType, vtkIdList*) { return false; });
   this->ExpectRefused("the surface has no triangles");
   this->Surface->DeepCopy(Pear());

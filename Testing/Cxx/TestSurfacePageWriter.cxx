@@ -320,7 +320,7 @@ TEST(SurfacePageWriter, RefusesWhatItCannotShow)
   refuse("no array \"SpherePosition\"",
     [](PageWriting&, vtkPolyData* surface)
     { surface->GetPointData()->RemoveArray("SpherePosition"); });
-  refuse("has no direction",
+  refuse("is zero or not finite",
     [=](PageWriting&, vtkPolyData* surface)
     { surface->GetPointData()->GetArray("SpherePosition")->SetComponent(3, 1, nan); });
   refuse("no texture coordinates",

@@ -475,7 +475,7 @@ TEST(TexturedSurfaceWriter, WarnsOfFilesThatItReplacesBesideANewSurface)
     const Writing again(surface, picture, path);
     EXPECT_EQ(again.Result, 1);
     again.Observed.ExpectWarning("replaced " + folder.file("a.png"));
-    again.Observed.ExpectWarning(ending == "obj" ? "a.mtl" : "was not there before");
+    again.Observed.ExpectWarning(ending == "obj" ? "a.mtl" : "did not exist before");
   }
   const TemporaryFolder folder;
   folder.write("a.png", "a picture");

@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   vtkNew<vtkSurfaceHarmonics> harmonics;
   harmonics->SetDegree(source.below(9));
   harmonics->SetReconstructionDegree(source.below(9));
-  harmonics->SetLattice(source.below(2));
+  harmonics->SetMeshType(source.below(2));
   harmonics->SetFrequency(1 + source.below(5));
   harmonics->SetAlignment(source.below(3));
   if (source.flag())

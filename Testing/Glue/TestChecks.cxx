@@ -160,8 +160,8 @@ TEST(Checks, OffsetsFitTheIds)
     const vtkNew<vtkPolyData> surface = Square();
     surface->SetStrips(cells);
     EXPECT_EQ(Refusal(surface),
-      "it: the offsets of the strips do not fit their point ids (see vtkCellArray::IsValid). Build "
-      "the cells anew.");
+      "it: the offsets of the strips do not fit their point ids (see vtkCellArray::IsValid). "
+      "Rebuild the cells.");
     surface->SetStrips(nullptr);
     surface->SetLines(cells);
     EXPECT_NE(Refusal(surface).find("the offsets of the lines"), std::string::npos);
@@ -195,13 +195,13 @@ TEST(Checks, CellsNamePointsThatAreThere)
   strips->InsertNextCell(3, ids);
   strips->InsertNextCell(4, ids);
   surface->SetStrips(strips);
-  EXPECT_EQ(refusal(), "cell 5 names point 4 of 4");
+  EXPECT_EQ(refusal(), "cell 5 refers to point 4 of 4");
   surface->SetStrips(nullptr);
   surface->GetPolys()->InsertNextCell(2, negative);
-  EXPECT_EQ(refusal(), "cell 4 names point -1 of 4");
+  EXPECT_EQ(refusal(), "cell 4 refers to point -1 of 4");
   surface->GetPolys()->Initialize();
   surface->GetLines()->InsertNextCell(2, negative);
-  EXPECT_EQ(refusal(), "cell 2 names point -1 of 4");
+  EXPECT_EQ(refusal(), "cell 2 refers to point -1 of 4");
 }
 
 // All connections of all ports, the optional ones that have none left out.

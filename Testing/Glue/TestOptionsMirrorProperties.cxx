@@ -13,10 +13,10 @@
 #include "Register/SphericalRegistration.h"
 #include "Register/SphericalResample.h"
 #include "Register/SphericalTemplate.h"
+#include "Repair/GenusZeroRepair.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "StanfordScans/AlignedScans.h"
-#include "Repair/GenusZeroRepair.h"
 #include "Surface/CurvedSeamlessSurface.h"
 #include "TextCloud/TextCloudParser.h"
 #include "Texture/BodyCoordinates.h"
@@ -121,7 +121,7 @@ TEST(OptionsMirrorProperties, ConsistentRemesh)
   const conformal::ConsistentRemeshOptions remesh;
   const conformal::ShapeModesOptions options;
   vtkNew<vtkConsistentRemesh> filter;
-  EXPECT_EQ(filter->GetLattice(), static_cast<int>(remesh.Lattice));
+  EXPECT_EQ(filter->GetMeshType(), static_cast<int>(remesh.MeshType));
   EXPECT_EQ(filter->GetFrequency(), remesh.Frequency);
   EXPECT_EQ(filter->GetNumberOfPoints(), remesh.NumberOfPoints);
   EXPECT_EQ(filter->GetAlignment(), static_cast<int>(options.Alignment));
@@ -130,10 +130,10 @@ TEST(OptionsMirrorProperties, ConsistentRemesh)
   using Limits = conformal::AdaptiveSphereLimits;
   EXPECT_EQ(filter->GetNumberOfPointsMinValue(), Limits::MinimumPoints);
   EXPECT_EQ(filter->GetNumberOfPointsMaxValue(), Limits::MaximumPoints);
-  using conformal::RemeshLattice;
+  using conformal::RemeshMeshType;
   using conformal::ShapeAlignment;
-  EXPECT_EQ(vtkConsistentRemesh::GEODESIC, static_cast<int>(RemeshLattice::Geodesic));
-  EXPECT_EQ(vtkConsistentRemesh::ADAPTIVE, static_cast<int>(RemeshLattice::Adaptive));
+  EXPECT_EQ(vtkConsistentRemesh::GEODESIC, static_cast<int>(RemeshMeshType::Geodesic));
+  EXPECT_EQ(vtkConsistentRemesh::ADAPTIVE, static_cast<int>(RemeshMeshType::Adaptive));
   EXPECT_EQ(vtkConsistentRemesh::NONE, static_cast<int>(ShapeAlignment::None));
   EXPECT_EQ(vtkConsistentRemesh::RIGID, static_cast<int>(ShapeAlignment::Rigid));
   EXPECT_EQ(vtkConsistentRemesh::SIMILARITY, static_cast<int>(ShapeAlignment::Similarity));
@@ -261,7 +261,7 @@ TEST(OptionsMirrorProperties, SphericalMorph)
   const conformal::ConsistentRemeshOptions remesh;
   vtkNew<vtkSphericalMorph> filter;
   EXPECT_EQ(filter->GetPath(), static_cast<int>(options.Path));
-  EXPECT_EQ(filter->GetLattice(), static_cast<int>(remesh.Lattice));
+  EXPECT_EQ(filter->GetMeshType(), static_cast<int>(remesh.MeshType));
   EXPECT_EQ(filter->GetFrequency(), remesh.Frequency);
   EXPECT_EQ(filter->GetNumberOfPoints(), remesh.NumberOfPoints);
   EXPECT_LE(filter->GetFrequencyMaxValue(), conformal::MaximumFrequency);
@@ -269,11 +269,11 @@ TEST(OptionsMirrorProperties, SphericalMorph)
   EXPECT_EQ(filter->GetNumberOfPointsMinValue(), Limits::MinimumPoints);
   EXPECT_EQ(filter->GetNumberOfPointsMaxValue(), Limits::MaximumPoints);
   using conformal::MorphPath;
-  using conformal::RemeshLattice;
+  using conformal::RemeshMeshType;
   EXPECT_EQ(vtkSphericalMorph::LINEAR, static_cast<int>(MorphPath::Linear));
   EXPECT_EQ(vtkSphericalMorph::RIGID, static_cast<int>(MorphPath::Rigid));
-  EXPECT_EQ(vtkSphericalMorph::GEODESIC, static_cast<int>(RemeshLattice::Geodesic));
-  EXPECT_EQ(vtkSphericalMorph::ADAPTIVE, static_cast<int>(RemeshLattice::Adaptive));
+  EXPECT_EQ(vtkSphericalMorph::GEODESIC, static_cast<int>(RemeshMeshType::Geodesic));
+  EXPECT_EQ(vtkSphericalMorph::ADAPTIVE, static_cast<int>(RemeshMeshType::Adaptive));
 }
 
 TEST(OptionsMirrorProperties, SphericalRegistration)

@@ -483,21 +483,21 @@ std::vector<SetUp> Morphs()
 {
   using F = vtkSphericalMorph;
   constexpr unsigned int reads = BadPoints | BadIds | BadMap;
-  const auto with = [](int path, int lattice)
+  const auto with = [](int path, int meshType)
   {
     return [=](F* f)
     {
       f->SetPath(path);
-      f->SetLattice(lattice);
+      f->SetMeshType(meshType);
       f->SetFrequency(6);
       f->SetNumberOfPoints(500);
     };
   };
-  const auto onSource = [&](const char* name, int path, int lattice)
+  const auto onSource = [&](const char* name, int path, int meshType)
   {
     return SetUp{ "vtkSphericalMorph", name, true,
       On<F>(
-        [=, set = with(path, lattice)](F* f, vtkPolyData* good)
+        [=, set = with(path, meshType)](F* f, vtkPolyData* good)
         {
           set(f);
           f->SetTargetData(good);
@@ -517,7 +517,7 @@ std::vector<SetUp> Morphs()
       });
   }
   linear.Properties = { Number("MorphFactor", &F::SetMorphFactor), Integer("Path", &F::SetPath),
-    Integer("Lattice", &F::SetLattice), Integer("Frequency", &F::SetFrequency),
+    Integer("MeshType", &F::SetMeshType), Integer("Frequency", &F::SetFrequency),
     Switch("GenerateTimeSteps", &F::SetGenerateTimeSteps),
     Integer("NumberOfTimeSteps", &F::SetNumberOfTimeSteps), weights };
   SetUp rigid = onSource("Rigid, Adaptive", F::RIGID, F::ADAPTIVE);
@@ -530,12 +530,12 @@ std::vector<SetUp> Morphs()
 std::vector<SetUp> Remeshes()
 {
   using F = vtkConsistentRemesh;
-  const auto with = [](int lattice)
+  const auto with = [](int meshType)
   {
     return [=](F* f, vtkPolyData* good)
     {
       f->AddInputDataObject(good);
-      f->SetLattice(lattice);
+      f->SetMeshType(meshType);
       f->SetFrequency(6);
       f->SetNumberOfPoints(500);
     };
@@ -543,7 +543,7 @@ std::vector<SetUp> Remeshes()
   constexpr unsigned int reads = BadPoints | BadIds | BadMap;
   SetUp geodesic = { "vtkConsistentRemesh", "Geodesic", true, On<F>(with(F::GEODESIC)), reads,
     false, true };
-  geodesic.Properties = { Integer("Lattice", &F::SetLattice),
+  geodesic.Properties = { Integer("MeshType", &F::SetMeshType),
     Integer("Frequency", &F::SetFrequency), Integer("Alignment", &F::SetAlignment),
     Integer("NumberOfModes", &F::SetNumberOfModes) };
   SetUp adaptive = { "vtkConsistentRemesh", "Adaptive", true, On<F>(with(F::ADAPTIVE)), reads,
@@ -641,14 +641,14 @@ std::vector<SetUp> Harmonics()
   // The output has the input's own polygons, as they are turned.
   SetUp own = { "vtkSurfaceHarmonics", "Input", true,
     On<F>([](F* f, vtkPolyData*) { f->SetDegree(4); }), reads, false, false };
-  own.Properties = { Integer("Degree", &F::SetDegree), Integer("Lattice", &F::SetLattice),
+  own.Properties = { Integer("Degree", &F::SetDegree), Integer("MeshType", &F::SetMeshType),
     Integer("Alignment", &F::SetAlignment) };
   SetUp geodesic = { "vtkSurfaceHarmonics", "Geodesic", true,
     On<F>(
       [](F* f, vtkPolyData*)
       {
         f->SetDegree(4);
-        f->SetLatticeToGeodesic();
+        f->SetMeshTypeToGeodesic();
         f->SetFrequency(6);
         f->SetAlignmentToMapAndSurface();
         f->AddPointArray("Curvature");

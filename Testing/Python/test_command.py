@@ -205,8 +205,8 @@ class TestCommand(unittest.TestCase):
                 ((*good, "--texture", "changed.png"), "changed.png: the picture is broken"),
                 ((*good, "--texture", "text.png"), "text.png: not a PNG file"),
                 ((*good, "--texture", "text.jpg"), "text.jpg: not a JPEG file"),
-                (("jpeg.stl",), "jpeg.stl: not an STL file, or not all of one"),
-                (("short.stl",), "short.stl: not an STL file, or not all of one"),
+                (("jpeg.stl",), "jpeg.stl: not an STL file, or an incomplete one"),
+                (("short.stl",), "short.stl: not an STL file, or an incomplete one"),
                 (("short.vtk",), "short.vtk: Error reading"),
                 ((*good, "--texture", "huge.png"), "huge.png: the picture has 200000 x 200000 pixels; there can be")):
             with self.subTest(arguments):
@@ -215,7 +215,7 @@ class TestCommand(unittest.TestCase):
     def test_wrong_usage_is_status_2_and_does_nothing(self):
         for message, *arguments in (
                 ("SCAN", "-o", "x.glb"),
-                ("nothing to make", "my scan.vtp"),
+                ("there is nothing to do", "my scan.vtp"),
                 ("x.doc: expected a file of type .gii .glb", "my scan.vtp", "-o", "x.doc"),
                 ("x.gif: expected a file of type .jpg .png", "my scan.vtp", "--picture", "x.gif"),
                 ("11 is not in [12, 10000002]", "my scan.vtp", "-o", "x.glb", "--neurons", "11"),

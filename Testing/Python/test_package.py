@@ -67,7 +67,10 @@ class TestPackage(unittest.TestCase):
         for class_name, old, new in (("vtkConformalSOM", "SetLatticeToAdaptive", "MeshType"),
                                      ("vtkConformalSOM", "GetFrequency", "NumberOfNeurons"),
                                      ("vtkCurvedSeamlessSurface", "SetPolished", "VertexShift"),
-                                     ("vtkGenusZeroHull", "SetIndicator", "Method")):
+                                     ("vtkGenusZeroHull", "SetIndicator", "Method"),
+                                     ("vtkConsistentRemesh", "SetLattice", "MeshType"),
+                                     ("vtkSphericalMorph", "SetLatticeToGeodesic", "MeshType"),
+                                     ("vtkSurfaceHarmonics", "GetLattice", "MeshType")):
             with self.subTest(old), self.assertRaisesRegex(AttributeError, f"is now {new}"):
                 getattr(getattr(conformalsom, class_name)(), old)
         for class_name, renamed in conformalsom.RENAMED.items():

@@ -144,7 +144,7 @@ class TestPyVista(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "expected an image"):
             paint(conformal_map(ellipsoid()), np.zeros((4, 4)))
 
-        with self.assertRaisesRegex(ValueError, "lattice is geodesic, but can be .*Geodesic"):
+        with self.assertRaisesRegex(ValueError, "lattice is geodesic, but must be one of .*Geodesic"):
             learn(ellipsoid(), mesh_type="geodesic")
         blocks = pyvista.MultiBlock([conformal_map(ellipsoid())])
         for several in (blocks, None, "scan.ply"):

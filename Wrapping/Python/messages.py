@@ -1,4 +1,4 @@
-"""What filters say while they work, for scripts that act on it."""
+"""Collect the errors and warnings of filters."""
 import contextlib
 import typing
 
@@ -14,7 +14,7 @@ class FilterFailed(RuntimeError):
 
 
 class Messages:
-    """The texts of errors and warnings, in order and without file, line and address."""
+    """Texts of errors and warnings, in order, without file, line and address."""
 
     def __init__(self) -> None:
         self.errors: typing.List[str] = []
@@ -23,7 +23,7 @@ class Messages:
 
 @contextlib.contextmanager
 def heard(algorithm) -> typing.Iterator[Messages]:
-    """Hear an algorithm, which prints nothing meanwhile: a Messages that fills while it works."""
+    """Collect the messages of an algorithm during the block, instead of printing them; yields a Messages."""
     messages = Messages()
 
     @calldata_type(VTK_STRING)
@@ -40,8 +40,8 @@ def heard(algorithm) -> typing.Iterator[Messages]:
     finally:
         for source, tag in observed:
             source.RemoveObserver(tag)
-        # The executive adds that the algorithm failed, which says nothing where that has said why.
+        # The executive reports the failure again; this is of use only if the algorithm gave no message.
         own = [text for text in messages.errors if EXECUTIVE not in text]
         if messages.errors:
-            silent = f"{algorithm.GetClassName()} failed and gave no reason; what it was given may be broken"
+            silent = f"{algorithm.GetClassName()} failed without a message; its input may be broken"
             messages.errors[:] = own or [silent]

@@ -1,13 +1,13 @@
-"""The filters as functions on PyVista's meshes:
+"""Apply the filters to PyVista's meshes by functions:
 
     from conformalsom.pyvista import learn, paint, smooth
 
     surface = smooth(learn(cloud, number_of_neurons=5000))
     paint(surface, "photo.png").plot(rgb=True)
 
-Properties of the filters are keywords: Set methods without "Set", in snake case. An enumeration takes a
-name too: mesh_type="Geodesic" calls SetMeshTypeToGeodesic. An error of a filter is raised as FilterFailed
-with the filter's message, its warnings are Python's.
+Properties of the filters are keywords: Set methods without "Set", in snake case. Values of enumerations may
+be names: mesh_type="Geodesic" calls SetMeshTypeToGeodesic. An error of a filter is raised as FilterFailed
+with the filter's message. Warnings of a filter are issued as Python warnings.
 """
 import os
 import warnings
@@ -32,7 +32,7 @@ def learn(cloud, **properties) -> pyvista.PolyData:
     """Learn a closed mesh with a map to the sphere from points: vtkConformalSOM.
 
     The cloud is any PyVista data set with points, or an array of n x 3 numbers. The mesh is a
-    pyvista.PolyData, and "SpherePosition" among its point arrays is the map.
+    pyvista.PolyData; its point array "SpherePosition" is the map.
     """
     if not isinstance(cloud, pyvista.DataSet):
         if isinstance(cloud, (str, os.PathLike, type(None), pyvista.MultiBlock)):
@@ -56,12 +56,12 @@ def conformal_map(mesh, **properties) -> pyvista.PolyData:
 
 
 def paint(mesh, image, **properties) -> pyvista.PolyData:
-    """Lay an image on a mapped mesh, its middle in view_direction (0, 0, 1), view_up (0, 1, 0) being up.
+    """Lay an image on a mapped mesh: vtkSphericalTextureMap.
 
-    The image is a PNG or JPEG file, which a process of its own decodes, a pyvista.Texture, or an array of
-    rows x columns x 3 or 4, first row on top. The result
-    has texture coordinates (vtkSphericalTextureMap) and the point array "RGB" or "RGBA", the image at each point,
-    as active scalars.
+    The middle of the image faces view_direction, (0, 0, 1) by default, and its top view_up, (0, 1, 0) by default.
+    The image is a PNG or JPEG file, a pyvista.Texture, or an array of rows x columns x 3 or 4 bytes, first row on
+    top. A separate process decodes files. The result has texture coordinates, and the color of the image at each
+    point as active scalars, in the point array "RGB" or "RGBA".
     """
     pixels = pixels_of(image)
     painted = run(vtkSphericalTextureMap(), single(mesh), **properties)
@@ -72,14 +72,14 @@ def paint(mesh, image, **properties) -> pyvista.PolyData:
 
 
 def single(mesh):
-    """The mesh, if it is one; raises TypeError for several, or for anything else."""
+    """Return the mesh; raise TypeError for several meshes and for other types."""
     if not isinstance(mesh, pyvista.DataSet):
         raise TypeError(f"expected a mesh of PyVista, not {type(mesh).__name__}; {ADVICE}")
     return mesh
 
 
 def run(algorithm, *inputs, **properties):
-    """Run any filter on data, one for each of its input ports; returns what is on its first output port."""
+    """Run any filter on data, one for each of its input ports, and return its first output."""
     for name, value in properties.items():
         set_property(algorithm, name, value)
     ports = algorithm.GetNumberOfInputPorts()
@@ -97,7 +97,7 @@ def run(algorithm, *inputs, **properties):
 
 
 def set_property(algorithm, name, value):
-    """Call the Set method of a property in snake case, or SetPropertyToName for a name."""
+    """Set a property by its name in snake case; names of values of enumerations call SetPropertyToName."""
     setter = "Set" + "".join(word[:1].upper() + word[1:] for word in name.split("_"))
     if not hasattr(algorithm, setter):
         raise TypeError(f"{algorithm.GetClassName()} has no property {name}")
@@ -105,13 +105,13 @@ def set_property(algorithm, name, value):
     if isinstance(value, str) and value in names:
         getattr(algorithm, setter + "To" + value)()
     elif isinstance(value, str) and names:
-        raise ValueError(f"{name} is {value}, but can be {', '.join(names)}")
+        raise ValueError(f"{name} is {value}, but must be one of {', '.join(names)}")
     else:
         getattr(algorithm, setter)(value)
 
 
 def pixels_of(image):
-    """An image as an array of rows x columns x 3 or 4 bytes, first row on top."""
+    """Return an image as an array of rows x columns x 3 or 4 bytes, first row on top."""
     if isinstance(image, (str, os.PathLike)):
         image = textures.read_picture(os.fspath(image))[::-1]
     pixels = image.to_array() if isinstance(image, pyvista.Texture) else np.asarray(image)
@@ -122,7 +122,7 @@ def pixels_of(image):
 
 
 def sampled(pixels, coordinates):
-    """An image at texture coordinates, mixed of the four pixels around each; beyond its border as there."""
+    """Interpolate an image at texture coordinates bilinearly; outside of the image use the color of its border."""
     size = np.array([pixels.shape[1], pixels.shape[0]])
     place = np.asarray(coordinates) * (1, -1) + (0, 1)  # from the upper left corner
     place = np.clip(place * size - 0.5, 0, size - 1)

@@ -29,8 +29,8 @@ Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
   if (open > 0)
   {
     throw std::invalid_argument(
-      "the surface is open, or its triangles are not oriented alike, at " + std::to_string(open) +
-      " edges, but must be closed. vtkGenusZeroCheck shows where.");
+      "the surface is open, or its triangles are not oriented consistently, at " +
+      std::to_string(open) + " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
   if (coverage.Degree == -1)
@@ -243,9 +243,9 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
       options);
     if (!(own.Values.norm() <= LargestResidual * before))
     {
-      throw NumericalFailure("the harmonics were not found within " + std::to_string(MostSteps) +
-        " steps: the map to the sphere is too uneven. Map the surface with an AreaBalance, or take "
-        "a lower Degree.");
+      throw NumericalFailure("the harmonics did not converge within " + std::to_string(MostSteps) +
+        " steps: the area distortion of the map to the sphere is too large. Map the surface with "
+        "an AreaBalance, or use a lower Degree.");
     }
     coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
   }

@@ -52,7 +52,7 @@ void check(const ConformalSOMOptions& options)
 {
   const bool online = options.TrainingMode == TrainingMode::Online;
   require(!online || options.MeshType != MeshType::Adaptive,
-    "an adaptive mesh is learned in Batch mode only; let TrainingMode be Batch, or MeshType be "
+    "an adaptive mesh is learned in Batch mode only; set TrainingMode to Batch, or MeshType to "
     "Geodesic or Automatic");
   require(options.NumberOfNeurons >= MinimumNeurons,
     "NumberOfNeurons must be at least " + std::to_string(MinimumNeurons));
@@ -70,16 +70,16 @@ void checkStart(const ConformalSOMOptions& options, const MappedMesh* mesh)
   const bool isGeodesic = online || options.MeshType == MeshType::Geodesic;
   const bool isSphere = options.StartingShape == StartingShape::Automatic ||
     options.StartingShape == StartingShape::Sphere;
-  const std::string instead = online ? "TrainingMode be Batch" : "MeshType be Adaptive";
+  const std::string instead = online ? "TrainingMode to Batch" : "MeshType to Adaptive";
   require(!isGeodesic || isSphere,
-    "a geodesic mesh is learned from the sphere; let StartingShape be Automatic or Sphere, or " +
+    "a geodesic mesh is learned from the sphere; set StartingShape to Automatic or Sphere, or " +
       instead);
   const bool isMapped = mesh && mesh->SpherePositions.rows() > 0;
   require(!isGeodesic || !mesh || (online && isMapped),
-    "a geodesic mesh is learned from the sphere; remove the mesh to start from, or let " + instead);
-  require(mesh || options.StartingShape != StartingShape::Mesh, "there is no mesh to start from");
+    "a geodesic mesh is learned from the sphere; remove the starting mesh, or set " + instead);
+  require(mesh || options.StartingShape != StartingShape::Mesh, "there is no starting mesh");
   require(!mesh || mesh->Triangles.rows() >= 4,
-    "the mesh to start from is two triangles back to back, which enclose nothing");
+    "the starting mesh is two triangles back to back, which enclose nothing");
 }
 
 /// Weights to start from: the network positions, or a mesh resampled at these.

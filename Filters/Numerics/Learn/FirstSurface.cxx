@@ -86,8 +86,9 @@ void requireNear(const Points& mesh)
   if (!(reached <= farthest))
   {
     std::ostringstream text;
-    text << "the mesh to start from reaches " << reached
-         << " times as far from the middle of the points as they do; move and scale it to them";
+    text
+      << "the starting mesh extends " << reached
+      << " times as far from the middle of the points as the points do; move and scale it to them";
     throw std::invalid_argument(text.str());
   }
 }

@@ -203,7 +203,7 @@ void requireIds(const Triangles& triangles, Index numberOfVertices)
     (triangles.minCoeff() < 0 || triangles.maxCoeff() >= numberOfVertices))
   {
     throw std::out_of_range(
-      "a triangle names a vertex outside [0, " + std::to_string(numberOfVertices) + ")");
+      "a triangle refers to a vertex outside [0, " + std::to_string(numberOfVertices) + ")");
   }
 }
 
@@ -348,8 +348,8 @@ std::vector<std::string> describe(const GenusZeroReport& mesh)
       " in " + counted(mesh.NumberOfBoundaryLoops, "loop", "loops") + firstOf(mesh.BoundaryEdges));
   }
   add(mesh.NonManifoldEdges, "edge of more than two triangles", "edges of more than two triangles");
-  add(mesh.NonManifoldVertices, "vertex where several fans of triangles meet",
-    "vertices where several fans of triangles meet");
+  add(mesh.NonManifoldVertices, "vertex with several fans of triangles",
+    "vertices with several fans of triangles");
   add(mesh.InconsistentEdges, "edge between triangles of opposite orientation",
     "edges between triangles of opposite orientation");
   add(mesh.DegenerateTriangles, "triangle without area", "triangles without area");

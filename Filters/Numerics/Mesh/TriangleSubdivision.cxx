@@ -99,14 +99,14 @@ Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run)
 {
   if (subdivisions < 1)
   {
-    throw std::invalid_argument("triangles can be cut into 1 x 1 or more, not into less");
+    throw std::invalid_argument("the number of subdivisions must be at least 1");
   }
   const int k = subdivisions;
   const double size = static_cast<double>(mesh.Triangles.rows()) * k * k;
   if (size > std::numeric_limits<int>::max())
   {
     throw std::length_error(
-      "cut into so many triangles the mesh would have more than an int counts; cut it into fewer");
+      "the mesh would have more triangles than fit into an int; use fewer subdivisions");
   }
   const Triangles neighbors = triangleNeighbors(mesh.Triangles, mesh.Positions.rows(), run);
   Index free = 0;

@@ -31,7 +31,7 @@ Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
   if (open > 0)
   {
     throw std::invalid_argument("surface " + std::to_string(number) +
-      " is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " is open, or its triangles are not oriented consistently, at " + std::to_string(open) +
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   Placed result;
@@ -44,7 +44,7 @@ Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
 Mesh commonSphere(
   const std::vector<MappedMesh>& surfaces, const ConsistentRemeshOptions& options, const Run& run)
 {
-  if (options.Lattice == RemeshLattice::Geodesic)
+  if (options.MeshType == RemeshMeshType::Geodesic)
   {
     return makeGeodesicSphere(options.Frequency, run);
   }
@@ -113,7 +113,7 @@ ConsistentMeshes remeshConsistently(
   {
     throw std::invalid_argument("there is no surface to remesh");
   }
-  const bool isAdaptive = options.Lattice == RemeshLattice::Adaptive;
+  const bool isAdaptive = options.MeshType == RemeshMeshType::Adaptive;
   AdaptiveSphereOptions sphere;
   sphere.NumberOfPoints = options.NumberOfPoints;
   const double points = isAdaptive ? static_cast<double>(options.NumberOfPoints)
@@ -161,15 +161,16 @@ ConsistentMeshes remeshConsistently(
 //------------------------------------------------------------------------------
 double expectedRemeshPoints(const ConsistentRemeshOptions& options)
 {
-  return options.Lattice == RemeshLattice::Adaptive ? static_cast<double>(options.NumberOfPoints)
-                                                    : 10.0 * options.Frequency * options.Frequency;
+  return options.MeshType == RemeshMeshType::Adaptive
+    ? static_cast<double>(options.NumberOfPoints)
+    : 10.0 * options.Frequency * options.Frequency;
 }
 
 //------------------------------------------------------------------------------
 double workOfConsistentRemesh(
   double size, double numberOfSurfaces, const ConsistentRemeshOptions& options)
 {
-  if (options.Lattice == RemeshLattice::Geodesic)
+  if (options.MeshType == RemeshMeshType::Geodesic)
   {
     return 1200.0 * size +
       (100.0 + 450.0 * numberOfSurfaces) * 10.0 * options.Frequency * options.Frequency;

@@ -13,7 +13,7 @@
 namespace conformal
 {
 /// Where the common mesh has its points.
-enum class RemeshLattice
+enum class RemeshMeshType
 {
   Geodesic, ///< evenly over the sphere
   Adaptive  ///< evenly over the surfaces, as dense as the mean of what they ask for
@@ -21,7 +21,7 @@ enum class RemeshLattice
 
 struct ConsistentRemeshOptions
 {
-  RemeshLattice Lattice = RemeshLattice::Adaptive;
+  RemeshMeshType MeshType = RemeshMeshType::Adaptive;
   int Frequency = 45;           ///< Geodesic: 10 f^2 + 2 points
   Index NumberOfPoints = 20000; ///< Adaptive: within 2 percent
 };

@@ -31,7 +31,7 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
   if (open > 0)
   {
     throw std::invalid_argument(std::string("the ") + what +
-      " is open, or its triangles are not oriented alike, at " + std::to_string(open) +
+      " is open, or its triangles are not oriented consistently, at " + std::to_string(open) +
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   const SphereCoverage coverage =

@@ -30,7 +30,7 @@ double workOfRegistration(double size, const SphericalTemplateOptions& options)
 double workOfMean(double size, double numberOfSurfaces, const SphericalTemplateOptions& options)
 {
   ConsistentRemeshOptions remesh;
-  remesh.Lattice = RemeshLattice::Geodesic;
+  remesh.MeshType = RemeshMeshType::Geodesic;
   remesh.Frequency = options.MeanFrequency;
   const double points = 10.0 * options.MeanFrequency * options.MeanFrequency;
   return workOfConsistentRemesh(size, numberOfSurfaces, remesh) +
@@ -260,7 +260,7 @@ private:
       meshes.back().SpherePositions = registrations[s].SpherePositions;
     }
     ConsistentRemeshOptions remesh;
-    remesh.Lattice = RemeshLattice::Geodesic;
+    remesh.MeshType = RemeshMeshType::Geodesic;
     remesh.Frequency = this->Options.MeanFrequency;
     return remeshConsistently(meshes, remesh, run);
   }

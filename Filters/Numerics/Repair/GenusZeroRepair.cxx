@@ -255,7 +255,7 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
   GluedSurface surface = glueTriangles(points, merged, result.Gluing, steps.next());
   if (surface.TriangleIds.empty())
   {
-    throw std::invalid_argument("every triangle of the surface names a point twice");
+    throw std::invalid_argument("every triangle of the surface has a repeated point");
   }
   const double area = surfaceArea(surface);
   fillHoles(surface, area, options.MaximumHoleArea, result.Loops, steps.next());

@@ -429,9 +429,9 @@ GluedSurface glueTriangles(
   {
     if (parts.first(r) == largest)
     {
-      throw std::invalid_argument("the surface is not orientable: it has one side only, like a "
-                                  "Moebius strip or a Klein bottle, so that it bounds no body; one "
-                                  "place where its sides meet is at point " +
+      throw std::invalid_argument(
+        "the surface is not orientable: it has one side only, like a Moebius strip or a Klein "
+        "bottle, and bounds no body; its sides join at point " +
         std::to_string(triangles(r, 0)));
     }
   }

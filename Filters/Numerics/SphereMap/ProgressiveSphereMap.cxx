@@ -27,8 +27,8 @@ int sweepsOfLevel(std::size_t numberOfVertices)
 }
 
 constexpr int SweepsForRoom = 20;
-const char* const NoRoom =
-  "the surface cannot be mapped to the sphere: no room is left there for the triangles of a vertex";
+const char* const NoRoom = "the surface cannot be mapped to the sphere: the triangles of a vertex "
+                           "underflow double precision there";
 
 SphereEnergy energyFor(double balance)
 {

@@ -83,8 +83,8 @@ void copyUnitVectors(const PointView& vectors, const char* what, double* units, 
     });
   if (bad < vectors.size())
   {
-    throw std::invalid_argument(std::string(what) + " " + std::to_string(bad) +
-      " is zero or not finite, so it has no direction");
+    throw std::invalid_argument(
+      std::string(what) + " " + std::to_string(bad) + " is zero or not finite");
   }
 }
 

@@ -326,8 +326,7 @@ void requireOneSize(const Points& positions)
     (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
   if (!(positions.cwiseAbs().maxCoeff() <= largest && extent >= smallest))
   {
-    throw std::invalid_argument(
-      "the cloud must have about the size and position of the surface to be fitted");
+    throw std::invalid_argument("the cloud must have about the size and position of the surface");
   }
 }
 

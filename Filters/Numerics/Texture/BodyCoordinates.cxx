@@ -197,10 +197,10 @@ BodyCoordinates findBodyCoordinates(
   const Vector3 axis = options.RotationAxis.stableNormalized();
   steps.next();
   const BodyPoint north = farthestAlong(surface, options.Center, axis);
-  requirePoint(north, "the rotation axis does not meet the surface to the north of Center");
+  requirePoint(north, "the rotation axis does not intersect the surface to the north of Center");
   steps.next();
   const BodyPoint south = farthestAlong(surface, options.Center, -axis);
-  requirePoint(south, "the rotation axis does not meet the surface to the south of Center");
+  requirePoint(south, "the rotation axis does not intersect the surface to the south of Center");
   steps.next();
   const BodyPoint marker = options.UseMarkerPoint
     ? closestTo(surface, options.MarkerPoint)
@@ -235,7 +235,7 @@ BodyCoordinates findBodyCoordinates(
     const Vector3 toNorth = placeOf(north), toSouth = placeOf(south), toMarker = placeOf(marker);
     if (!((toNorth - toSouth).norm() > 1e-9))
     {
-      throw std::invalid_argument("both poles have the same place on the sphere");
+      throw std::invalid_argument("both poles have the same position on the sphere");
     }
     if ((toMarker - toNorth).norm() < 1e-9 || (toMarker - toSouth).norm() < 1e-9)
     {

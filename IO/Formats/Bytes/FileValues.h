@@ -164,7 +164,7 @@ private:
       skipped += length;
       if (skipped > LongestLine)
       {
-        this->Input.fail(ParseCode::Malformed, tooLongMessage("blanks or a remark"));
+        this->Input.fail(ParseCode::Malformed, tooLongMessage("blanks or a comment"));
       }
       this->Input.advance(length);
       if (length < window.size() || window.empty())

@@ -36,9 +36,8 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
   }
   if (largest > 0.0 && largest < Limits::min())
   {
-    throw std::invalid_argument(
-      "the coordinates are too small for 32-bit floats, which is all that "
-      "the format has; scale the surface");
+    throw std::invalid_argument("the coordinates are too small for 32-bit floats, the only type of "
+                                "the format; scale the surface");
   }
 }
 
@@ -103,8 +102,8 @@ inline void requireFinePositions(const FloatRounding& rounding)
       std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, 3);
     return std::string(buffer, result.ptr);
   };
-  throw std::invalid_argument("the surface is too far from the origin for 32-bit floats, which "
-                              "is all that the format has: they shift coordinates by up to " +
+  throw std::invalid_argument("the surface is too far from the origin for 32-bit floats, the only "
+                              "type of the format: they shift coordinates by up to " +
     shortText(rounding.LargestShift) + " on a surface of size " + shortText(rounding.size()) +
     "; subtract its center from the points, or write a format of doubles, such as PLY");
 }

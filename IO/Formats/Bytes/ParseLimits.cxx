@@ -24,7 +24,7 @@ std::size_t ParseLimits::checkedCount(const ByteReader& input, const std::string
   if (memoryPerRecord > 0 && count > this->MaximumMemory / memoryPerRecord)
   {
     input.fail(ParseCode::OutOfMemory,
-      std::to_string(count) + " " + what + " need more memory than is allowed");
+      std::to_string(count) + " " + what + " need more memory than the limit");
   }
   return static_cast<std::size_t>(count);
 }

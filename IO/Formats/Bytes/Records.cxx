@@ -164,7 +164,8 @@ void Records::groupPoints()
   const std::vector<std::size_t> members = this->find({ "x", "y", "z" });
   if (members.empty())
   {
-    throw std::invalid_argument("found no x, y and z of the points with one number each");
+    throw std::invalid_argument(
+      "found no properties x, y and z of the points with one number each");
   }
   const bool areFloats = std::all_of(members.begin(), members.end(),
     [&](std::size_t i) { return this->Fields[i].Type == ScalarType::Float32; });

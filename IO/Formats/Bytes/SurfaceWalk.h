@@ -48,7 +48,7 @@ inline double valueOf(const NamedArray& array, std::size_t index)
 }
 
 /// Find the array "SpherePosition"; null if there is none.
-/// @throws std::invalid_argument if a position has no direction
+/// @throws std::invalid_argument if a position is zero or not finite
 inline const NamedArray* findSpherePositions(const SurfaceData& surface)
 {
   const NamedArray* sphere = findArray(surface.PointArrays, "SpherePosition", 3, isFloating);
@@ -59,7 +59,7 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
     if (!std::isfinite(length) || length == 0.0)
     {
       throw std::invalid_argument(
-        "\"SpherePosition\" of point " + std::to_string(i / 3) + " has no direction");
+        "\"SpherePosition\" of point " + std::to_string(i / 3) + " is zero or not finite");
     }
   }
   return sphere;

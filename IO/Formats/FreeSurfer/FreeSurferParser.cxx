@@ -127,7 +127,7 @@ private:
     if (end == std::string_view::npos)
     {
       this->Input.fail(text.size() < longest ? ParseCode::PrematureEnd : ParseCode::Malformed,
-        "expected a line that names the creator of the surface");
+        "expected a line with the creator of the surface");
     }
     this->Input.advance(end + 1);
   }

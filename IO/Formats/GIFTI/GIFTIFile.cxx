@@ -100,7 +100,7 @@ public:
     {
       return;
     }
-    require(this->Count++ < this->Expected, "found more numbers than the dimensions say");
+    require(this->Count++ < this->Expected, "found more numbers than the dimensions require");
     withType(this->Array.Type,
       [&](auto zero)
       {
@@ -330,11 +330,11 @@ private:
     {
       require(sizes[i].has_value(), "expected a size for each dimension");
       require(*sizes[i] == 0 || this->NumberOfValues <= most / *sizes[i],
-        "found dimensions that need more values than the file can hold");
+        "found dimensions with more values than the file can contain");
       this->NumberOfValues *= *sizes[i];
     }
     require(this->NumberOfValues * sizeOf(values.Type) <= most,
-      "found dimensions that need more values than the file can hold");
+      "found dimensions with more values than the file can contain");
     values.Components = *sizes[0] > 0 ? this->NumberOfValues / *sizes[0] : 1;
     require(values.Components > 0, "found a dimension of size 0 after another");
     require(values.Components <= 100000, "found tuples of more than 100000 numbers");

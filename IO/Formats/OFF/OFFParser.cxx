@@ -242,8 +242,7 @@ private:
       this->Input.fail(ParseCode::Malformed,
         "found " + std::to_string(this->Extras.size()) +
           " numbers after the coordinates of a point, expected colors and texture coordinates as "
-          "the keyword "
-          "says, as many for each point");
+          "in the keyword, as many for each point");
     }
     this->ExtrasOfPoints = this->Extras.size();
     return this->Extras;

@@ -13,7 +13,7 @@ unsigned char LZFDecoder::nextByte()
   if (this->Left-- == 0)
   {
     this->Input.fail(
-      ParseCode::Malformed, "the compressed data end before the size that the header states");
+      ParseCode::Malformed, "the compressed data are shorter than the header states");
   }
   const auto byte = static_cast<unsigned char>(bytes[0]);
   this->Input.advance(1);

@@ -59,7 +59,7 @@ std::string readThreeJS(const std::string& fileName)
   // Modules use an export statement, which a script of a page cannot contain.
   if (text.find("exports.WebGLRenderer") == std::string::npos)
   {
-    fail("is no classic build of it");
+    fail("is not a classic script or CommonJS module of it");
   }
   return text;
 }

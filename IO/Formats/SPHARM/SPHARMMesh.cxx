@@ -296,7 +296,7 @@ private:
           {
             this->Input.fail(ParseCode::Malformed,
               "found cell " + std::to_string(i) + " of " + std::to_string(size) +
-                " ids, expected no more than the numbers that are left");
+                " ids, expected at most the remaining numbers");
           }
           left -= 1 + static_cast<std::size_t>(size);
           this->readCell(values, polygons, size, isKept, std::int32_t());
@@ -326,7 +326,7 @@ private:
     if (!isRight || end != static_cast<std::int64_t>(ids))
     {
       this->Input.fail(ParseCode::Malformed,
-        "found offsets of cells that do not rise from 0 to the number of their ids");
+        "found offsets of cells that do not increase from 0 to the number of their ids");
     }
     PolygonList polygons(this->Input, this->Data.Points.numberOfTuples(), this->Data);
     this->withValues(

@@ -118,7 +118,7 @@ public:
     }
     if (this->Count == 0)
     {
-      this->Input.fail(ParseCode::PrematureEnd, "the file names no scans");
+      this->Input.fail(ParseCode::PrematureEnd, "the file lists no scans");
     }
     if (this->Files.empty())
     {
@@ -155,7 +155,7 @@ private:
       if (this->Data.MissingScans++ == 0)
       {
         this->FirstMissing = { ParseCode::FileNotFound, 0, 0,
-          "none of the scans is there; in " + conformal::quoted(name) + ": " + scan.Status.text() };
+          "none of the scans exists; in " + conformal::quoted(name) + ": " + scan.Status.text() };
       }
       return;
     }
@@ -165,7 +165,7 @@ private:
     {
       if (!this->Files.insert(scan.Identity).second)
       {
-        this->Lines.failExpecting("each scan once; another line names the same file");
+        this->Lines.failExpecting("each scan once; another line has the same file");
       }
       result = parsePLY(scan.Input, {}, this->Limits,
         this->Progress ? [this](double) { return this->Progress(this->fraction()); }
@@ -201,7 +201,7 @@ private:
           }
           if (!(std::isfinite(moved[0]) && std::isfinite(moved[1]) && std::isfinite(moved[2])))
           {
-            this->Lines.failExpecting("a motion that keeps the coordinates finite");
+            this->Lines.failExpecting("a transform that keeps the coordinates finite");
           }
           conformal::append(this->Data.Points, moved.data());
           conformal::append(this->ScanIds, &scanId);

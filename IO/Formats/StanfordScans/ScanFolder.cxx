@@ -56,7 +56,7 @@ OpenedScan openScan(const fs::path& folder, const std::string& name, bool allowE
   else if (!allowExternalFiles && !isInside(realFolder, realPath))
   {
     scan.Status = { ParseCode::Malformed, 0, 0,
-      "is a link that leads out of the list's folder; set AllowExternalFiles to read it" };
+      "is a link to a file outside of the list's folder; set AllowExternalFiles to read it" };
   }
   else
   {

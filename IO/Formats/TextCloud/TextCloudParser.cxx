@@ -192,7 +192,7 @@ private:
     if (this->Layout.HasCount && this->PointsToCome-- == 0)
     {
       this->Input.fail(
-        ParseCode::Malformed, "found one more point than the count before the points says");
+        ParseCode::Malformed, "found one more point than the count before the points");
     }
     bool isFinite = true;
     for (std::size_t i = 0; i < this->Row.size(); ++i)

@@ -75,7 +75,7 @@ TEST(FreeSurferWriter, RefusesSurfacesTooFarForFloats)
     return std::string();
   };
   EXPECT_EQ(message(),
-    "the surface is too far from the origin for 32-bit floats, which is all that the format has: "
-    "they shift coordinates by up to 0.2 on a surface of size 2.79; subtract its center from the "
+    "the surface is too far from the origin for 32-bit floats, the only type of the format: they "
+    "shift coordinates by up to 0.2 on a surface of size 2.79; subtract its center from the "
     "points, or write a format of doubles, such as PLY");
 }

@@ -445,7 +445,7 @@ TEST(SurfacePage, RefusesWhatItCannotShow)
   {
     data = ellipsoid(3, 3);
     std::memcpy(data.PointArrays[0].Values.data() + 24, &bad, sizeof(bad));
-    expectThrows(data, "\"SpherePosition\" of point 1 has no direction");
+    expectThrows(data, "\"SpherePosition\" of point 1 is zero or not finite");
     data = ellipsoid(3, 3);
     std::memcpy(data.Points.Values.data(), &bad, sizeof(bad));
     expectThrows(data, "a coordinate is not finite");

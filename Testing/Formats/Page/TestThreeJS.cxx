@@ -40,9 +40,9 @@ TEST(ThreeJS, OtherFilesAreRefusedWithWhatToInstall)
   const std::string pipe = folder.file("pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0666), 0);
   expectRefused(pipe, "is no file");
-  expectRefused(folder.write("empty.js", ""), "is no classic build");
+  expectRefused(folder.write("empty.js", ""), "is not a classic script");
   expectRefused(
-    folder.write("three.module.js", "export { WebGLRenderer };"), "is no classic build");
+    folder.write("three.module.js", "export { WebGLRenderer };"), "is not a classic script");
   const std::string large = folder.write("large.js", "");
   std::filesystem::resize_file(std::filesystem::u8path(large), (32 << 20) + 1);
   expectRefused(large, "is too large");

@@ -290,8 +290,8 @@ TEST(ConformalSOM, AGeodesicMeshIsLearnedFromTheSphereOnly)
   for (ConformalSOMOptions options : { online(4), batch(4) })
   {
     const std::string instead = options.TrainingMode == TrainingMode::Online
-      ? "TrainingMode be Batch"
-      : "MeshType be Adaptive";
+      ? "TrainingMode to Batch"
+      : "MeshType to Adaptive";
     const auto message = [&](const conformal::MappedMesh* mesh) -> std::string
     {
       try

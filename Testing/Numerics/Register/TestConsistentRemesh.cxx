@@ -20,7 +20,7 @@ using conformal::Index;
 using conformal::MappedMesh;
 using conformal::Points;
 using conformal::remeshConsistently;
-using conformal::RemeshLattice;
+using conformal::RemeshMeshType;
 using conformal::Vector3;
 
 namespace
@@ -44,7 +44,7 @@ MappedMesh surface(int frequency, double limb)
 ConsistentRemeshOptions geodesic(int frequency)
 {
   ConsistentRemeshOptions options;
-  options.Lattice = RemeshLattice::Geodesic;
+  options.MeshType = RemeshMeshType::Geodesic;
   options.Frequency = frequency;
   return options;
 }
@@ -106,7 +106,7 @@ TEST(ConsistentRemesh, PointsAreThoseInTheDirections)
 }
 
 // Points on the limb, which only the second surface has, and which is small on the sphere.
-TEST(ConsistentRemesh, TheAdaptiveLatticeIsDenseWhereOneSurfaceAsksForIt)
+TEST(ConsistentRemesh, TheAdaptiveMeshIsDenseWhereOneSurfaceAsksForIt)
 {
   const auto onTheLimb = [](const ConsistentMeshes& meshes)
   { return (meshes.Sphere.Positions.col(0).array() > 0.95).count(); };
@@ -148,7 +148,8 @@ TEST(ConsistentRemesh, MapsThatDoNotCoverTheSphereOnceAreRefused)
   expectRefused({ bowl, good }, "the map to the sphere of surface 0 covers it 0 times");
   MappedMesh half = good;
   half.Triangles.conservativeResize(half.Triangles.rows() / 2, 3);
-  expectRefused({ good, half }, "surface 1 is open, or its triangles are not oriented alike, at");
+  expectRefused(
+    { good, half }, "surface 1 is open, or its triangles are not oriented consistently, at");
   expectRefused({}, "there is no surface to remesh");
 }
 

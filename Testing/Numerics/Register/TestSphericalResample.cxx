@@ -252,9 +252,9 @@ TEST(SphericalResample, MapsThatDoNotCoverTheSphereAreRefused)
   MappedMesh half = whole;
   half.Triangles.conservativeResize(half.Triangles.rows() - 1, 3);
   expectRefused(
-    half, whole, "the source is open, or its triangles are not oriented alike, at 3 edges");
+    half, whole, "the source is open, or its triangles are not oriented consistently, at 3 edges");
   expectRefused(
-    whole, half, "the target is open, or its triangles are not oriented alike, at 3 edges");
+    whole, half, "the target is open, or its triangles are not oriented consistently, at 3 edges");
 }
 
 TEST(SphericalResample, ThreadsChangeNoBitAndARunCanBeStopped)

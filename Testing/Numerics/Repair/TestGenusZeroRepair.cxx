@@ -298,7 +298,7 @@ TEST(GenusZeroRepair, SaysWhatItCannotRepair)
   EXPECT_EQ(messageOf(mesh), "1 of 92 points of the surface are not finite");
   mesh = conformal::makeGeodesicSphere(3);
   mesh.Triangles.col(1) = mesh.Triangles.col(0);
-  EXPECT_EQ(messageOf(mesh), "every triangle of the surface names a point twice");
+  EXPECT_EQ(messageOf(mesh), "every triangle of the surface has a repeated point");
 
   // A tube closed upon itself with the wrong side in: a Klein bottle.
   const int around = 10, along = 12;

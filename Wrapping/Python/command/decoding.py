@@ -98,7 +98,7 @@ def pixels_of(path):
     reader = kind()
     name = "JPEG" if kind is vtkJPEGReader else "PNG"
     if not reader.CanReadFile(path):
-        raise Refused(f"not a {name} file, or not all of one")
+        raise Refused(f"not a {name} file, or an incomplete one")
     reader.SetFileName(path)
     limit_work(0)
     updated(reader, reader.UpdateInformation)

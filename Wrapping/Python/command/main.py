@@ -16,9 +16,9 @@ from .progress import Bar, printable
 from .steps import Interrupted
 
 DESCRIPTION = """\
-Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may be in any format that
-ConformalSOM or VTK reads (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP ...); only
-its points and colors are used, and its triangles where they are one closed surface."""
+Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may have any format that
+ConformalSOM or VTK reads (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP ...). Its
+points and colors are used; its triangles are used only if they form one closed surface."""
 
 EPILOG = """\
 examples:
@@ -27,10 +27,10 @@ examples:
   conformalsom scans/*.ply -o 'surfaces/{}.glb'
 
 exit status:
-  0  everything was made
-  1  a file could not be read or written, or a filter failed or crashed; other scans were gone on with
-  2  wrong usage: nothing was done. Also if a file to write exists, cannot be written, or is an input
-  Ctrl-C stops early by the signal; files that were not whole are gone."""
+  0  all files were written
+  1  a file could not be read or written, or a filter failed or crashed; other scans were processed
+  2  wrong usage, no file was written. Also if an output file exists, cannot be written, or is an input
+  Ctrl-C ends the command by the signal; unfinished files are removed."""
 
 SIZES = range(12, 10000003)  # those of geodesic spheres
 
@@ -69,31 +69,32 @@ def arguments(argv):
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scans", nargs="+", metavar="SCAN", help="file with the points of one object")
     parser.add_argument("-o", "--output", action="append", default=[], metavar="FILE",
-                        help="surface to write, may be given several times: " + " ".join(outputs.SURFACES)
-                        + "; {} in it is the scan's name without extension, a folder is FOLDER/{}.glb")
+                        help="surface to write; repeat for several files: " + " ".join(outputs.SURFACES)
+                        + "; {} stands for the scan's name without extension, a folder for FOLDER/{}.glb")
     parser.add_argument("--texture", metavar="IMAGE",
-                        help="PNG or JPEG to paint with, of up to 2^28 pixels; default: the scan's own colors, if it has some")
+                        help="PNG or JPEG of up to 2^28 pixels to paint with; default: the scan's own colors, if it has some")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
-                        help="from the object to the viewer, where the texture's middle is; default 0 0 1")
+                        help="direction from the object to the viewer, which the texture's middle faces; default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
-                        help="what is up in the texture; default 0 1 0")
+                        help="direction that is up in the texture; default 0 1 0")
     parser.add_argument("--mesh-type", choices=("automatic", "adaptive", "geodesic"), default="automatic",
-                        help="of the learned mesh: triangles of one size (adaptive, which automatic "
-                        "is unless the points lie in a plane), or the paper's geodesic sphere")
+                        help="type of the learned mesh: triangles of equal size (adaptive), the paper's geodesic "
+                        "sphere (geodesic), or adaptive unless the points lie in a plane (automatic)")
     parser.add_argument("--lattice", action=Renamed, new="--mesh-type", help=argparse.SUPPRESS)
     parser.add_argument("--neurons", type=size, metavar="N",
-                        help="points of the learned mesh, default 12962; if geodesic the nearest 10 f^2 + 2")
+                        help="number of points of the learned mesh, default 12962; "
+                             "for a geodesic mesh the nearest 10 f^2 + 2")
     parser.add_argument("--points", type=size, metavar="N",
-                        help="points of the smooth surface at least, or about; default 64002")
+                        help="approximate minimum number of points of the smooth surface; default 64002")
     parser.add_argument("--measure", action="store_true",
                         help="measure distances to the scan and distortion of the map, and print a table")
-    parser.add_argument("--report", metavar="FILE", help="write these figures as JSON; - is the standard output, and the table "
-                        "goes to the standard error")
+    parser.add_argument("--report", metavar="FILE", help="write figures, times and warnings as JSON; with - to the standard output, "
+                        "and the table to the standard error")
     parser.add_argument("--picture", metavar="FILE",
-                        help="draw scan, mesh and surface side by side, .png or .jpg; wants a display")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist, but no inputs")
+                        help="draw scan, mesh and surface side by side, .png or .jpg; needs a display")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing files, except inputs")
     parser.add_argument("--jobs", type=positive, default=1, metavar="N",
-                        help="scans at a time, which share the processors; default 1")
+                        help="number of scans to process at a time, with the processors divided among them; default 1")
     parser.add_argument("--version", action="version",
                         version=f"ConformalSOM {conformalsom.__version__}, VTK {vtkVersion.GetVTKVersion()}")
     options = parser.parse_args(argv)
@@ -121,13 +122,13 @@ def expect_utf8(name):
 def plan_of(options):
     """The files to write for each scan, after a look at whether the call makes sense."""
     if not (options.output or options.picture or options.report or options.measure):
-        raise WrongUsage("nothing to make: use --output, --picture, --report or --measure")
+        raise WrongUsage("there is nothing to do: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
     for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
         expect_utf8(name or "")
     all_paths = paths_of(options)
     if options.picture and not pictures.can_draw():
-        raise WrongUsage("--picture wants a display: put xvfb-run before the command")
+        raise WrongUsage("--picture needs a display: put xvfb-run before the command")
     return all_paths
 
 
@@ -194,7 +195,7 @@ def main(argv=None):
     occupy_standard_streams()
     options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
-        complain("the standard output is closed, but the table or the report is to be printed there")
+        complain("the standard output is closed, but the table or the report needs it")
         return 1
     jobs.silence()
     bar, interruption = Bar(), Interruption()

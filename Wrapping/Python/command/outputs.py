@@ -130,7 +130,7 @@ class Place:
         if os.path.lexists(self.path):  # also a link that leads in a circle, which fails
             self.old = os.stat(self.path)
             if not overwrite:
-                raise OSError(errno.EEXIST, "it has come into being meanwhile; use --overwrite or another name", name)
+                raise OSError(errno.EEXIST, "it was created in the meantime; use --overwrite or another name", name)
             self.expect_regular()
             if not may(self.path, os.W_OK):
                 raise OSError(errno.EACCES, os.strerror(errno.EACCES), name)
@@ -262,4 +262,4 @@ def expect_polygons(part, number, path):
     with open(part, "rb") as file:
         data = file.read()
     if not data.endswith(b"\n") or data.count(b"\nf ") != number:
-        raise OSError(errno.EIO, "it could not be written whole", path)
+        raise OSError(errno.EIO, "it could not be written completely", path)

@@ -54,7 +54,7 @@ def check_stl(path):
     triangles = struct.unpack("<80xI", head)[0] if len(head) == 84 else 0
     is_text = head.lstrip().startswith(b"solid")
     if not is_text and not 0 < 50 * triangles <= os.path.getsize(path) - 84:
-        raise ValueError(f"{path}: not an STL file, or not all of one")
+        raise ValueError(f"{path}: not an STL file, or an incomplete one")
 
 
 def inputs_of(path):
