@@ -335,8 +335,11 @@ public:
 
   ///@{
   /**
-   * Whether to add the point array "QuantizationError": root mean square distance between each
-   * point of the mesh and the input points assigned to it. Default is off.
+   * Whether output port 2 has the surfaces that learning goes through: the start, each level or
+   * turn, the fit, and the result, each with its quality. Use it for figures, and to find the cause
+   * of a bad result. Default is off.
+   *
+   * Each stage is evaluated, which takes some tenths of a second, and kept in memory.
    */
   vtkSetMacro(GenerateStages, bool);
   vtkGetMacro(GenerateStages, bool);
