@@ -70,6 +70,13 @@
  * neurons. Both are in the unit of training, in which the cloud's largest distance from its
  * centroid is 1.
  *
+ * Output port 2: vtkMultiBlockDataSet, empty without GenerateStages: the surfaces that learning
+ * goes through, on the first process. The name of a block consists of the number of the start,
+ * from 1 and with abandoned starts counted, the start and the stage, such as "1 sphere: level 4"
+ * or "2 hull: fit". The last block, "kept", is the result. Each block is a vtkPolyData with the
+ * field data "StartNumber", "DefectScore" (above 1 the surface is bad), "UncoveredFraction",
+ * "InvertedFraction" and "FoldedFraction"; these are 0 Online.
+ *
  * Neurons on a geodesic sphere learn weight vectors in the space of the points (section 2 of the
  * paper, "Conformal self-organizing map on curved seamless surface"). TrainingMode ONLINE is the
  * paper's learning algorithm, one point at a time, with the paper's constants as defaults. BATCH,
