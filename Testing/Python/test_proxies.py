@@ -79,7 +79,7 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(area.attrib, {"name": "MaximumHoleArea", "command": "SetMaximumHoleArea",
                                        "number_of_elements": "1", "default_values": "0.25"})
         self.assertEqual(area.find("DoubleRangeDomain").attrib, {"name": "range", "min": "0", "max": "1"})
-        self.assertIn("The largest hole that is filled", area.findtext("Documentation"))
+        self.assertIn("Maximum size of a hole that is filled", area.findtext("Documentation"))
         self.assertEqual([port.get("name") for port in shown.findall("OutputPort")], ["Surface", "Loops"])
         self.assertEqual(shown.find("Hints/ShowInMenu").get("category"), "Conformal SOM")
         self.assertEqual(shown.find("InputProperty/DataTypeDomain/DataType").get("value"), "vtkPolyData")
