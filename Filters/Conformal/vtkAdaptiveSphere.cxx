@@ -222,14 +222,8 @@ int vtkAdaptiveSphere::RequestData(
       {
         return;
       }
-      const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const auto wanted = static_cast<double>(options.NumberOfPoints);
-      const bool hasImage = image && density == IMAGE;
-      const double pixels = hasImage ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
-      // Reading the surface, its density, what is added to that, the mesh, and the output.
-      conformal::Steps steps(glue::RunOf(this),
-        { 150.0 * size, 1200.0 * size, 600.0 * (size + pixels),
-          1000.0 * (size + pixels) + conformal::workOfAdaptiveSphere(options), 100.0 * wanted });
+      // Reading, density of the surface, density of the image, mesh, output.
+      conformal::Steps steps(glue::RunOf(this), { 0.01, 0.08, 0.04, 0.86, 0.01 });
       steps.next();
       const Surface surface = ToSurface(input);
       conformal::SphereDensity share = conformal::densityOnSurface(

@@ -118,20 +118,6 @@ UsedSurfaces UsedSurfacesOf(vtkInformationVector* inputs)
   return used;
 }
 
-// The estimated cost of reading each surface, and of the template.
-std::vector<double> CostOf(
-  const UsedSurfaces& surfaces, const conformal::SphericalTemplateOptions& options)
-{
-  std::vector<double> cost;
-  for (const std::size_t s : surfaces.Numbers)
-  {
-    cost.push_back(800.0 * static_cast<double>(surfaces.All.Held[s]->GetNumberOfPoints()));
-  }
-  cost.push_back(conformal::workOfSphericalTemplate(
-    surfaces.All.numberOfPoints(), static_cast<double>(surfaces.Numbers.size()), options));
-  return cost;
-}
-
 // What the template is made of, and the surfaces that it is read from.
 struct TemplateInputs
 {
@@ -304,7 +290,10 @@ int vtkSphericalTemplate::RequestData(
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);
-      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, options));
+      std::vector<double> shares(
+        surfaces.Numbers.size(), 0.02 / static_cast<double>(surfaces.Numbers.size()));
+      shares.push_back(0.98);
+      conformal::Steps steps(glue::RunOf(this), shares); // reading of each surface, template
       const TemplateInputs inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
       const conformal::SphericalTemplateResult result =
         conformal::findSphericalTemplate(inputs.Core, weights, options, steps.next());

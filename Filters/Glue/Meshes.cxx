@@ -249,7 +249,7 @@ bool HasCellIds(vtkPolyData* surface)
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  conformal::Steps steps(run, { 32.0, 5.0, 330.0 }); // for each triangle
+  conformal::Steps steps(run, { 0.09, 0.01, 0.9 });
   steps.next();
   ClosedMesh mesh;
   mesh.Triangles = ToTriangles(surface);

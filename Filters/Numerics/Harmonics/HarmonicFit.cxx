@@ -90,8 +90,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const Columns& values, const HarmonicGrid& grid, double longest, const Run& run)
 {
   constexpr Index blockSize = 512;
-  const auto size = static_cast<double>(triangles.rows());
-  Steps steps(run, { 50.0 * size, 500.0 * size, 300.0 * static_cast<double>(grid.size()) });
+  Steps steps(run, { 0.1, 0.8, 0.1 }); // small triangles, locator, samples
   steps.next();
   SurfaceSamples samples;
   const std::vector<char> isSmall =
@@ -147,7 +146,6 @@ struct ColumnGroup
 };
 
 constexpr int MostSteps = 200;
-constexpr double ExpectedSteps = 25.0;
 constexpr double WantedAccuracy = 1e-28; // of the square of the residual
 constexpr double LargestResidual = 1e-8;
 
@@ -174,25 +172,17 @@ private:
   double First = 0.0;
   double Reached = 0.0;
 };
-
-double workOfTransforms(double degree)
-{
-  return 2.0 * (900.0 * std::pow(degree + 1.0, 2) + 10.0 * std::pow(degree + 1.0, 3));
-}
 }
 
 //------------------------------------------------------------------------------
 Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, const Run& run)
 {
-  const auto vertices = static_cast<double>(mesh.Positions.rows());
-  const auto columns = static_cast<double>(values.cols());
   const HarmonicGrid grid(4 * degree); // exact for a harmonic times a density times a harmonic
   const Index groups = (values.cols() + 2) / 3;
-  std::vector<double> work = { 300.0 * vertices,
-    1100.0 * vertices + 300.0 * static_cast<double>(grid.size()),
-    workOfEvaluation(vertices, 1.0, 2.0 * degree), workOfEvaluation(vertices, columns, degree) };
-  work.insert(work.end(), groups, ExpectedSteps * workOfTransforms(degree));
-  Steps steps(run, work);
+  // Triangles, samples, density, moments, and the equations of each group.
+  std::vector<double> shares = { 0.05, 0.2, 0.45, 0.2 };
+  shares.insert(shares.end(), groups, 0.1 / static_cast<double>(groups));
+  Steps steps(run, shares);
   steps.next();
   const Triangles triangles = trianglesOnSphere(mesh, run.unwatched());
   const SurfaceSamples samples =
@@ -250,13 +240,5 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
   }
   return coefficients;
-}
-
-//------------------------------------------------------------------------------
-double workOfHarmonicFit(double vertices, double columns, double degree)
-{
-  return 1400.0 * vertices + 2400.0 * std::pow(degree + 1.0, 2) +
-    workOfEvaluation(vertices, 1.0, 2.0 * degree) + workOfEvaluation(vertices, columns, degree) +
-    std::ceil(columns / 3.0) * ExpectedSteps * workOfTransforms(degree);
 }
 }

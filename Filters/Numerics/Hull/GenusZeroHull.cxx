@@ -107,10 +107,7 @@ void addSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& in
   const std::vector<float>& values, double level, int smoothingPasses, const Run& run,
   GenusZeroHullResult& result)
 {
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  Steps steps(
-    run, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
+  Steps steps(run, { 0.4, 0.6 }); // level set, smoothing
   Mesh surface = makeLevelSetSurface(grid, inside, values, level, steps.next());
   smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, steps.next());
   result.Positions.swap(surface.Positions);
@@ -121,16 +118,10 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const GenusZeroHullOptions& options, const Run& run)
 {
   const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
-  const auto size = static_cast<double>(samples.size());
-  Steps steps(run, { 1.0, 20.0 }); // until the grid is known
+  // Grid, distances, outside, largest piece, Euler number, handles, nodes of the data, samples
+  // outside, data hidden inside, surface.
+  Steps steps(run, { 0.01, 0.6, 0.15, 0.02, 0.01, 0.05, 0.01, 0.01, 0.02, 0.12 });
   const FreudenthalGrid grid = gridAround(samples, spacing, margin, steps.next());
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
-  // samples outside, data hidden inside, the surface and its smoothing.
-  steps.replan({ workOfDistances(grid, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
-    22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes,
-    12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
   std::vector<float> distances = distanceToSamples(grid, samples, steps.next());
 
   GenusZeroHullResult result;
@@ -273,12 +264,7 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
 GenusZeroHullResult makeHullByWindingNumbers(
   const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
-  const auto size = static_cast<double>(samples.size());
-  const double nodes = 6.0 / std::pow(options.Spacing, 3);
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  Steps steps(run,
-    { workOfIndicatorSolid(samples, options.Spacing), 44.0 * size,
-      12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
+  Steps steps(run, { 0.93, 0.01, 0.06 }); // solid, samples outside, surface
   IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, steps.next());
   GenusZeroHullResult result;
   if (solid.Inside.empty())
@@ -400,27 +386,11 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
 }
 
 //------------------------------------------------------------------------------
-double workOfGenusZeroHull(double numberOfSamples, double spacing)
-{
-  // Of the nodes that a usual object has, and of no more samples than are worth the spacing.
-  const double perSquare = 1.0 / (spacing * spacing);
-  return 220.0 * 4.7 * perSquare / spacing + 40.0 * numberOfSamples +
-    1900.0 * std::min(numberOfSamples, 32.0 * perSquare);
-}
-
-//------------------------------------------------------------------------------
 double cutFraction(const GenusZeroHullResult& hull)
 {
   const double area = surfaceArea(hull.Positions, hull.Triangles);
   const double cut = static_cast<double>(hull.NumberOfCutNodes) * hull.Spacing * hull.Spacing;
   return hasHandles(hull) && area > 0.0 ? std::min(1.0, 2.0 * cut / area) : 0.0;
-}
-
-//------------------------------------------------------------------------------
-double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing)
-{
-  return workOfIndicatorSolid(samples, spacing) + 44.0 * static_cast<double>(samples.totalSize()) +
-    160000.0 / (spacing * spacing);
 }
 
 //------------------------------------------------------------------------------

@@ -15,13 +15,6 @@ constexpr double Nearness = 1.5;       // spacings from a point
 constexpr double MarginOfLevel = 0.15; // a cube's corners may miss what is in it
 constexpr Index CubesPerChunk = 1 << 12, CoarsePerChunk = 1 << 16;
 
-// In nanoseconds as in Steps, and of the nodes near the surface, of which there are as on a cube.
-constexpr double WorkOfNode = 30.0;
-double workOfEvaluation(double nodes)
-{
-  return 5500.0 * std::pow(nodes, 2.0 / 3.0);
-}
-
 using Triple = std::array<int, 3>;
 
 // Every fourth node along each axis, up to one at or beyond the last.
@@ -318,18 +311,11 @@ double interpolated(
 }
 
 //------------------------------------------------------------------------------
-double workOfIndicator(double nodes)
-{
-  return WorkOfNode * nodes + workOfEvaluation(nodes);
-}
-
-//------------------------------------------------------------------------------
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run)
 {
   const CoarseGrid coarseGrid(grid);
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  Steps steps(run, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
+  Steps steps(run, { 0.2, 0.6, 0.2 }); // coarse grid, nodes near the surface, blur
   const WindingNumbers::Sources sources = cloud.sources(areas);
   const std::vector<float> coarse =
     coarseNumbers(grid, coarseGrid, cloud, sources, width, steps.next());

@@ -48,9 +48,6 @@ struct IndicatorSolid
 /// @post the result depends only on the arguments, not on threads or ranks
 IndicatorSolid solidByWindingNumbers(
   const TrainingSamples& samples, double spacing, const Run& run = {});
-
-/// What solidByWindingNumbers() takes, in nanoseconds as in Steps.
-double workOfIndicatorSolid(const TrainingSamples& samples, double spacing);
 }
 
 #endif

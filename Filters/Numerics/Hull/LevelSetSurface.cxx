@@ -131,7 +131,7 @@ Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uin
 {
   // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
   // next row, but no node near a face is in the set.
-  Steps steps(run, { 11.0, 20.0, 1.5 }); // for each node
+  Steps steps(run, { 0.34, 0.61, 0.05 });
   const CutEdges edges(grid, inside);
   const Index cubes = grid.numberOfNodes() - edges.Steps[7];
   std::vector<int> firstEdge(cubes, -1);

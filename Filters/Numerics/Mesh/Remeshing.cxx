@@ -495,24 +495,20 @@ private:
   Run Step; // of the remeshing that is being made
 };
 
-/// Shares of each part of each iteration, then of meeting the number.
-std::vector<double> sharesOf(const RemeshingOptions& options, Index numberOfPositions)
+/// Shares of each iteration: splits, collapses, flips, smoothing; then of meeting the number:
+/// collapses, splits, smoothings, flips.
+std::vector<double> sharesOf(const RemeshingOptions& options)
 {
-  const auto wanted = static_cast<double>(options.NumberOfVertices);
-  double size = static_cast<double>(numberOfPositions);
   std::vector<double> shares;
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
-    const double lost = std::max(0.0, size - wanted);
-    shares.insert(
-      shares.end(), { 500.0 * size, 500.0 * size + 3000.0 * lost, 1000.0 * size, 600.0 * wanted });
-    size = wanted;
+    shares.insert(shares.end(), { 0.2, iteration == 0 ? 1.0 : 0.2, 0.4, 0.2 });
   }
   if (options.MeetNumber)
   {
-    shares.insert(shares.end(), { 500.0 * size, 500.0 * size });
-    shares.insert(shares.end(), FinalSmoothings, 1600.0 * wanted);
-    shares.push_back(1000.0 * wanted);
+    shares.insert(shares.end(), { 0.2, 0.2 });
+    shares.insert(shares.end(), FinalSmoothings, 0.6);
+    shares.push_back(0.4);
   }
   return shares;
 }
@@ -527,7 +523,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
   const Index wanted = options.NumberOfVertices;
-  Steps steps(run, sharesOf(options, mesh.Positions.rows()));
+  Steps steps(run, sharesOf(options));
   Remesher remesher(mesh.Positions, mesh.Triangles, run);
   double length = remesher.lengthFor(wanted);
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)

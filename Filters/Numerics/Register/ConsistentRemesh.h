@@ -41,14 +41,6 @@ struct ConsistentMeshes
 /// @throws Aborted
 ConsistentMeshes remeshConsistently(const std::vector<MappedMesh>& surfaces,
   const ConsistentRemeshOptions& options = {}, const Run& run = {});
-
-/// Return about how many points the mesh of all surfaces has.
-double expectedRemeshPoints(const ConsistentRemeshOptions& options);
-
-/// What remeshConsistently() takes, in nanoseconds as in Steps.
-/// @param[in] size  number of points of all surfaces
-double workOfConsistentRemesh(
-  double size, double numberOfSurfaces, const ConsistentRemeshOptions& options);
 }
 
 #endif

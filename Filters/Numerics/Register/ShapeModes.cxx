@@ -145,8 +145,7 @@ void addModes(ShapeModes& result, const std::vector<Points>& differences,
 ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>& shapes,
   const ShapeModesOptions& options, const Run& run)
 {
-  const auto count = static_cast<double>(shapes.size());
-  Steps steps(run, { 100.0, 1000.0, 20.0 + 5.0 * count });
+  Steps steps(run, { 0.1, 0.85, 0.05 }); // areas, alignment, modes
   steps.next();
   const Eigen::VectorXd shares = vertexShares(triangles, shapes);
   std::vector<Points> aligned = shapes;
@@ -183,11 +182,5 @@ ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>&
     result.Mean.rowwise() += centerOf(shapes.front(), shares).transpose();
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-double workOfShapeModes(double numberOfPoints, double numberOfShapes)
-{
-  return numberOfPoints * numberOfShapes * (600.0 + 10.0 * numberOfShapes);
 }
 }

@@ -178,14 +178,14 @@ public:
   RegistrationEnergy run(int finest, const Run& run)
   {
     std::vector<int> frequencies;
-    std::vector<double> work = { 3.0, 8.5 };
+    std::vector<double> shares = { 3.0, 8.5 }; // rotations, starts, then levels by their vertices
     for (int frequency = CoarsestFrequency; frequency < finest;)
     {
       frequency = std::min(finest, 2 * frequency);
       frequencies.push_back(frequency);
-      work.push_back(0.037 * frequency * frequency);
+      shares.push_back(0.037 * frequency * frequency);
     }
-    Steps steps(run, work);
+    Steps steps(run, shares);
     const std::vector<Eigen::Matrix3d> rotations = this->rotations(steps.next());
     this->Grid = this->Moving.sampled(CoarsestFrequency);
     const SampledSurface target = this->Fixed.sampled(2 * CoarsestFrequency);
@@ -424,11 +424,8 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
 {
   const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
   const bool withShape = options.ShapeWeight > 0.0;
-  const auto size = static_cast<double>(moving.Surface.Positions.rows());
-  const auto fixedSize = static_cast<double>(fixed.Surface.Positions.rows());
-  Steps steps(run,
-    { 8e7 + 2e3 * size, 8e7 + 2e3 * fixedSize, diffeomorphic ? 1e9 : 5.5e8, 2e3 * size,
-      200.0 * size * static_cast<double>(landmarks.size()) });
+  // The surfaces, the deformation, the vertices, and landmarks.
+  Steps steps(run, { 0.15, 0.15, 0.55, 0.1, landmarks.empty() ? 0.0 : 0.05 });
   const PreparedSurface from(moving, withShape, "moving", steps.next());
   const PreparedSurface to(fixed, withShape, "fixed", steps.next());
   const auto count = static_cast<Index>(landmarks.size());

@@ -58,11 +58,6 @@ struct SphericalTemplateResult
 SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& inputs,
   const std::vector<double>& featureWeights, const SphericalTemplateOptions& options = {},
   const Run& run = {});
-
-/// What findSphericalTemplate() takes, in nanoseconds as in Steps.
-/// @param[in] size  number of points of all surfaces
-double workOfSphericalTemplate(
-  double size, double numberOfSurfaces, const SphericalTemplateOptions& options);
 }
 
 #endif

@@ -155,7 +155,7 @@ Eigen::Matrix3d triangleRotation(
 std::vector<Vector3> triangleRotations(const Triangles& triangles, const Triangles& neighbors,
   const Points& from, const Points& to, const Vector3& whole, const Run& run)
 {
-  Steps steps(run, { 200.0, 1000.0 }); // for each triangle
+  Steps steps(run, { 0.2, 0.8 });
   const Eigen::Matrix3d turn = rotationOf(whole);
   std::vector<Eigen::Matrix3d> rotations(triangles.rows());
   std::vector<Vector3> vectors(triangles.rows());

@@ -416,8 +416,6 @@ public:
 private:
   std::vector<std::pair<std::size_t, LoopClass>> Rows;
 };
-
-constexpr double workOfAHandle = 1.5e6; // of middling size
 }
 
 //------------------------------------------------------------------------------
@@ -429,13 +427,6 @@ Index numberOfHandles(const GluedSurface& surface)
 }
 
 //------------------------------------------------------------------------------
-double workOfHandleLoops(const GluedSurface& surface)
-{
-  return 180.0 * surface.numberOfTriangles() +
-    workOfAHandle * static_cast<double>(numberOfHandles(surface));
-}
-
-//------------------------------------------------------------------------------
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run)
 {
@@ -443,9 +434,7 @@ std::vector<HandleLoop> findHandleLoops(
   {
     return {};
   }
-  const double size = surface.numberOfTriangles();
-  Steps steps(run,
-    { 80.0 * size, 100.0 * size, workOfAHandle * static_cast<double>(numberOfHandles(surface)) });
+  Steps steps(run, { 0.2, 0.3, 0.5 }); // paths, classes, loops
   steps.next();
   LoopSpace space(surface, lengths);
   const PathTree paths = shortestPaths(space, 0);

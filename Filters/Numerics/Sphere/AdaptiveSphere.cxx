@@ -20,13 +20,12 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double MinimumRadius = 1e-7;  // of a triangle that is divided
-constexpr double MinimumDensity = 1e-9; // of the mean; so that a size is finite
-constexpr double SizeSpread = 3.0;      // of the random factor of areas
-constexpr double GoodAngle = 35.0;      // below which smoothing makes no angle smaller
-constexpr double SmoothingStep = 0.7;   // of the way to the middle
-constexpr int SmoothingTries = 3;       // each half as far
-constexpr double WorkOfRefinement = 7000.0, WorkOfRound = 3000.0; // for each point
+constexpr double MinimumRadius = 1e-7;   // of a triangle that is divided
+constexpr double MinimumDensity = 1e-9;  // of the mean; so that a size is finite
+constexpr double SizeSpread = 3.0;       // of the random factor of areas
+constexpr double GoodAngle = 35.0;       // below which smoothing makes no angle smaller
+constexpr double SmoothingStep = 0.7;    // of the way to the middle
+constexpr int SmoothingTries = 3;        // each half as far
 constexpr double LargeEdge = 0.01;       // from which the sphere does not look flat
 constexpr double FlatSquaredSine = 1e-6; // of the smallest angle of triangles without a plane
 constexpr double Rounding = 1e-9;
@@ -596,10 +595,9 @@ Mesh makeAdaptiveSphere(
       ", and SmoothingRounds must not be negative");
   }
   const auto size = static_cast<double>(options.NumberOfPoints);
-  std::vector<double> work(2 + options.SmoothingRounds, WorkOfRound * size);
-  work[0] = 100.0 * static_cast<double>(density.Areas.size());
-  work[1] = WorkOfRefinement * size;
-  Steps steps(run, work);
+  std::vector<double> shares = { 0.02, 0.33 }; // density, refinement, each round
+  shares.insert(shares.end(), options.SmoothingRounds, 0.13);
+  Steps steps(run, shares);
   std::optional<Refinement> refinement(
     std::in_place, density, options.NumberOfPoints, steps.next());
   refinement->refine(options.NumberOfPoints, steps.next());
@@ -617,12 +615,5 @@ Mesh makeAdaptiveSphere(
   }
   run.report(1.0);
   return refinement->mesh();
-}
-
-//------------------------------------------------------------------------------
-double workOfAdaptiveSphere(const AdaptiveSphereOptions& options)
-{
-  return (WorkOfRefinement + WorkOfRound * options.SmoothingRounds) *
-    static_cast<double>(options.NumberOfPoints);
 }
 }

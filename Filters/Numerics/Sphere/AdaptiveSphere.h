@@ -47,9 +47,6 @@ struct AdaptiveSphereLimits
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});
-
-/// What makeAdaptiveSphere() takes but for its density, in nanoseconds as in Steps.
-double workOfAdaptiveSphere(const AdaptiveSphereOptions& options);
 }
 
 #endif

@@ -45,22 +45,6 @@ Points toPoints(const std::vector<Vector3>& vectors)
   return result;
 }
 
-// What steps of an attempt take for each vertex, in nanoseconds as in Steps.
-double workOfPuncture(Index size)
-{
-  return 1700.0 + 9.0 * std::sqrt(static_cast<double>(size));
-}
-
-double workOfRelaxing(Index size)
-{
-  return size < SmallMesh ? 230.0 * SweepsOfSmallMesh : 55.0;
-}
-
-double workOfAttempt(Index size)
-{
-  return workOfPuncture(size) + workOfRelaxing(size) + 180.0;
-}
-
 class Mapper
 {
 public:
@@ -113,8 +97,7 @@ private:
   // Without positions if the equations have no solution in floating point.
   HarmonicSphereMap attempt(Index puncture, const Run& run) const
   {
-    Steps steps(run,
-      { workOfPuncture(this->Places.rows()), 105.0, workOfRelaxing(this->Places.rows()), 75.0 });
+    Steps steps(run, { 0.9, 0.02, 0.06, 0.02 }); // equations, center, repair, center
     HarmonicSphereMap map;
     map.NumberOfSolves = 1;
     try
@@ -256,18 +239,9 @@ HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
-  // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
-  // kept back for it, so that the progress jumps by that at the end of all others.
-  const double work = workOfAttempt(points.rows());
-  Steps steps(run, { 340.0, work, 0.2 * work });
+  Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, an attempt, another one that few surfaces need
   steps.next();
   const Mapper mapper(points, triangles, run);
   return mapper.run(steps);
-}
-
-//------------------------------------------------------------------------------
-double workOfHarmonicMap(Index numberOfVertices)
-{
-  return static_cast<double>(numberOfVertices) * (340.0 + 1.2 * workOfAttempt(numberOfVertices));
 }
 }

@@ -277,9 +277,8 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run)
 {
   const Index size = points.rows();
-  const double root = std::sqrt(static_cast<double>(size));
-  // For each vertex; the second system has about a third of them.
-  Steps steps(run, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
+  // Equations, correction, equations of about a third of the vertices, and what is around them.
+  Steps steps(run, { 0.68, 0.1, 0.04, 0.17, 0.01 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));

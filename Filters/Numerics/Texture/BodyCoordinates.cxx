@@ -191,8 +191,7 @@ BodyCoordinates findBodyCoordinates(
     throw std::invalid_argument(
       "Center, RotationAxis and MarkerPoint must be finite, and RotationAxis not zero");
   }
-  const auto size = static_cast<double>(surface.Triangles.rows());
-  Steps steps(run, { 25.0 * size, 25.0 * size, 25.0 * size, 200.0 * size });
+  Steps steps(run, { 0.09, 0.09, 0.09, 0.73 }); // poles, marker, map
   const Vector3 axis = options.RotationAxis.stableNormalized();
   steps.next();
   const BodyPoint north = farthestAlong(surface, options.Center, axis);
@@ -270,9 +269,7 @@ Vector3 toDirection(const Vector2& longitudeLatitude)
 //------------------------------------------------------------------------------
 Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run)
 {
-  Steps steps(run,
-    { 400.0 * static_cast<double>(body.Triangles.rows()),
-      350.0 * static_cast<double>(directions.rows()) });
+  Steps steps(run, { 0.7, 0.3 }); // locator, places
   const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
   const SphereLocator locator(body.SpherePositions, triangles, steps.next());
   Points result(directions.rows(), 3);
@@ -312,8 +309,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
   {
     lines.push_back({ false, i * spacing, {} });
   }
-  const auto count = static_cast<double>(lines.size());
-  Steps steps(run, { 200.0 * static_cast<double>(body.Triangles.rows()), 3e5 * count });
+  Steps steps(run, { 0.8, 0.2 }); // locator, lines
   const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
   const SphereLocator locator(body.SpherePositions, triangles, steps.next());
   const double step = 0.01 * radiusOf(body.Positions);
