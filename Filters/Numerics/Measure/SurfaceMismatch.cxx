@@ -250,6 +250,43 @@ std::vector<double> rootsTimes(std::vector<double> squares, double unit)
   }
   return squares;
 }
+
+void requireUsable(
+  const Triangles& modelTriangles, Index totalOfReference, const SurfaceMismatchOptions& options)
+{
+  if (modelTriangles.rows() == 0)
+  {
+    throw std::invalid_argument("the model has no triangles");
+  }
+  if (totalOfReference == 0)
+  {
+    throw std::invalid_argument("the reference has no points");
+  }
+  if (options.NumberOfSamples < 1)
+  {
+    throw std::invalid_argument("the number of samples must be positive");
+  }
+}
+
+double fractionAbove(const std::vector<double>& values, double limit)
+{
+  return static_cast<double>(std::count_if(
+           values.begin(), values.end(), [limit](double value) { return value > limit; })) /
+    static_cast<double>(values.size());
+}
+
+// @param[in] square    of the unit of the figures
+// @param[in] distance  of all the largest
+void requireSquares(const SurfaceMismatch& result, double square, double distance)
+{
+  constexpr double minimumSquare = 0x1p-960; // smaller squares beside would lose digits
+  if (!std::isfinite(distance) || square < minimumSquare ||
+    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
+  {
+    throw std::overflow_error(std::string("the distances are too ") +
+      (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -262,18 +299,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   reduce.sum(totals, 2);
   const Index total = totals[0];
   const bool isCloud = totals[1] == 0;
-  if (modelTriangles.rows() == 0)
-  {
-    throw std::invalid_argument("the model has no triangles");
-  }
-  if (total == 0)
-  {
-    throw std::invalid_argument("the reference has no points");
-  }
-  if (options.NumberOfSamples < 1)
-  {
-    throw std::invalid_argument("the number of samples must be positive");
-  }
+  requireUsable(modelTriangles, total, options);
   const Index size = referencePoints.size();
   // Points, then a tree and a search each: from the reference to the model's triangles and to its
   // vertices, from samples and from vertices of the model to the reference; then the figures.
@@ -323,9 +349,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   steps.next();
   result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.rows());
   const double web = WebDistance / figureUnit;
-  result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
-                         [web](double squareDistance) { return squareDistance > web * web; })) /
-    static_cast<double>(back.size());
+  result.WebFraction = fractionAbove(back, web * web);
   double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));
   for (int v : vertices)
   {
@@ -334,13 +358,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
   result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
   result.ReferenceDistances = rootsTimes(forward, distanceUnit);
-  constexpr double minimumSquare = 0x1p-960; // smaller squares beside would lose digits
-  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < minimumSquare ||
-    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
-  {
-    throw std::overflow_error(std::string("the distances are too ") +
-      (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
-  }
+  requireSquares(result, square, std::sqrt(farthest) * distanceUnit + distanceUnit);
   run.report(1.0);
   return result;
 }
