@@ -64,7 +64,7 @@ std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
       std::to_string(array->GetNumberOfComponents()) + " components instead of 1");
   }
   std::vector<double> numbers(array->GetNumberOfTuples());
-  double largest = 0.0;
+  double maximum = 0.0;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     numbers[i] = array->GetComponent(i, 0);
@@ -75,11 +75,11 @@ std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
         "at " +
         std::to_string(i));
     }
-    largest = std::max(largest, numbers[i]);
+    maximum = std::max(maximum, numbers[i]);
   }
   for (double& number : numbers)
   {
-    number = largest > 0.0 ? number / largest : 0.0;
+    number = maximum > 0.0 ? number / maximum : 0.0;
   }
   return numbers;
 }
@@ -118,16 +118,16 @@ conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* imag
   picture.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
   picture.NumberOfComponents = pixels->GetNumberOfComponents();
   picture.Values.resize(pixels->GetNumberOfValues());
-  double largest = 0.0;
+  double maximum = 0.0;
   for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
   {
     picture.Values[i] = pixels->GetComponent(
       i / picture.NumberOfComponents, static_cast<int>(i % picture.NumberOfComponents));
-    largest = std::max(largest, std::abs(picture.Values[i]));
+    maximum = std::max(maximum, std::abs(picture.Values[i]));
   }
   for (double& value : picture.Values)
   {
-    value = largest > 0.0 ? value / largest : 0.0;
+    value = maximum > 0.0 ? value / maximum : 0.0;
   }
   conformal::SphereImage layout;
   layout.Projection = conformal::SphereProjection::LongitudeLatitude;

@@ -77,6 +77,14 @@ conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal:
   return dense;
 }
 
+// Directions and triangles of the network, each cut into cuts * cuts, or else of the sphere.
+conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int cuts,
+  vtkPolyData* sphere, int frequency, const conformal::Run& run)
+{
+  return cuts > 0 ? conformal::subdividedNetwork(surface, cuts, run)
+                  : DenseSphere(sphere, frequency, run);
+}
+
 // A new point array of 3 doubles.
 vtkNew<vtkDoubleArray> Vectors(const char* name, conformal::Index size)
 {
@@ -228,6 +236,14 @@ struct DenseSurface
     return samples;
   }
 
+  void passTo(vtkPolyData* surface) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Positions);
+    surface->SetPoints(points);
+    surface->GetPointData()->SetNormals(this->Normals);
+  }
+
   // Mark the triangles in degenerate patches of the map, which is cut, or at degenerate places.
   vtkNew<vtkUnsignedCharArray> degenerateCells(const conformal::Triangles& triangles,
     const conformal::CurvedSeamlessSurface& map, conformal::Index cuts) const
@@ -349,13 +365,9 @@ int vtkCurvedSeamlessSurface::RequestData(
         SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
       // What is large is let go as soon as the output has it.
       const conformal::Run making = steps.next();
-      conformal::Mesh dense;
       const bool isOwner = processes.rank() == owner;
-      if (isOwner)
-      {
-        dense = cuts > 0 ? conformal::subdividedNetwork(map->Surface, cuts, making)
-                         : DenseSphere(sphere, frequency, making);
-      }
+      conformal::Mesh dense =
+        isOwner ? DenseMesh(map->Surface, cuts, sphere, frequency, making) : conformal::Mesh();
       steps.next();
       const vtkNew<vtkPolyData> result;
       glue::SetTriangles(result, dense.Triangles);
@@ -380,11 +392,8 @@ int vtkCurvedSeamlessSurface::RequestData(
       glue::LengthsFromFrame(
         made.Positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
 
-      vtkNew<vtkPoints> points;
-      points->SetData(made.Positions);
-      result->SetPoints(points);
       result->GetPointData()->AddArray(directions);
-      result->GetPointData()->SetNormals(made.Normals);
+      made.passTo(result);
       if (processes.firstWith(isOwner && HasSupport(surface, map->Surface)) >= 0)
       {
         glue::AddNumbers(result->GetPointData(), SupportName,

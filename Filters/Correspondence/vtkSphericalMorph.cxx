@@ -78,14 +78,14 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
     throw std::invalid_argument("there are " + std::to_string(weights.size()) + " weights for " +
       std::to_string(size) + " surfaces; add one for each, or remove all");
   }
-  const double largest = *std::max_element(weights.begin(), weights.end());
+  const double maximum = *std::max_element(weights.begin(), weights.end());
   for (double& weight : weights)
   {
-    if (!(weight >= 0.0) || !std::isfinite(weight) || largest <= 0.0)
+    if (!(weight >= 0.0) || !std::isfinite(weight) || maximum <= 0.0)
     {
       throw std::invalid_argument("weights must be finite and at least 0, and not all of them 0");
     }
-    weight /= largest;
+    weight /= maximum;
   }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights)

@@ -40,15 +40,15 @@ int NearestVertex(
   vtkPolyData* data, const glue::SurfaceToRegister& surface, const double position[3])
 {
   int nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < surface.PointIds.size(); ++v)
   {
     double p[3];
     data->GetPoint(surface.PointIds[v], p);
     const double distance = std::hypot(p[0] - position[0], p[1] - position[1], p[2] - position[2]);
-    if (distance < least)
+    if (distance < minimum)
     {
-      least = distance;
+      minimum = distance;
       nearest = static_cast<int>(v);
     }
   }

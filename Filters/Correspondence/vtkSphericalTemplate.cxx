@@ -119,16 +119,16 @@ UsedSurfaces UsedSurfacesOf(vtkInformationVector* inputs)
 }
 
 // What the template is made of, and the surfaces that it is read from.
-struct TemplateInputs
+struct ReadSurfaces
 {
   std::vector<glue::SurfaceToRegister> Registered;
   std::vector<conformal::TemplateInput> Core;
 };
 
-TemplateInputs ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
+ReadSurfaces ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
   const glue::FeatureList& features, const std::string& landmarkArrayName, conformal::Steps& steps)
 {
-  TemplateInputs inputs;
+  ReadSurfaces inputs;
   std::map<double, int> ofFirst;
   for (const std::size_t s : surfaces.Numbers)
   {
@@ -162,7 +162,7 @@ TemplateInputs ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
 }
 
 // All surfaces as blocks, those that were used with their registered maps.
-vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const ReadSurfaces& inputs,
   const conformal::SphericalTemplateResult& result)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -197,7 +197,7 @@ vtkNew<vtkPolyData> MeanOf(
   return mean;
 }
 
-void Warn(vtkObject* self, const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+void Warn(vtkObject* self, const UsedSurfaces& surfaces, const ReadSurfaces& inputs,
   const conformal::SphericalTemplateResult& result)
 {
   const std::size_t all = surfaces.All.Held.size(), empty = all - surfaces.Numbers.size();
@@ -294,7 +294,7 @@ int vtkSphericalTemplate::RequestData(
         surfaces.Numbers.size(), 0.02 / static_cast<double>(surfaces.Numbers.size()));
       shares.push_back(0.98);
       conformal::Steps steps(glue::RunOf(this), shares); // reading of each surface, template
-      const TemplateInputs inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
+      const ReadSurfaces inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
       const conformal::SphericalTemplateResult result =
         conformal::findSphericalTemplate(inputs.Core, weights, options, steps.next());
       const auto blocks = BlocksOf(surfaces, inputs, result);

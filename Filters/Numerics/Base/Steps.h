@@ -35,7 +35,7 @@ public:
 
   /// Report that the next step begins.
   /// @return the run of that step, which short ones need not report
-  /// @throws Aborted if the watcher says stop
+  /// @throws Aborted if the watcher stops the run
   Run next()
   {
     const double begin = this->End;

@@ -19,7 +19,7 @@ struct OrientedPoints
 /// Samples of a cloud, spread over its order: one of each stretch, not always the same, since scans
 /// have rhythms of their own. All processes get the same ones.
 /// @param[in] most  about how many; all samples where there are fewer
-OrientedPoints selectSamples(const TrainingSamples& samples, double most);
+OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);
 
 /// A cloud without the marked points.
 /// @param[in] marks  #P, 1 for those to leave out, else 0

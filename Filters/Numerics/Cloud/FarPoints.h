@@ -19,7 +19,7 @@ struct FarPoints
   Index Total = 0; ///< number of points examined, far ones included
   double Distance =
     0.0; ///< of the nearest far point, in units of the cloud's radius; 0 without any
-  double LargestCoordinate = 0.0; ///< of the points that are not far; 0 without far points
+  double MaximumCoordinate = 0.0; ///< of the points that are not far; 0 without far points
 
   Vector3 QuarterOfCenter = Vector3::Zero(); ///< of the cloud, coordinatewise median
   double QuarterOfReach = std::numeric_limits<double>::infinity(); ///< beyond it a point is far

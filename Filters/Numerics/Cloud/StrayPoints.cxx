@@ -90,8 +90,8 @@ bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
   for (const int count : { Neighbors, 2 * Neighbors })
   {
     const NearestPlane plane = planeNear(points, tree, place, count);
-    const double most = thickness * plane.SquareWidths[1];
-    if (plane.SquareWidths[0] < most && plane.Offset * plane.Offset < most)
+    const double maximum = thickness * plane.SquareWidths[1];
+    if (plane.SquareWidths[0] < maximum && plane.Offset * plane.Offset < maximum)
     {
       return true;
     }

@@ -98,7 +98,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const SphereLocator locator(mesh.SpherePositions, triangles, steps.next());
   const Run sampling = steps.next();
   const Points directions = grid.directions();
-  const double share = 4.0 * Pi / static_cast<double>(grid.size()), leastArea = 1e-200;
+  const double share = 4.0 * Pi / static_cast<double>(grid.size()), minimumArea = 1e-200;
   samples.Values.resize(grid.size(), values.cols());
   samples.Density.resize(grid.size());
   samples.Counted.resize(grid.size());
@@ -117,7 +117,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
         }
         const double area = areaVector(mesh.Positions, triangles, hint).norm();
         const double onSphere = areaVector(mesh.SpherePositions, triangles, hint).norm();
-        samples.Density[i] = area / std::max(onSphere, leastArea);
+        samples.Density[i] = area / std::max(onSphere, minimumArea);
         // A node in a sliver stands for no more than the sliver.
         samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : area / std::max(onSphere, share);
       }
@@ -145,9 +145,9 @@ struct ColumnGroup
   }
 };
 
-constexpr int MostSteps = 200;
+constexpr int MaximumNumberOfSteps = 200;
 constexpr double WantedAccuracy = 1e-28; // of the square of the residual
-constexpr double LargestResidual = 1e-8;
+constexpr double MaximumResidual = 1e-8;
 
 // Reports how far the residual has fallen, which it does by a factor from step to step.
 class Descent
@@ -197,8 +197,8 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     throw std::invalid_argument("the surface has no area");
   }
   // Where the surface is shrunk to almost nothing, no more than this is asked of the solution.
-  const double leastDensity = 1e-3 * area / (4.0 * Pi);
-  const Eigen::VectorXd inverse = samples.Density.cwiseMax(leastDensity).cwiseInverse();
+  const double minimumDensity = 1e-3 * area / (4.0 * Pi);
+  const Eigen::VectorXd inverse = samples.Density.cwiseMax(minimumDensity).cwiseInverse();
   const auto timesDensity = [&](const Eigen::VectorXd& factor, const Points& coefficients)
   {
     Columns product = grid.synthesize(coefficients, run.unwatched());
@@ -214,7 +214,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     throw std::overflow_error("values are too large for their harmonics");
   }
   ConjugateGradientsOptions options;
-  options.NumberOfSteps = MostSteps;
+  options.NumberOfSteps = MaximumNumberOfSteps;
   options.Accuracy = WantedAccuracy;
   Columns coefficients(moments.rows(), moments.cols());
   for (Index group = 0; group < groups; ++group)
@@ -231,9 +231,10 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
         descent.report(residual.cwiseProduct(product).sum());
       },
       options);
-    if (!(own.Values.norm() <= LargestResidual * before))
+    if (!(own.Values.norm() <= MaximumResidual * before))
     {
-      throw NumericalFailure("the harmonics were not found within " + std::to_string(MostSteps) +
+      throw NumericalFailure("the harmonics were not found within " +
+        std::to_string(MaximumNumberOfSteps) +
         " steps: the map to the sphere is too uneven. Map the surface with an AreaBalance, or take "
         "a lower Degree.");
     }

@@ -318,7 +318,7 @@ private:
 
   const FreudenthalGrid& Grid;
   const Points Taken;              ///< the samples that count
-  const Run Threads;               // nobody watches
+  const Run Threads;               // without progress
   std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in grid coordinates

@@ -19,13 +19,13 @@ namespace
 {
 constexpr double SelectedPoints = 50000.0;
 constexpr Index ThinnedPoints = 10000;
-constexpr Index MinimumPoints = 20; // of which anything can be told
+constexpr Index MinimumPoints = 20; // for a solid
 
 // Widths, in units of the largest radius and of the typical spacing of the thinned points.
 constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.5, FirstToLastWidth = 4.0;
 
-// Noise that is no smaller against the spacing asks for a width of its own, and for wider ones
-// while there are more handles and cavities than these.
+// Noise above this fraction of the spacing needs a width of its own, and wider ones while there are
+// more handles and cavities than tolerated.
 constexpr double NoiseOfSpacing = 0.25, WidthOfNoise = 2.5, NextWidth = 1.5;
 constexpr int NumberOfWidths = 3;
 constexpr Index ToleratedFaults = 4;
@@ -111,7 +111,7 @@ public:
   void findInside(const Run& run)
   {
     constexpr double share = 0.8; // of what is left of the progress, for each width
-    Index fewest = -1;
+    Index minimum = -1;
     double begin = 0.0;
     for (int i = 0; i < NumberOfWidths; ++i)
     {
@@ -124,9 +124,9 @@ public:
       steps.next();
       std::vector<std::uint8_t> inside = nodesAbove(this->Solid.Grid, field);
       const Index faults = faultsOf(this->Solid.Grid, inside).sum();
-      if (fewest < 0 || faults < fewest)
+      if (minimum < 0 || faults < minimum)
       {
-        fewest = faults;
+        minimum = faults;
         this->Solid.Field = std::move(field);
         this->Solid.Inside.swap(inside);
         this->Solid.Width = this->Width;

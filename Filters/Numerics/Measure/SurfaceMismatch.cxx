@@ -191,19 +191,25 @@ template <typename Query>
 std::vector<double> squareDistances(
   const TriangleTree& tree, Index size, const Query& query, const Run& run)
 {
-  constexpr Index blockSize = 1 << 9;
+  // Searches from points far away are long, so that reports need to come after a few blocks.
+  constexpr Index blockSize = 1 << 9, chunkSize = 16 * blockSize;
   std::vector<double> squares(size);
-  forBlocksReporting(run, size, blockSize,
-    [&](Index begin, Index end)
-    {
-      int hint = -1; // neighbors in the list are often neighbors in space
-      for (Index i = begin; i < end; ++i)
+  for (Index start = 0; start < size; start += chunkSize)
+  {
+    const Index length = std::min(chunkSize, size - start);
+    forBlocks(run, length, blockSize,
+      [&](Index begin, Index end)
       {
-        const FootPoint foot = tree.closestPoint(query(i), hint);
-        hint = foot.Triangle;
-        squares[i] = foot.SquareDistance;
-      }
-    });
+        int hint = -1; // neighbors in the list are often neighbors in space
+        for (Index i = start + begin; i < start + end; ++i)
+        {
+          const FootPoint foot = tree.closestPoint(query(i), hint);
+          hint = foot.Triangle;
+          squares[i] = foot.SquareDistance;
+        }
+      });
+    run.report(static_cast<double>(start + length) / static_cast<double>(size));
+  }
   return squares;
 }
 
@@ -225,12 +231,12 @@ double meanOf(const std::vector<double>& values, Index total, const Reduce& redu
 // None is below 0.
 double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
 {
-  double most = 0.0;
+  double ofOwn = 0.0;
   for (double value : values)
   {
-    most = std::max(most, value);
+    ofOwn = std::max(ofOwn, value);
   }
-  return maximum(reduce, { most })[0];
+  return maximum(reduce, { ofOwn })[0];
 }
 
 // Of square distances to the parts of a cloud those to all of it.
@@ -275,12 +281,12 @@ double fractionAbove(const std::vector<double>& values, double limit)
     static_cast<double>(values.size());
 }
 
-// @param[in] square    of the unit of the figures
-// @param[in] distance  of all the largest
-void requireSquares(const SurfaceMismatch& result, double square, double distance)
+// Throw unless distances of this maximum, and their mean squares, are finite and no square is lost.
+// @param[in] square  of the unit of the figures
+void requireSquares(const SurfaceMismatch& result, double square, double maximumDistance)
 {
   constexpr double minimumSquare = 0x1p-960; // smaller squares beside would lose digits
-  if (!std::isfinite(distance) || square < minimumSquare ||
+  if (!std::isfinite(maximumDistance) || square < minimumSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
     throw std::overflow_error(std::string("the distances are too ") +

@@ -17,9 +17,9 @@ namespace conformal
 {
 namespace
 {
-void requireScale(double scale, double least, const char* name)
+void requireScale(double scale, double minimum, const char* name)
 {
-  if (!(scale >= least && scale <= 1.0))
+  if (!(scale >= minimum && scale <= 1.0))
   {
     throw std::invalid_argument(std::string(name) + " is out of its range");
   }

@@ -218,16 +218,16 @@ bool isGeodesicSphere(const Points& positions, const Triangles& triangles)
   {
     return false;
   }
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  double minimum = std::numeric_limits<double>::infinity(), maximum = 0.0;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
                   c = positions.row(triangles(r, 2));
     const double area = (b - a).cross(c - a).norm();
-    smallest = std::min(smallest, area);
-    largest = std::max(largest, area);
+    minimum = std::min(minimum, area);
+    maximum = std::max(maximum, area);
   }
   constexpr double even = 4.0;
-  return largest <= even * smallest;
+  return maximum <= even * minimum;
 }
 }

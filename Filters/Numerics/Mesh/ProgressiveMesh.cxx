@@ -60,23 +60,23 @@ ProgressiveMesh makeProgressiveMesh(
       used.push_back(v);
     }
   }
-  const auto most = static_cast<Index>(used.size()) - 4;
-  return takeOut(std::move(rings), std::move(used), most, run);
+  const auto maximum = static_cast<Index>(used.size()) - 4;
+  return takeOut(std::move(rings), std::move(used), maximum, run);
 }
 
 //------------------------------------------------------------------------------
-ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index most, const Run& run)
+ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run)
 {
   // At least half of the vertices of any closed mesh of genus zero have no more neighbors.
-  constexpr std::size_t mostNeighbors = 8;
+  constexpr std::size_t maximumNeighbors = 8;
   ProgressiveMesh result = { std::move(rings), {} };
-  const auto count = static_cast<std::size_t>(most);
+  const auto count = static_cast<std::size_t>(maximum);
   result.Splits.reserve(std::min(count, vertices.size()));
   std::vector<char> held(result.Rings.size());
   for (;;)
   {
     std::fill(held.begin(), held.end(), 0);
-    for (std::size_t neighbors = 3; neighbors <= mostNeighbors; ++neighbors)
+    for (std::size_t neighbors = 3; neighbors <= maximumNeighbors; ++neighbors)
     {
       for (const int v : vertices)
       {

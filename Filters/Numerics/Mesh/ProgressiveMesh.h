@@ -35,7 +35,7 @@ ProgressiveMesh makeProgressiveMesh(
 /// @param[in] most      how many are to go at most; four have to stay in the mesh
 /// @return the rings without them, and the splits that put them back
 ProgressiveMesh takeOut(
-  VertexRings rings, std::vector<int> vertices, Index most, const Run& run = {});
+  VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run = {});
 }
 
 #endif

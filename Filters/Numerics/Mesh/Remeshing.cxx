@@ -99,7 +99,7 @@ public:
   }
 
   /// Split edges longer than a limit, or the longest ones until there are as many vertices.
-  void split(double limit, Index most = std::numeric_limits<Index>::max())
+  void split(double limit, Index maximum = std::numeric_limits<Index>::max())
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
@@ -121,13 +121,13 @@ public:
         touched = { operation.A, operation.B, across.Left, across.Right, m };
         return true;
       },
-      [&] { return this->Count < most; });
+      [&] { return this->Count < maximum; });
   }
 
   /// Collapse edges shorter than a limit, unless that makes edges longer than another one, until
   /// there are no more vertices than the least number.
   /// @param[in] anyway  whatever becomes of the triangles, as long as the topology stays
-  void collapse(double limit, double longest, Index least = 4, bool anyway = false)
+  void collapse(double limit, double longest, Index minimum = 4, bool anyway = false)
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
@@ -154,7 +154,7 @@ public:
         --this->Count;
         return true;
       },
-      [&] { return this->Count > least; });
+      [&] { return this->Count > minimum; });
   }
 
   /// Flip edges while that brings vertices nearer to six neighbors.

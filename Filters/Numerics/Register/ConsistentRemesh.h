@@ -15,7 +15,7 @@ namespace conformal
 enum class RemeshLattice
 {
   Geodesic, ///< evenly over the sphere
-  Adaptive  ///< evenly over the surfaces, as dense as the mean of what they ask for
+  Adaptive  ///< evenly over the surfaces, as dense as the mean of their densities
 };
 
 struct ConsistentRemeshOptions

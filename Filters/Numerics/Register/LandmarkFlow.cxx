@@ -16,7 +16,7 @@ constexpr double Met = 1e-6;
 constexpr double RepairedFraction = 0.25;
 constexpr double MinimumFraction = 1.0 / 64.0;
 constexpr double WorthARound = 0.95;  // of the sum of distances, by all widths once
-constexpr double Nearer = 1.0 - 1e-6; // likewise, by a step
+constexpr double Nearer = 1.0 - 1e-6; // of the sum of distances, by a step
 
 // The turn that brings one direction to another, no farther than a limit.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)
@@ -86,13 +86,13 @@ std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangl
     if (orientation(places.row(corners[0]), places.row(corners[1]), places.row(corners[2])) <= 0)
     {
       int nearest = 0;
-      double least = std::numeric_limits<double>::infinity();
+      double minimum = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < ids.size(); ++i)
       {
         const double distance = (places.row(ids[i]) - places.row(corners[0])).squaredNorm();
-        if (left[static_cast<Index>(i)] > tolerance && distance < least)
+        if (left[static_cast<Index>(i)] > tolerance && distance < minimum)
         {
-          least = distance;
+          minimum = distance;
           nearest = static_cast<int>(i);
         }
       }

@@ -24,7 +24,7 @@ namespace
 {
 constexpr int CoarsestFrequency = 8, FeatureFrequency = 20;
 constexpr int NumberOfStarts = 8, NumberKept = 6, NumberOfFinalists = 2;
-constexpr double NearLowest = 1.05;  // what a finalist's score may be above the lowest one
+constexpr double NearMinimum = 1.05; // what a finalist's score may be above the lowest one
 constexpr double PoseWeight = 3.0;   // of 1 less the correlation of positions, in the score
 constexpr double HoldAtTheEnd = 0.1; // of the sphere's weights
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
@@ -34,7 +34,7 @@ constexpr double SphereWeight = 0.2; // of the sphere's metric in the surfaces'
 // Of the mean distance, the areas around and the curvatures, against a stretch of 1.
 constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2, 0.2 };
 const std::vector<double> AreaRadii = { 0.17, 0.35 };
-// Of curvatures: how far they are smoothed, and what of them says all there is to say.
+// Radius to which a curvature is smoothed, and the curvature at which its arc tangent saturates.
 struct CurvatureFeature
 {
   double Scale, Saturation;
@@ -130,9 +130,9 @@ private:
   {
     const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
     constexpr double few = 1e-6; // of the area: where no vertex is near
-    const double least = few * areas.sum() / static_cast<double>(grid.size());
-    Rows sums = least * sampleAt(this->Own, this->Given, grid.mesh().Positions);
-    Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), least);
+    const double minimum = few * areas.sum() / static_cast<double>(grid.size());
+    Rows sums = minimum * sampleAt(this->Own, this->Given, grid.mesh().Positions);
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), minimum);
     int hint = -1;
     for (Index v = 0; v < areas.size(); ++v)
     {
@@ -288,7 +288,7 @@ private:
   void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
     int numberOfSteps, const Run& run) const
   {
-    // Few at a time, since each takes long and progress is told in between; one tells its own.
+    // Few at a time, since each is long and progress is reported in between; one reports its own.
     constexpr std::size_t together = 2;
     const auto size = static_cast<double>(candidates.size());
     for (std::size_t start = 0; start < candidates.size(); start += together)
@@ -345,7 +345,7 @@ private:
     this->descendFrom(candidates, target, FirstSteps, run.part(0.0, 0.5));
     candidates.resize(std::min<std::size_t>(candidates.size(), NumberKept));
     this->descendFrom(candidates, target, CoarseSteps, run.part(0.5, 1.0));
-    const double limit = NearLowest * candidates.front().Score;
+    const double limit = NearMinimum * candidates.front().Score;
     const auto isNear = [&](const Candidate& one) { return one.Score <= limit; };
     candidates.erase(
       std::find_if_not(candidates.begin(), candidates.end(), isNear), candidates.end());
@@ -360,7 +360,7 @@ private:
   Points Before;
 };
 
-// Takes out what flips of the places of a mesh.
+// Removes flipped triangles from a map of a mesh.
 class FoldRepair
 {
 public:
@@ -372,7 +372,7 @@ public:
   {
   }
 
-  // Whether none is flipped any more.
+  // Return whether no triangle is flipped any more.
   bool operator()(Points& places) const
   {
     std::vector<Vector3> positions(places.rows());
@@ -393,16 +393,16 @@ private:
   const Mesh& Surface;
   EdgeWeights Strings;
   VertexRings Rings;
-  SurfaceShapes Shapes;
+  BoundedTriangles Shapes;
 };
 
 // The moving surface's vertices along with a part of the deformation, or with as much of it as
 // leaves no triangle flipped.
 Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& registration,
-  const FoldRepair& repair, double most)
+  const FoldRepair& repair, double maximum)
 {
   const MappedMesh& mesh = moving.Surface;
-  for (double fraction = most; fraction > 0.1; fraction *= 0.7)
+  for (double fraction = maximum; fraction > 0.1; fraction *= 0.7)
   {
     Points places = fraction == 1.0 ? registration.places(mesh.SpherePositions)
                                     : registration.placesAt(fraction, mesh.SpherePositions);

@@ -120,7 +120,7 @@ public:
     const ShapeModes modes =
       findShapeModes(common.Sphere.Triangles, common.Positions, all, steps.next());
     std::size_t closest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < this->Inputs.size(); ++s)
     {
       double square = 0.0;
@@ -130,9 +130,9 @@ public:
         square += modes.Explained[k] * score * score;
       }
       constexpr double closer = 1.0 - 1e-6;
-      if (square < closer * least)
+      if (square < closer * minimum)
       {
-        least = square;
+        minimum = square;
         closest = s;
       }
     }

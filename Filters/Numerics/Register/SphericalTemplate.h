@@ -22,7 +22,7 @@ struct SphericalTemplateOptions
   double Tolerance = 0.01;       ///< change of the mean, in its size, with which rounds end
 };
 
-/// A surface, and what is known to correspond.
+/// A surface, and its landmarks.
 struct TemplateInput
 {
   std::string Name = "a surface"; ///< in messages
@@ -51,7 +51,8 @@ struct SphericalTemplateResult
 /// same one is found, but for rounding.
 /// @param[in] inputs          #S, at least one, in one space
 /// @param[in] featureWeights  #K, at least 0
-/// @throws std::invalid_argument that says which surface has no area, a map that does not cover the
+/// @throws std::invalid_argument that names the surface that has no area, a map that does not cover
+/// the
 ///   sphere once, or another number of landmarks than the first one; or as registerSpheres() does
 /// @throws Aborted
 /// @post the result does not depend on the number of threads

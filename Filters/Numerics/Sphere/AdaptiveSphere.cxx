@@ -80,10 +80,10 @@ public:
     const double area = std::accumulate(density.Areas.begin(), density.Areas.end(), 0.0);
     this->Floor = MinimumDensity * all / area;
     this->AreaUnit = 4.0 * Pi / area;
-    const Index most = numberOfPoints + numberOfPoints / 50; // for which there may be no room
-    this->Positions.reserve(most);
-    this->Sizes.reserve(most);
-    this->Items.reserve(2 * most);
+    const Index maximum = numberOfPoints + numberOfPoints / 50; // for which there may be no room
+    this->Positions.reserve(maximum);
+    this->Sizes.reserve(maximum);
+    this->Items.reserve(2 * maximum);
     for (Index i = 0; i < start.Positions.rows(); ++i)
     {
       this->addPoint(start.Positions.row(i));
@@ -251,13 +251,13 @@ private:
     for (int step = 0; step < farthest; ++step)
     {
       int next = -1;
-      double least = 0.0;
+      double minimum = 0.0;
       for (int k = 0; k < 3; ++k)
       {
         const double itsSide = side(this->corner(t, k), this->corner(t, k + 1), direction);
-        if (itsSide < least)
+        if (itsSide < minimum)
         {
-          least = itsSide;
+          minimum = itsSide;
           next = this->Items[t].Across[k];
         }
       }
@@ -525,14 +525,14 @@ private:
   /// The smallest angle around a point if it were somewhere else.
   double squaredSineAround(int v, const Vector3& position) const
   {
-    double least = 1.0;
+    double minimum = 1.0;
     this->forEachTriangle(v,
       [&](int t, int k)
       {
         const Shape shape(position, this->corner(t, k + 1), this->corner(t, k + 2));
-        least = std::min(least, shape.SquaredSine);
+        minimum = std::min(minimum, shape.SquaredSine);
       });
-    return least;
+    return minimum;
   }
 
   void smooth(int v)

@@ -1,4 +1,4 @@
-/// A mesh of the sphere that is dense where it is asked to be.
+/// A mesh of the sphere with a given density.
 
 #ifndef ConformalAdaptiveSphere_h
 #define ConformalAdaptiveSphere_h

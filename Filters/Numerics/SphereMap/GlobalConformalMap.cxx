@@ -34,8 +34,9 @@ void check(const GlobalConformalMapOptions& options)
   }
 }
 
-// With as little more balance of areas as leaves room for every triangle. Insertions that first
-// have to make room can take a second each, so few are allowed while there is another attempt.
+// Map progressively with the smallest balance of areas at which no triangle is too small.
+// Insertions that first enlarge their surroundings last up to a second each, so few are allowed
+// while there is another attempt.
 Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 {
   constexpr Index fewRelaxations = 10;

@@ -4,9 +4,9 @@
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
 #include "Sphere/MoebiusTransform.h"
+#include "SphereMap/BoundedTriangles.h"
 #include "SphereMap/FlipRepair.h"
 #include "SphereMap/PuncturedSphereMap.h"
-#include "SphereMap/SurfaceShapes.h"
 
 #include <cmath>
 #include <numeric>
@@ -53,7 +53,7 @@ public:
     , Triangles(triangles)
     , Threads(run.unwatched())
     , Shapes(places, triangles)
-    , Angles(places, triangles, SurfaceShapes::Weight::RegularArea)
+    , Angles(places, triangles, BoundedTriangles::Weight::RegularArea)
     , Rings(triangles, places.rows())
     , Areas(vertexAreas(places, triangles))
   {
@@ -120,7 +120,7 @@ private:
     return map;
   }
 
-  // Takes folds out and relaxes triangles; whether none is bad in the end.
+  // Remove folds and relax triangles. Return false if too many triangles are bad, or folds remain.
   bool improve(HarmonicSphereMap& map, const Run& run) const
   {
     std::vector<Vector3> positions = toVector(map.Positions);
@@ -205,7 +205,7 @@ private:
   // Of areas on the sphere and on the surface, the largest one around a corner of the triangle.
   double areaRatioAround(const Points& positions, Index puncture) const
   {
-    double largest = 0.0;
+    double maximum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
       const int v = this->Triangles(puncture, k);
@@ -219,15 +219,15 @@ private:
         onSphere += 0.5 * (b - a).cross(c - a).norm();
         onSurface += corners[i].Source.Area;
       }
-      largest = std::max(largest, onSphere / onSurface);
+      maximum = std::max(maximum, onSphere / onSurface);
     }
-    return largest;
+    return maximum;
   }
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const Run Threads; // nobody watches
-  SurfaceShapes Shapes, Angles;
+  const Run Threads; // without progress
+  BoundedTriangles Shapes, Angles;
   VertexRings Rings;
   Eigen::VectorXd Areas;
   EdgeWeights Strings;

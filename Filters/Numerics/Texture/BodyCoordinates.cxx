@@ -79,15 +79,15 @@ BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const 
 BodyPoint closestTo(const MappedMesh& surface, const Vector3& x)
 {
   BodyPoint best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int r = 0; r < surface.Triangles.rows(); ++r)
   {
     const FootPoint foot = closestPointOfTriangle(x, surface.Positions.row(surface.Triangles(r, 0)),
       surface.Positions.row(surface.Triangles(r, 1)),
       surface.Positions.row(surface.Triangles(r, 2)));
-    if (foot.SquareDistance < least)
+    if (foot.SquareDistance < minimum)
     {
-      least = foot.SquareDistance;
+      minimum = foot.SquareDistance;
       best = { r, foot.Barycentric };
     }
   }
@@ -225,9 +225,9 @@ BodyCoordinates findBodyCoordinates(
   { return mixed(result.SpherePositions, surface.Triangles, point).normalized(); };
   // The transform moves vertices, and triangles between them stay flat: so it has to be repeated
   // until the points between are where they belong.
-  constexpr int mostRounds = 12;
+  constexpr int maximumRounds = 12;
   constexpr double tolerance = 1e-14;
-  for (int i = 0; i < mostRounds; ++i)
+  for (int i = 0; i < maximumRounds; ++i)
   {
     moving.report(1.0 - std::pow(0.2, i)); // most are done in one or two
     const Vector3 toNorth = placeOf(north), toSouth = placeOf(south), toMarker = placeOf(marker);
@@ -344,7 +344,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
           found.push_back(b);
         }
       };
-      constexpr int pieces = 90, mostHalvings = 8;
+      constexpr int pieces = 90, maximumHalvings = 8;
       Vector3 before = at(first);
       if (before.allFinite())
       {
@@ -355,7 +355,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
         const double from = first + (last - first) * (i - 1) / pieces,
                      to = first + (last - first) * i / pieces;
         const Vector3 here = at(to);
-        fill(from, before, to, here, mostHalvings);
+        fill(from, before, to, here, maximumHalvings);
         before = here;
       }
       line.Positions.resize(static_cast<Index>(found.size()), 3);

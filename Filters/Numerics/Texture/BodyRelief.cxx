@@ -45,8 +45,8 @@ Moments momentsOf(const Mesh& body)
     area += areaVector(body.Positions, body.Triangles, r).norm();
   }
   // A sphere has 0.094 of the 1.5th power of its area.
-  constexpr double least = 1e-9;
-  if (!(std::abs(moments.Volume) > least * std::pow(area, 1.5)))
+  constexpr double minimum = 1e-9;
+  if (!(std::abs(moments.Volume) > minimum * std::pow(area, 1.5)))
   {
     throw std::invalid_argument("the surface encloses no volume");
   }

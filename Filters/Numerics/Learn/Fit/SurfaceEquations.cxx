@@ -297,8 +297,8 @@ Points SurfaceEquations::solve(
   for (Symmetric& block : attraction.Diagonal)
   {
     // A direction that neither patterns nor stiffness hold is left as it is.
-    constexpr double smallest = 1e-12, share = 1e-5;
-    block.add(smallest + share * block.trace(), 0.0, Vector3::Zero());
+    constexpr double minimum = 1e-12, share = 1e-5;
+    block.add(minimum + share * block.trace(), 0.0, Vector3::Zero());
   }
 
   steps.next();

@@ -89,8 +89,8 @@ Feet feetOf(
 std::vector<double> weightsOf(const Points& points, const Run& run)
 {
   constexpr double far = 2.5;
-  constexpr int few = 4, neighbors = 8, lowest = 2;
-  constexpr double atMost = 2.5; // times as much as among fewer neighbors
+  constexpr int few = 4, neighbors = 8, rank = 2;
+  constexpr double maximumRatio = 2.5; // times as much as among fewer neighbors
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
   const PointTree tree(points, run);
   const auto size = static_cast<std::size_t>(points.rows());
@@ -101,8 +101,8 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
   {
     tree.nearest(points.row(static_cast<Index>(i)), neighbors + 1, nearest);
     areas[i] = Pi *
-      std::min(
-        nearest[neighbors].SquareDistance / neighbors, atMost * nearest[few].SquareDistance / few);
+      std::min(nearest[neighbors].SquareDistance / neighbors,
+        maximumRatio * nearest[few].SquareDistance / few);
     std::transform(nearest.begin(), nearest.begin() + neighbors, around[i].begin(),
       [](const Neighbor& neighbor) { return neighbor.Id; });
   }
@@ -113,8 +113,8 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
     {
       std::transform(around[i].begin(), around[i].end(), theirs.begin(),
         [&](int neighbor) { return areas[neighbor]; });
-      std::nth_element(theirs.begin(), theirs.begin() + lowest, theirs.end());
-      weights[i] = theirs[lowest];
+      std::nth_element(theirs.begin(), theirs.begin() + rank, theirs.end());
+      weights[i] = theirs[rank];
     }
   }
   return weights;
@@ -124,9 +124,9 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
 double undersampledFraction(const Points& asked, const std::vector<double>& weights,
   const TrainingSamples& samples, const Run& run)
 {
-  constexpr double most = 50000.0, distance = 0.02;
+  constexpr double maximum = 50000.0, distance = 0.02;
   constexpr int neighbors = 8;
-  const Points cloud = selectSamples(samples, most).Positions;
+  const Points cloud = selectSamples(samples, maximum).Positions;
   if (cloud.rows() <= neighbors)
   {
     return 0.0;
@@ -161,16 +161,16 @@ double squareOffQuadric(
   const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
   Eigen::MatrixXd terms(size, coefficients);
   Eigen::VectorXd heights(size);
-  double largest = 0.0;
+  double maximum = 0.0;
   for (Index k = 0; k < size; ++k)
   {
     const Vector3 x = Vector3(points.row(ids[static_cast<std::size_t>(k)])) - place;
     terms(k, 1) = u.dot(x);
     terms(k, 2) = v.dot(x);
     heights[k] = normal.dot(x);
-    largest = std::max({ largest, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
+    maximum = std::max({ maximum, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
   }
-  terms.middleCols(1, 2) /= largest > 0.0 ? largest : 1.0;
+  terms.middleCols(1, 2) /= maximum > 0.0 ? maximum : 1.0;
   terms.col(0).setOnes();
   terms.col(3) = terms.col(1).cwiseAbs2();
   terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));

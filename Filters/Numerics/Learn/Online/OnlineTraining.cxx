@@ -95,7 +95,7 @@ bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
   return sorted(triangle) < sorted(than);
 }
 
-/// Steps 3 and 4: the image of a pattern on the network.
+/// Step 3: the projection of a pattern on the model, and its image on the network.
 class ImageOnNetwork
 {
 public:
@@ -109,7 +109,7 @@ public:
   {
   }
 
-  /// Step 3: the simplex around the winner that x is projected on. Of those that share the
+  /// Find the simplex around the winner that x is projected on. Of those that share the
   /// projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
   FootPoint project(const Vector3& x, int winner) const
   {
@@ -131,7 +131,7 @@ public:
     return best;
   }
 
-  /// Step 4: the winner, or the image of the projection, on the unit sphere.
+  /// Return the winner, or the image of the projection, on the unit sphere.
   Vector3 referencePoint(const FootPoint& foot, int winner) const
   {
     const Points& positions = this->Network.Positions;
@@ -167,8 +167,8 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
 {
   NeuronBlocks neurons(network.Positions, start); // step 1
   Sampler sampler(samples, options.RandomSeed);
-
   const ImageOnNetwork image(network, neurons, options.ReferencePoint);
+
   LearnedMesh result;
   result.Triangles = network.Triangles;
   result.SpherePositions = network.Positions;
