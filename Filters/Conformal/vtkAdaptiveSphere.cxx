@@ -64,7 +64,7 @@ std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
       std::to_string(array->GetNumberOfComponents()) + " components instead of 1");
   }
   std::vector<double> numbers(array->GetNumberOfTuples());
-  double largest = 0.0;
+  double maximum = 0.0;
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     numbers[i] = array->GetComponent(i, 0);
@@ -75,11 +75,11 @@ std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
         "at " +
         std::to_string(i));
     }
-    largest = std::max(largest, numbers[i]);
+    maximum = std::max(maximum, numbers[i]);
   }
   for (double& number : numbers)
   {
-    number = largest > 0.0 ? number / largest : 0.0;
+    number = maximum > 0.0 ? number / maximum : 0.0;
   }
   return numbers;
 }
@@ -118,16 +118,16 @@ conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* imag
   picture.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
   picture.NumberOfComponents = pixels->GetNumberOfComponents();
   picture.Values.resize(pixels->GetNumberOfValues());
-  double largest = 0.0;
+  double maximum = 0.0;
   for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
   {
     picture.Values[i] = pixels->GetComponent(
       i / picture.NumberOfComponents, static_cast<int>(i % picture.NumberOfComponents));
-    largest = std::max(largest, std::abs(picture.Values[i]));
+    maximum = std::max(maximum, std::abs(picture.Values[i]));
   }
   for (double& value : picture.Values)
   {
-    value = largest > 0.0 ? value / largest : 0.0;
+    value = maximum > 0.0 ? value / maximum : 0.0;
   }
   conformal::SphereImage layout;
   layout.Projection = conformal::SphereProjection::LongitudeLatitude;
@@ -222,14 +222,8 @@ int vtkAdaptiveSphere::RequestData(
       {
         return;
       }
-      const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const auto wanted = static_cast<double>(options.NumberOfPoints);
-      const bool hasImage = image && density == IMAGE;
-      const double pixels = hasImage ? static_cast<double>(image->GetNumberOfPoints()) : 0.0;
-      // Reading the surface, its density, what is added to that, the mesh, and the output.
-      conformal::Steps steps(glue::RunOf(this),
-        { 150.0 * size, 1200.0 * size, 600.0 * (size + pixels),
-          1000.0 * (size + pixels) + conformal::workOfAdaptiveSphere(options), 100.0 * wanted });
+      // Reading, density of the surface, density of the image, mesh, output.
+      conformal::Steps steps(glue::RunOf(this), { 0.01, 0.08, 0.04, 0.86, 0.01 });
       steps.next();
       const Surface surface = ToSurface(input);
       conformal::SphereDensity share = conformal::densityOnSurface(

@@ -67,7 +67,7 @@ int vtkConformalDistortion::RequestData(
         return;
       }
       // For each triangle.
-      conformal::Steps steps(glue::RunOf(this), { 33.0, 10.0, 280.0, 6.0, 6.0, 6.0 });
+      conformal::Steps steps(glue::RunOf(this), { 0.1, 0.03, 0.81, 0.02, 0.02, 0.02 });
       steps.next();
       std::vector<vtkIdType> cellIds;
       conformal::Points copy;

@@ -289,6 +289,34 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
+// Give the samples the normals of the input where a method can use them.
+void SetNormals(conformal::TrainingSamples& samples, glue::CloudNormals& normals,
+  vtkPointSet* input, const conformal::ConformalSOMOptions& options,
+  const conformal::CoordinateFrame& frame, const conformal::Reduce& reduce)
+{
+  if (options.TrainingMode != conformal::TrainingMode::Online &&
+    options.HullMethod != conformal::HullMethod::Distance)
+  {
+    const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
+    glue::FindNormals(input, frame, reduce, needed, normals);
+  }
+  if (normals.Known)
+  {
+    samples.setNormals(normals.View);
+  }
+}
+
+// Make the output surface with the arrays that learning alone gives it.
+vtkNew<vtkPolyData> SurfaceOf(
+  const conformal::ConformalSOMResult& result, const conformal::CoordinateFrame& frame)
+{
+  vtkNew<vtkPolyData> surface;
+  glue::SetSurface(surface, result.Positions, result.Triangles, frame);
+  glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
+  glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+  return surface;
+}
+
 using Records = std::vector<conformal::TrainingRecord>;
 
 void FillHistory(vtkTable* table, const Records& history)
@@ -386,16 +414,7 @@ int vtkConformalSOM::RequestData(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       glue::CloudNormals normals;
-      if (options.TrainingMode != conformal::TrainingMode::Online &&
-        options.HullMethod != conformal::HullMethod::Distance)
-      {
-        const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
-        glue::FindNormals(input, frame, processes.reduce(), needed, normals);
-      }
-      if (normals.Known)
-      {
-        samples.setNormals(normals.View);
-      }
+      SetNormals(samples, normals, input, options, frame, processes.reduce());
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
@@ -423,10 +442,7 @@ int vtkConformalSOM::RequestData(
       {
         WarnAbout(this, result, samples);
       }
-      const vtkNew<vtkPolyData> surface;
-      glue::SetSurface(surface, result.Positions, result.Triangles, frame);
-      glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
-      glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+      const auto surface = SurfaceOf(result, frame);
       glue::AddLengths(surface->GetPointData(), "QuantizationError",
         conformal::quantizationErrors(samples, result, steps.next()), frame);
       const conformal::Run shifting = steps.next();

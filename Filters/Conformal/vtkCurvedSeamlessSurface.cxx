@@ -77,6 +77,14 @@ conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal:
   return dense;
 }
 
+// Directions and triangles of the network, each cut into cuts * cuts, or else of the sphere.
+conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int cuts,
+  vtkPolyData* sphere, int frequency, const conformal::Run& run)
+{
+  return cuts > 0 ? conformal::subdividedNetwork(surface, cuts, run)
+                  : DenseSphere(sphere, frequency, run);
+}
+
 // A new point array of 3 doubles.
 vtkNew<vtkDoubleArray> Vectors(const char* name, conformal::Index size)
 {
@@ -192,6 +200,68 @@ vtkNew<vtkUnsignedCharArray> DegenerateCells(
   return cells;
 }
 
+// Take the directions of a dense sphere as an array of unit vectors; what is left are triangles.
+vtkNew<vtkDoubleArray> TakeDirections(conformal::Mesh& dense, bool areUnit)
+{
+  vtkNew<vtkDoubleArray> directions = Vectors(glue::SpherePositionName(), dense.Positions.rows());
+  if (areUnit)
+  {
+    ViewOf(directions) = dense.Positions; // to the bit, so that vertices are found as such
+  }
+  else
+  {
+    conformal::copyUnitVectors(
+      dense.Positions, "direction", directions->GetPointer(0), glue::SMPRun());
+  }
+  dense.Positions.resize(0, 3);
+  return directions;
+}
+
+// Positions, normals and degenerate places of a surface in given directions.
+struct DenseSurface
+{
+  explicit DenseSurface(conformal::Index size)
+    : Positions(Vectors("Points", size))
+    , Normals(Vectors("Normals", size))
+    , Degenerate(size)
+  {
+  }
+
+  conformal::SurfaceSamples samples()
+  {
+    conformal::SurfaceSamples samples;
+    samples.Positions = this->Positions->GetPointer(0);
+    samples.Normals = this->Normals->GetPointer(0);
+    samples.Degenerate = this->Degenerate.data();
+    return samples;
+  }
+
+  void passTo(vtkPolyData* surface) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(this->Positions);
+    surface->SetPoints(points);
+    surface->GetPointData()->SetNormals(this->Normals);
+  }
+
+  // Mark the triangles in degenerate patches of the map, which is cut, or at degenerate places.
+  vtkNew<vtkUnsignedCharArray> degenerateCells(const conformal::Triangles& triangles,
+    const conformal::CurvedSeamlessSurface& map, conformal::Index cuts) const
+  {
+    return DegenerateCells(triangles.rows(),
+      [&](conformal::Index r) -> bool
+      {
+        const auto ids = triangles.row(r);
+        return cuts > 0
+          ? map.degenerate()[r / (cuts * cuts)]
+          : this->Degenerate[ids[0]] | this->Degenerate[ids[1]] | this->Degenerate[ids[2]];
+      });
+  }
+
+  vtkNew<vtkDoubleArray> Positions, Normals;
+  std::vector<unsigned char> Degenerate;
+};
+
 glue::CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter)
 {
   glue::CurvedSeamlessProperties properties;
@@ -295,71 +365,41 @@ int vtkCurvedSeamlessSurface::RequestData(
         SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
       // What is large is let go as soon as the output has it.
       const conformal::Run making = steps.next();
-      conformal::Mesh dense;
       const bool isOwner = processes.rank() == owner;
-      if (isOwner)
-      {
-        dense = cuts > 0 ? conformal::subdividedNetwork(map->Surface, cuts, making)
-                         : DenseSphere(sphere, frequency, making);
-      }
+      conformal::Mesh dense =
+        isOwner ? DenseMesh(map->Surface, cuts, sphere, frequency, making) : conformal::Mesh();
       steps.next();
       const vtkNew<vtkPolyData> result;
       glue::SetTriangles(result, dense.Triangles);
       steps.next();
-      const vtkNew<vtkDoubleArray> directions =
-        Vectors(glue::SpherePositionName(), dense.Positions.rows());
-      if (cuts > 0)
-      {
-        ViewOf(directions) = dense.Positions; // to the bit, so that vertices are found as such
-      }
-      else
-      {
-        conformal::copyUnitVectors(
-          dense.Positions, "direction", directions->GetPointer(0), glue::SMPRun());
-      }
-      dense.Positions.resize(0, 3);
-
+      const auto directions = TakeDirections(dense, cuts > 0);
       const conformal::Index size = directions->GetNumberOfTuples();
-      const vtkNew<vtkDoubleArray> positions = Vectors("Points", size),
-                                   normals = Vectors("Normals", size);
-      std::vector<unsigned char> degenerate(size);
-      conformal::SurfaceSamples samples;
-      samples.Positions = positions->GetPointer(0);
-      samples.Normals = normals->GetPointer(0);
-      samples.Degenerate = degenerate.data();
-      conformal::evaluate(map->Surface, { directions->GetPointer(0), size }, samples, steps.next());
+      DenseSurface made(size);
+      conformal::evaluate(
+        map->Surface, { directions->GetPointer(0), size }, made.samples(), steps.next());
       steps.next();
-      if (IsWoundInward(ViewOf(positions), dense.Triangles, ViewOf(normals)))
+      if (IsWoundInward(ViewOf(made.Positions), dense.Triangles, ViewOf(made.Normals)))
       {
         dense.Triangles.col(1).swap(dense.Triangles.col(2));
         glue::SetTriangles(result, dense.Triangles);
       }
       if (domes)
       {
-        SmoothNormals(ViewOf(positions), dense.Triangles, ViewOf(normals));
+        SmoothNormals(ViewOf(made.Positions), dense.Triangles, ViewOf(made.Normals));
       }
       steps.next();
-      FillGaps(ViewOf(normals), ViewOf(directions));
+      FillGaps(ViewOf(made.Normals), ViewOf(directions));
       glue::LengthsFromFrame(
-        positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
+        made.Positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
 
-      vtkNew<vtkPoints> points;
-      points->SetData(positions);
-      result->SetPoints(points);
       result->GetPointData()->AddArray(directions);
-      result->GetPointData()->SetNormals(normals);
+      made.passTo(result);
       if (processes.firstWith(isOwner && HasSupport(surface, map->Surface)) >= 0)
       {
         glue::AddNumbers(result->GetPointData(), SupportName,
           SupportAt(ViewOf(directions), surface, map->Surface));
       }
-      result->GetCellData()->AddArray(DegenerateCells(dense.Triangles.rows(),
-        [&](conformal::Index r) -> bool
-        {
-          const auto ids = dense.Triangles.row(r);
-          return cuts > 0 ? map->Surface.degenerate()[r / (conformal::Index(cuts) * cuts)]
-                          : degenerate[ids[0]] | degenerate[ids[1]] | degenerate[ids[2]];
-        }));
+      result->GetCellData()->AddArray(made.degenerateCells(dense.Triangles, map->Surface, cuts));
       glue::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
         static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
       output->ShallowCopy(result);

@@ -81,7 +81,7 @@ int vtkGenusZeroCheck::RequestData(
       {
         glue::WarnOfEmptyInput(this, "the surface is empty; it is not of genus zero");
       }
-      conformal::Steps steps(glue::RunOf(this), { 32.0, 3.0, 310.0 }); // for each triangle
+      conformal::Steps steps(glue::RunOf(this), { 0.09, 0.01, 0.9 }); // reading, points, check
       steps.next();
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);

@@ -156,13 +156,9 @@ int vtkGenusZeroHull::RequestData(
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      // Reading, the hull, the output.
-      const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double ofHull = conformal::workOfGenusZeroHull(size, options.Spacing);
-      const double ofOutput = 0.013 * ofHull;
       const bool winding = options.Method == conformal::HullMethod::WindingNumbers;
       const bool mayWind = options.Method != conformal::HullMethod::Distance;
-      conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
+      conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 }); // samples, hull, output
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
       const conformal::CoordinateFrame frame = cloud.Frame;
@@ -176,10 +172,6 @@ int vtkGenusZeroHull::RequestData(
       if (normals.Known)
       {
         samples.setNormals(normals.View);
-      }
-      if (winding && !samples.empty())
-      {
-        steps.replan({ conformal::workOfHullByWindingNumbers(samples, options.Spacing), ofOutput });
       }
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())

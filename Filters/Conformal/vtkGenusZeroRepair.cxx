@@ -275,7 +275,7 @@ int vtkGenusZeroRepair::RequestData(
       {
         return;
       }
-      conformal::Steps steps(glue::RunOf(this), { 40.0, 1000.0, 60.0 }); // for each triangle
+      conformal::Steps steps(glue::RunOf(this), { 0.04, 0.9, 0.06 }); // reading, repair, output
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       std::vector<vtkIdType> cellIds;

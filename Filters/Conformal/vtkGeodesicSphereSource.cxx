@@ -32,7 +32,7 @@ int vtkGeodesicSphereSource::RequestData(
     [&]()
     {
       // For each vertex: the mesh, then points, triangles and two arrays of the output.
-      conformal::Steps steps(glue::RunOf(this), { 31.0, 22.0, 25.0, 20.0, 22.0 });
+      conformal::Steps steps(glue::RunOf(this), { 0.26, 0.18, 0.21, 0.17, 0.18 });
       const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency, steps.next());
       steps.next();
       const vtkNew<vtkPolyData> result;

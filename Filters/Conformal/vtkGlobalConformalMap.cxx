@@ -75,12 +75,7 @@ int vtkGlobalConformalMap::RequestData(
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      // Closing the mesh, mapping it, the output.
-      const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
-      const auto size = static_cast<double>(numberOfPoints);
-      conformal::Steps steps(glue::RunOf(this),
-        { 560.0 * size, conformal::workOfGlobalConformalMap(options, numberOfPoints),
-          40.0 * size });
+      conformal::Steps steps(glue::RunOf(this), { 0.08, 0.91, 0.01 }); // mesh, map, output
       const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
       const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::GlobalConformalMapResult map =

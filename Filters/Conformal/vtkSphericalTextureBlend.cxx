@@ -172,9 +172,7 @@ int vtkSphericalTextureBlend::RequestData(
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         AllocatePixels(result, outputVector->GetInformationObject(0), PixelsOf(front));
-      const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
-      conformal::Steps steps(RunOf(this), { 52.0 * size, 160.0 * size, 350.0 * numberOfPixels });
+      conformal::Steps steps(RunOf(this), { 0.03, 0.09, 0.88 }); // reading, view, pixels
       steps.next();
       conformal::Points copy;
       const conformal::PointView points =

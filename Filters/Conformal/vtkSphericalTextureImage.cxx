@@ -111,17 +111,6 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
   }
 }
 
-// Estimated cost of reading and of painting.
-std::vector<double> CostOf(vtkPolyData* surface, vtkPointSet* source, vtkImageData* image)
-{
-  const auto size = static_cast<double>(surface->GetNumberOfPoints());
-  const auto sourceSize = source ? static_cast<double>(source->GetNumberOfPoints()) : 0.0;
-  const bool hasTriangles = vtkPolyData::SafeDownCast(source) != nullptr;
-  return { 100.0 * size + (hasTriangles ? 100.0 : 10.0) * sourceSize,
-    900.0 * size + (hasTriangles ? 600.0 : 250.0) * sourceSize +
-      (source ? 1000.0 : 350.0) * static_cast<double>(image->GetNumberOfPoints()) };
-}
-
 // A surface, and how the image lies on its sphere; both empty on processes without the surface.
 struct ImageOfSurface
 {
@@ -239,7 +228,7 @@ int vtkSphericalTextureImage::RequestData(
       const auto holes = glue::MakeHoles(result);
       const conformal::CoordinateFrame frame =
         glue::FrameOf({ surface, source }, processes.reduce());
-      conformal::Steps steps(processes.run(), CostOf(surface, source, result));
+      conformal::Steps steps(processes.run(), { 0.05, 0.95 }); // reading, pixels
       steps.next();
       const ImageOfSurface read =
         processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();

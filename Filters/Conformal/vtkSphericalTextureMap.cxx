@@ -163,9 +163,7 @@ int vtkSphericalTextureMap::RequestData(
       const conformal::CoordinateFrame frame = glue::FrameOf({ input });
       options.ViewPoint = frame.toFrameFromAfar(viewPoint);
       // For each vertex.
-      conformal::Steps steps(glue::RunOf(this),
-        { 35.0, 17.0, (options.UseViewPoint ? 1360.0 : 210.0) + (options.SplitSeam ? 350.0 : 0.0),
-          options.SplitSeam ? 110.0 : 3.0 });
+      conformal::Steps steps(glue::RunOf(this), { 0.1, 0.05, 0.7, 0.15 });
       steps.next();
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;

@@ -79,24 +79,18 @@ void AddModes(
   }
 }
 
-// Estimated cost of the surfaces, their mesh, mean and modes, each block, and the mean's arrays.
-std::vector<double> CostOf(
-  const glue::Surfaces& surfaces, const conformal::ConsistentRemeshOptions& remesh)
+// Shares of the surfaces, their mesh, mean and modes, each block's arrays and distance, and the
+// arrays of the mean.
+std::vector<double> SharesOf(std::size_t numberOfSurfaces)
 {
-  const double size = surfaces.numberOfPoints();
-  const auto count = static_cast<double>(surfaces.Held.size());
-  const double points = conformal::expectedRemeshPoints(remesh);
-  const double components = glue::NumberOfCarriedComponents(surfaces.Held.front());
-  std::vector<double> cost = { 150.0 * size, conformal::workOfConsistentRemesh(size, count, remesh),
-    conformal::workOfShapeModes(points, count) };
-  for (vtkPolyData* surface : surfaces.Held)
+  const double each = 1.0 / static_cast<double>(numberOfSurfaces);
+  std::vector<double> shares = { 0.04, 0.35, 0.03 };
+  for (std::size_t s = 0; s < numberOfSurfaces; ++s)
   {
-    const auto own = static_cast<double>(surface->GetNumberOfPoints());
-    cost.push_back(components * (20.0 * own + 100.0 * points));
-    cost.push_back(2000.0 * own + 3500.0 * points);
+    shares.insert(shares.end(), { 0.03 * each, 0.5 * each });
   }
-  cost.push_back(components * (20.0 * size + 100.0 * points) + 100.0 * count * points);
-  return cost;
+  shares.push_back(0.05);
+  return shares;
 }
 
 // The surfaces on their common mesh, and their mean.
@@ -192,7 +186,7 @@ int vtkConsistentRemesh::RequestData(
       {
         return;
       }
-      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, remesh));
+      conformal::Steps steps(glue::RunOf(this), SharesOf(surfaces.Held.size()));
       Remeshed remeshed(surfaces);
       remeshed.Meshes = glue::ToMappedMeshes(surfaces, remeshed.Frame, steps.next());
       remeshed.Common = conformal::remeshConsistently(remeshed.Meshes, remesh, steps.next());

@@ -56,11 +56,7 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   const conformal::Run& run)
 {
   const conformal::CoordinateFrame frame = glue::FrameOf({ surface, reference });
-  const auto size = static_cast<double>(surface->GetNumberOfPoints());
-  const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
-  // Conversions, then what is expected of carryMap().
-  conformal::Steps steps(
-    run, { 75.0 * referenceSize, 60.0 * size, 1000.0 * referenceSize + 1000.0 * size });
+  conformal::Steps steps(run, { 0.03, 0.03, 0.94 }); // reference, surface, foot points
   steps.next();
   conformal::MappedMesh other;
   other.Positions = glue::ToPoints(reference->GetPoints(), frame);
@@ -144,13 +140,9 @@ int vtkSphericalAlignment::RequestData(
         return;
       }
       glue::RequireCellIds(surface); // which landmarks need not, but the output has
-      const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const auto referenceSize = static_cast<double>(reference->GetNumberOfPoints());
       const bool hasLandmarks = !landmarks.empty();
-      conformal::Steps steps(glue::RunOf(this),
-        { 20.0 * size, hasLandmarks ? 20.0 * referenceSize : 1075.0 * referenceSize + 1060.0 * size,
-          hasLandmarks ? 0.0 : (kind == conformal::AlignmentKind::Moebius ? 1700.0 : 20.0) * size,
-          10.0 * size, 40.0 * size });
+      // Map, pairs, transform, map, output.
+      conformal::Steps steps(glue::RunOf(this), { 0.01, 0.55, 0.4, 0.01, 0.03 });
       steps.next();
       conformal::Points map = glue::ToSpherePositions(surface);
       const conformal::Run pairing = steps.next();

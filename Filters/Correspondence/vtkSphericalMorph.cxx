@@ -78,14 +78,14 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
     throw std::invalid_argument("there are " + std::to_string(weights.size()) + " weights for " +
       std::to_string(size) + " surfaces; add one for each, or remove all");
   }
-  const double largest = *std::max_element(weights.begin(), weights.end());
+  const double maximum = *std::max_element(weights.begin(), weights.end());
   for (double& weight : weights)
   {
-    if (!(weight >= 0.0) || !std::isfinite(weight) || largest <= 0.0)
+    if (!(weight >= 0.0) || !std::isfinite(weight) || maximum <= 0.0)
     {
       throw std::invalid_argument("weights must be finite and at least 0, and not all of them 0");
     }
-    weight /= largest;
+    weight /= maximum;
   }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   for (double& weight : weights)
@@ -95,24 +95,18 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
   return weights;
 }
 
-// Estimated cost of the surfaces and the mesh that they have in common, unless it is kept, and of
-// the shape, the weights, the arrays and the output.
-std::vector<double> CostOf(const glue::Surfaces& surfaces, bool isKept,
-  const conformal::ConsistentRemeshOptions& remesh, const conformal::SphericalMorphOptions& options)
+// Shares of the surfaces and the mesh that they have in common, unless it is kept, and of the
+// shape, the weights, the arrays and the output.
+std::vector<double> SharesOf(bool isKept, conformal::MorphPath path)
 {
-  const double size = surfaces.numberOfPoints();
-  const auto count = static_cast<double>(surfaces.Held.size());
-  const double points = conformal::expectedRemeshPoints(remesh);
-  std::vector<double> cost;
+  std::vector<double> shares;
   if (!isKept)
   {
-    cost = { 150.0 * size, conformal::workOfConsistentRemesh(size, count, remesh) };
+    shares = { 0.06, 0.6 };
   }
-  cost.insert(cost.end(),
-    { conformal::workOfMorph(points, count, options.Path), 100.0 * count * points,
-      glue::NumberOfCarriedComponents(surfaces.Held.front()) * (20.0 * size + 100.0 * points),
-      100.0 * points });
-  return cost;
+  shares.insert(
+    shares.end(), { path == conformal::MorphPath::Rigid ? 0.24 : 0.01, 0.02, 0.05, 0.03 });
+  return shares;
 }
 }
 
@@ -222,7 +216,7 @@ int vtkSphericalMorph::RequestData(
       }
       const std::vector<double> shares = SharesOf(weights, factor, held.size());
       const bool isKept = this->Kept && this->Kept->isOf(surfaces.Times, remesh);
-      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, isKept, remesh, options));
+      conformal::Steps steps(glue::RunOf(this), SharesOf(isKept, options.Path));
       const auto common = isKept ? this->Kept : Common::of(surfaces, remesh, steps);
       const conformal::ConsistentMeshes& meshes = common->Meshes;
       const vtkNew<vtkPolyData> result;

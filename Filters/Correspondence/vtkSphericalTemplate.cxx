@@ -118,31 +118,17 @@ UsedSurfaces UsedSurfacesOf(vtkInformationVector* inputs)
   return used;
 }
 
-// The estimated cost of reading each surface, and of the template.
-std::vector<double> CostOf(
-  const UsedSurfaces& surfaces, const conformal::SphericalTemplateOptions& options)
-{
-  std::vector<double> cost;
-  for (const std::size_t s : surfaces.Numbers)
-  {
-    cost.push_back(800.0 * static_cast<double>(surfaces.All.Held[s]->GetNumberOfPoints()));
-  }
-  cost.push_back(conformal::workOfSphericalTemplate(
-    surfaces.All.numberOfPoints(), static_cast<double>(surfaces.Numbers.size()), options));
-  return cost;
-}
-
 // What the template is made of, and the surfaces that it is read from.
-struct TemplateInputs
+struct ReadSurfaces
 {
   std::vector<glue::SurfaceToRegister> Registered;
   std::vector<conformal::TemplateInput> Core;
 };
 
-TemplateInputs ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
+ReadSurfaces ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
   const glue::FeatureList& features, const std::string& landmarkArrayName, conformal::Steps& steps)
 {
-  TemplateInputs inputs;
+  ReadSurfaces inputs;
   std::map<double, int> ofFirst;
   for (const std::size_t s : surfaces.Numbers)
   {
@@ -176,7 +162,7 @@ TemplateInputs ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
 }
 
 // All surfaces as blocks, those that were used with their registered maps.
-vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const ReadSurfaces& inputs,
   const conformal::SphericalTemplateResult& result)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -211,7 +197,7 @@ vtkNew<vtkPolyData> MeanOf(
   return mean;
 }
 
-void Warn(vtkObject* self, const UsedSurfaces& surfaces, const TemplateInputs& inputs,
+void Warn(vtkObject* self, const UsedSurfaces& surfaces, const ReadSurfaces& inputs,
   const conformal::SphericalTemplateResult& result)
 {
   const std::size_t all = surfaces.All.Held.size(), empty = all - surfaces.Numbers.size();
@@ -304,8 +290,11 @@ int vtkSphericalTemplate::RequestData(
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);
-      conformal::Steps steps(glue::RunOf(this), CostOf(surfaces, options));
-      const TemplateInputs inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
+      std::vector<double> shares(
+        surfaces.Numbers.size(), 0.02 / static_cast<double>(surfaces.Numbers.size()));
+      shares.push_back(0.98);
+      conformal::Steps steps(glue::RunOf(this), shares); // reading of each surface, template
+      const ReadSurfaces inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
       const conformal::SphericalTemplateResult result =
         conformal::findSphericalTemplate(inputs.Core, weights, options, steps.next());
       const auto blocks = BlocksOf(surfaces, inputs, result);

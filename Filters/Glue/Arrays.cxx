@@ -104,9 +104,9 @@ void LengthsFromFrame(
 void AreasFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what)
 {
-  constexpr double least = 0x1p-960; // smaller areas beside would lose digits
+  constexpr double minimum = 0x1p-960; // smaller areas beside would lose digits
   const double square = frame.Unit * frame.Unit;
-  Require(square >= least, what);
+  Require(square >= minimum, what);
   Eigen::Map<Eigen::VectorXd>(values, size) *= square;
   RequireFinite(values, size, what);
 }

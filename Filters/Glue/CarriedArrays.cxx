@@ -132,30 +132,17 @@ void SetNumbers(vtkDataArray* output, const std::vector<double>& numbers)
 namespace glue
 {
 //------------------------------------------------------------------------------
-int NumberOfCarriedComponents(vtkPolyData* surface)
-{
-  int count = 0;
-  vtkPointData* data = surface->GetPointData();
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    count += IsCarried(data, array) ? array->GetNumberOfComponents() : 0;
-  }
-  return count;
-}
-
-//------------------------------------------------------------------------------
 void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
   const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run)
 {
   std::string misfits;
   const std::vector<Arrays> common = CommonArrays(surfaces, misfits);
-  std::vector<double> work;
+  std::vector<double> shares; // by numbers of components
   for (const Arrays& arrays : common)
   {
-    work.push_back(static_cast<double>(arrays.front()->GetNumberOfComponents()));
+    shares.push_back(static_cast<double>(arrays.front()->GetNumberOfComponents()));
   }
-  conformal::Steps steps(run, work);
+  conformal::Steps steps(run, shares);
   conformal::Index missing = 0;
   for (const Arrays& arrays : common)
   {

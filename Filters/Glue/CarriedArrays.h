@@ -35,10 +35,6 @@ conformal::ResampleWeights BlendedWeights(const std::vector<conformal::ResampleW
 
 /// Make the array of the target's points active that has the name of the source's active scalars.
 void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target);
-
-/// Count the numbers of a point that CarryPointArrays() carries of a surface, for the cost to
-/// expect.
-int NumberOfCarriedComponents(vtkPolyData* surface);
 }
 
 #endif

@@ -65,7 +65,7 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
       return (isGhost && isGhost(i)) || (x.allFinite() && far.contains(x));
     };
     conformal::Points corner(1, 3), copy;
-    corner.setConstant(cloud.Far.LargestCoordinate);
+    corner.setConstant(cloud.Far.MaximumCoordinate);
     cloud.Frame = conformal::frameOf(
       { ViewPoints(surface ? surface->GetPoints() : nullptr, {}, copy), corner }, reduce, SMPRun());
   }

@@ -62,15 +62,15 @@ vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
 }
 
 // Where a row belongs.
-conformal::Index PlaceOf(double degree, double order, int highest)
+conformal::Index PlaceOf(double degree, double order, int maximum)
 {
-  const bool isHarmonic = degree >= 0.0 && degree <= highest && degree == std::floor(degree) &&
+  const bool isHarmonic = degree >= 0.0 && degree <= maximum && degree == std::floor(degree) &&
     std::abs(order) <= degree && order == std::floor(order);
   if (!isHarmonic)
   {
     throw std::invalid_argument("the table of coefficients has a row of degree " +
       std::to_string(degree) + " and order " + std::to_string(order) +
-      "; its rows are those of degrees from 0 to L, here " + std::to_string(highest) +
+      "; its rows are those of degrees from 0 to L, here " + std::to_string(maximum) +
       ", each with orders from minus the degree to the degree");
   }
   return conformal::harmonicIndex(static_cast<int>(degree), static_cast<int>(order));
@@ -82,11 +82,11 @@ namespace glue
 //------------------------------------------------------------------------------
 void ToTable(const Harmonics& harmonics, vtkTable* table)
 {
-  const int highest = conformal::degreeOfHarmonics(harmonics.Coefficients.rows());
+  const int maximum = conformal::degreeOfHarmonics(harmonics.Coefficients.rows());
   vtkNew<vtkIntArray> degrees, orders;
   degrees->SetName("Degree");
   orders->SetName("Order");
-  for (int degree = 0; degree <= highest; ++degree)
+  for (int degree = 0; degree <= maximum; ++degree)
   {
     for (int order = -degree; order <= degree; ++order)
     {
@@ -136,13 +136,13 @@ Harmonics FromTable(vtkTable* table)
     }
   }
 
-  const int highest = conformal::degreeOfHarmonics(rows);
+  const int maximum = conformal::degreeOfHarmonics(rows);
   harmonics.Coefficients.resize(rows, static_cast<conformal::Index>(columns.size()));
   std::vector<char> isGiven(rows, 0);
   for (vtkIdType row = 0; row < rows; ++row)
   {
     const double degree = degrees->GetTuple1(row), order = orders->GetTuple1(row);
-    const conformal::Index place = PlaceOf(degree, order, highest);
+    const conformal::Index place = PlaceOf(degree, order, maximum);
     for (std::size_t c = 0; c < columns.size(); ++c)
     {
       const double value = columns[c]->GetTuple1(row);

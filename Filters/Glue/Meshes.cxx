@@ -200,10 +200,10 @@ namespace glue
 //------------------------------------------------------------------------------
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds)
 {
-  constexpr vtkIdType most = std::numeric_limits<int>::max();
-  if (surface->GetNumberOfPoints() > most)
+  constexpr vtkIdType maximum = std::numeric_limits<int>::max();
+  if (surface->GetNumberOfPoints() > maximum)
   {
-    throw std::length_error("the surface has more than " + std::to_string(most) + " points");
+    throw std::length_error("the surface has more than " + std::to_string(maximum) + " points");
   }
   glue::RequireCellIds(surface);
   cellIds.clear();
@@ -211,9 +211,10 @@ conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& c
   const vtkIdType firstPolygon = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   collector.AddPolygons(surface->GetPolys(), firstPolygon);
   collector.AddStrips(surface->GetStrips(), firstPolygon + surface->GetNumberOfPolys());
-  if (static_cast<vtkIdType>(cellIds.size()) > most / 3)
+  if (static_cast<vtkIdType>(cellIds.size()) > maximum / 3)
   {
-    throw std::length_error("the surface has more than " + std::to_string(most / 3) + " triangles");
+    throw std::length_error(
+      "the surface has more than " + std::to_string(maximum / 3) + " triangles");
   }
   return collector.GetTriangles();
 }
@@ -249,7 +250,7 @@ bool HasCellIds(vtkPolyData* surface)
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  conformal::Steps steps(run, { 32.0, 5.0, 330.0 }); // for each triangle
+  conformal::Steps steps(run, { 0.09, 0.01, 0.9 });
   steps.next();
   ClosedMesh mesh;
   mesh.Triangles = ToTriangles(surface);

@@ -41,10 +41,10 @@ conformal::Rows FeaturesOf(
       throw std::invalid_argument("some values of the feature \"" + name + "\" are not finite");
     }
     // Squares of what is left must not overflow.
-    const double largest = result.col(k).cwiseAbs().maxCoeff();
-    if (largest > 0.0)
+    const double maximum = result.col(k).cwiseAbs().maxCoeff();
+    if (maximum > 0.0)
     {
-      result.col(k) /= largest;
+      result.col(k) /= maximum;
     }
   }
   return result;

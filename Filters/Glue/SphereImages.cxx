@@ -57,10 +57,10 @@ void CheckAxes(const conformal::SphereView& view)
   }
 }
 
-double NumberIn(vtkFieldData* data, const char* name, double least, double largest)
+double NumberIn(vtkFieldData* data, const char* name, double minimum, double maximum)
 {
   const double number = *NumbersOf(data, name, 1);
-  if (number < least || number > largest)
+  if (number < minimum || number > maximum)
   {
     throw std::invalid_argument(std::string("the field data ") + name + " are out of range");
   }

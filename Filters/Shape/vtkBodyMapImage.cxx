@@ -154,10 +154,7 @@ int vtkBodyMapImage::RequestData(
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
       const auto holes = glue::MakeHoles(result);
-      const auto size = static_cast<double>(surface->GetNumberOfPoints());
-      const auto numberOfPixels = static_cast<double>(result->GetNumberOfPoints());
-      conformal::Steps steps(glue::RunOf(this),
-        { 100.0 * size, 900.0 * size + 600.0 * numberOfPixels, 300.0 * numberOfPixels });
+      conformal::Steps steps(glue::RunOf(this), { 0.02, 0.7, 0.28 }); // reading, map, graticule
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);

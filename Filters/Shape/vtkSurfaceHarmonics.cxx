@@ -258,21 +258,12 @@ struct HarmonicsJob
   int Frequency;    // of the geodesic sphere; 0 for the mesh of the input
   std::vector<ChosenArray> Arrays;
 
-  // Estimated cost of reading, fit, alignment, rotation, the surface, the geodesic one, and the
-  // output.
-  std::vector<double> cost(double size, bool hasReference) const
+  // Shares of reading, fit, alignment, rotation, the surface, the geodesic one, and the output.
+  std::vector<double> shares(bool hasReference) const
   {
-    const auto columns = static_cast<double>(NumberOfColumns(this->Arrays));
     const bool isAligned = this->Alignment != vtkSurfaceHarmonics::NONE;
-    const double sphere = 10.0 * this->Frequency * this->Frequency;
-    return { (200.0 + 10.0 * columns) * size,
-      conformal::workOfHarmonicFit(size, columns, this->Degree),
-      isAligned && hasReference ? 2e8 : 0.0,
-      isAligned ? conformal::workOfHarmonicRotation(columns, this->Degree) : 0.0,
-      conformal::workOfEvaluation(size, columns, this->Kept),
-      this->Frequency > 0 ? 31.0 * sphere + conformal::workOfEvaluation(sphere, columns, this->Kept)
-                          : 0.0,
-      30.0 * columns * (size + sphere) };
+    return { 0.03, 0.7, isAligned && hasReference ? 0.2 : 0.0, isAligned ? 0.01 : 0.0, 0.15,
+      this->Frequency > 0 ? 0.1 : 0.0, 0.02 };
   }
 };
 
@@ -420,8 +411,7 @@ int vtkSurfaceHarmonics::RequestData(
       }
       glue::RequireCellIds(surface);
       job.Arrays = ArraysOf(surface, names);
-      conformal::Steps steps(glue::RunOf(this),
-        job.cost(static_cast<double>(surface->GetNumberOfPoints()), reference != nullptr));
+      conformal::Steps steps(glue::RunOf(this), job.shares(reference != nullptr));
       const FittedHarmonics fit = Fit(surface, reference, job, steps);
       const conformal::Columns rebuilt = conformal::evaluateHarmonics(
         conformal::upToDegree(fit.Coefficients, job.Kept), fit.Mesh.SpherePositions, steps.next());

@@ -49,13 +49,7 @@ int vtkSurfaceHarmonicsSource::RequestData(
       const conformal::Points coordinates = coefficients.leftCols(3);
       const conformal::CoordinateFrame frame = conformal::frameOf({ coordinates });
       coefficients.leftCols(3) = coordinates / frame.Unit;
-      const double size = 10.0 * frequency * frequency,
-                   columns = static_cast<double>(coefficients.cols());
-      conformal::Steps steps(RunOf(this),
-        { 31.0 * size +
-            conformal::workOfEvaluation(
-              size, columns, conformal::degreeOfHarmonics(coefficients.rows())),
-          40.0 * size + 20.0 * columns * size });
+      conformal::Steps steps(RunOf(this), { 0.9, 0.1 }); // surface, output
       const conformal::HarmonicSurface made =
         conformal::makeHarmonicSurface(coefficients, frequency, steps.next());
       steps.next();

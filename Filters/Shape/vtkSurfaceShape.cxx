@@ -56,7 +56,7 @@ int vtkSurfaceShape::RequestData(
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      conformal::Steps steps(glue::RunOf(this), { 560.0, 4000.0, 40.0 }); // for each point
+      conformal::Steps steps(glue::RunOf(this), { 0.12, 0.87, 0.01 }); // mesh, shape, output
       const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
       const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::SurfaceShape shape =

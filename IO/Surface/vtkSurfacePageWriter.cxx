@@ -27,7 +27,7 @@ namespace
 using vtkSurfaceConversions::WriteError;
 
 // Empty without a picture.
-std::string ToJPEG(vtkImageData* picture, int largest, int quality)
+std::string ToJPEG(vtkImageData* picture, int maximumSize, int quality)
 {
   if (!picture)
   {
@@ -35,9 +35,10 @@ std::string ToJPEG(vtkImageData* picture, int largest, int quality)
   }
   vtkUnsignedCharArray* pixels = vtkSurfaceConversions::PixelsOf(picture);
   const int* size = picture->GetDimensions();
-  const conformal::PagePicture shrunk = conformal::shrunkPicture(pixels->GetPointer(0),
-    static_cast<std::size_t>(size[0]), static_cast<std::size_t>(size[1]),
-    static_cast<std::size_t>(pixels->GetNumberOfComponents()), static_cast<std::size_t>(largest));
+  const conformal::PagePicture shrunk =
+    conformal::shrunkPicture(pixels->GetPointer(0), static_cast<std::size_t>(size[0]),
+      static_cast<std::size_t>(size[1]), static_cast<std::size_t>(pixels->GetNumberOfComponents()),
+      static_cast<std::size_t>(maximumSize));
   vtkNew<vtkImageData> image;
   image->SetDimensions(static_cast<int>(shrunk.Width), static_cast<int>(shrunk.Height), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);

@@ -11,9 +11,9 @@ namespace conformal
 namespace
 {
 /// Return the maximum power of two not above a positive number, or 1 for 0.
-double unitOf(double largest)
+double unitOf(double norm)
 {
-  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest)) : 1.0;
+  return norm > 0.0 ? std::ldexp(1.0, std::ilogb(norm)) : 1.0;
 }
 
 /// Normalize a vector. Scale it by a power of two first: subnormal lengths have few digits, and the
@@ -28,18 +28,18 @@ void normalize(Vector& v)
 double maximumCoordinate(const PointView& points, const Run& run)
 {
   constexpr Index blockSize = 1 << 14;
-  std::vector<double> largest((points.size() + blockSize - 1) / blockSize, 0.0);
+  std::vector<double> maxima((points.size() + blockSize - 1) / blockSize, 0.0);
   forBlocks(run, points.size(), blockSize,
     [&](Index begin, Index end)
     {
-      double& most = largest[begin / blockSize];
+      double& ofBlock = maxima[begin / blockSize];
       for (Index i = begin; i < end; ++i)
       {
         const Vector3 x = points[i];
-        most = x.allFinite() ? std::max(most, x.cwiseAbs().maxCoeff()) : most;
+        ofBlock = x.allFinite() ? std::max(ofBlock, x.cwiseAbs().maxCoeff()) : ofBlock;
       }
     });
-  return largest.empty() ? 0.0 : *std::max_element(largest.begin(), largest.end());
+  return maxima.empty() ? 0.0 : *std::max_element(maxima.begin(), maxima.end());
 }
 }
 

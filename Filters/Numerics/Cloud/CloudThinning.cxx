@@ -57,10 +57,10 @@ Index numberOfCubes(const Cubes& cubes)
 }
 
 //------------------------------------------------------------------------------
-OrientedPoints selectSamples(const TrainingSamples& samples, double most)
+OrientedPoints selectSamples(const TrainingSamples& samples, double maximum)
 {
   const Index stretch =
-    std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / most));
+    std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / maximum));
   const Index first = samples.firstOfTotal(), last = first + samples.size();
   Numbers positions, normals;
   for (Index i = first / stretch; i < std::min(samples.totalSize() / stretch, last); ++i)

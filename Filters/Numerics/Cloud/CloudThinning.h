@@ -20,7 +20,7 @@ struct OrientedPoints
 /// Select samples spread over the order of a cloud, one at a varying position of each stretch,
 /// since scans may be periodic. All ranks return the same samples.
 /// @param[in] most  approximate number; all samples are returned if there are fewer
-OrientedPoints selectSamples(const TrainingSamples& samples, double most);
+OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);
 
 /// Return a cloud without the marked points.
 /// @param[in] marks  #P, 1 for a point to leave out, else 0

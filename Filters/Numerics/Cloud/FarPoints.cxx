@@ -27,7 +27,7 @@ constexpr double RadiusQuantile = 0.9;
 // Gaps are found in shells of a quarter octave: 8 shells from R to 4 R.
 constexpr double Gap = 4.0, Farthest = 32.0;
 constexpr int ShellsPerOctave = 4, ShellsOfGap = 8;
-constexpr Index MostInGap = 3;
+constexpr Index MaximumInGap = 3;
 
 constexpr Index AlwaysFew = 32, ShareOfPlaces = 20;
 
@@ -213,7 +213,7 @@ private:
     for (int shell = 1; shell + ShellsOfGap < size; ++shell)
     {
       const auto begin = counts.begin() + shell;
-      if (std::accumulate(begin, begin + ShellsOfGap, std::int64_t(0)) <= MostInGap)
+      if (std::accumulate(begin, begin + ShellsOfGap, std::int64_t(0)) <= MaximumInGap)
       {
         const double octaves = static_cast<double>(shell - 1 + ShellsOfGap) / ShellsPerOctave;
         return this->Radius * std::exp2(octaves);
@@ -226,7 +226,7 @@ private:
   bool accept(FarPoints& far) const
   {
     std::vector<Place> places;
-    double nearest = std::numeric_limits<double>::infinity(), largest = 0.0;
+    double nearest = std::numeric_limits<double>::infinity(), maximumCoordinate = 0.0;
     // Numbers of far points, of examined points, and of positions of this rank
     std::int64_t counts[] = { 0, 0, 0 };
     for (Index i = 0; i < this->View.size(); ++i)
@@ -245,26 +245,26 @@ private:
       }
       else
       {
-        largest = std::max(largest, maximumNorm(x));
+        maximumCoordinate = std::max(maximumCoordinate, maximumNorm(x));
       }
     }
     removeDuplicates(places);
     counts[2] = static_cast<std::int64_t>(places.size());
     this->Sums.sum(counts, 3);
-    const Index most = std::max(AlwaysFew, counts[1] / ShareOfPlaces);
-    if (counts[0] == 0 || counts[2] > most * this->Sums.NumberOfRanks)
+    const Index maximumCount = std::max(AlwaysFew, counts[1] / ShareOfPlaces);
+    if (counts[0] == 0 || counts[2] > maximumCount * this->Sums.NumberOfRanks)
     {
       return false;
     }
     places = gatherPlaces(this->Sums, places);
     const auto size = static_cast<Index>(places.size());
-    if (size > most || (size > AlwaysFew && this->isSurface(places)))
+    if (size > maximumCount || (size > AlwaysFew && this->isSurface(places)))
     {
       return false;
     }
     far.Count = counts[0];
     far.Total = counts[1];
-    far.LargestCoordinate = maximum(this->Sums, { largest })[0];
+    far.MaximumCoordinate = maximum(this->Sums, { maximumCoordinate })[0];
     far.Distance = minimum(this->Sums, { nearest })[0].Value / this->Radius;
     return true;
   }

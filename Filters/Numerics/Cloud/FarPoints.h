@@ -18,10 +18,10 @@ struct FarPoints
 {
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, far ones included
-  /// Distance of the nearest far point, in units of the radius of the cloud; 0 without any
-  double Distance = 0.0;
+  double Distance =
+    0.0; ///< of the nearest far point, in units of the cloud's radius; 0 without any
   /// Maximum over the points that are not far; 0 without far points
-  double LargestCoordinate = 0.0;
+  double MaximumCoordinate = 0.0;
 
   Vector3 QuarterOfCenter = Vector3::Zero(); ///< quarter of the coordinate-wise median of the cloud
   /// Quarter of the distance beyond which a point is far

@@ -65,7 +65,7 @@ std::vector<double> areasOfPoints(const Points& points, const Run& run)
   {
     return areas;
   }
-  Steps steps(run, { 160.0, 1400.0 }); // for each point
+  Steps steps(run, { 0.1, 0.9 });
   const PointTree tree(points, steps.next());
   forBlocksReporting(steps.next(), points.rows(), blockSize,
     [&](Index begin, Index end)
@@ -138,7 +138,7 @@ PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
   {
     return noise;
   }
-  Steps steps(run, { 160.0, 2500.0 }); // for each point
+  Steps steps(run, { 0.06, 0.94 });
   const PointTree tree(points, steps.next());
   std::vector<std::vector<int>> around(size);
   forBlocksReporting(steps.next(), size, blockSize,

@@ -90,8 +90,8 @@ bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
   for (const int count : { Neighbors, 2 * Neighbors })
   {
     const NearestPlane plane = planeNear(points, tree, place, count);
-    const double most = thickness * plane.SquareWidths[1];
-    if (plane.SquareWidths[0] < most && plane.Offset * plane.Offset < most)
+    const double maximum = thickness * plane.SquareWidths[1];
+    if (plane.SquareWidths[0] < maximum && plane.Offset * plane.Offset < maximum)
     {
       return true;
     }
@@ -108,7 +108,7 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
   {
     return stray;
   }
-  Steps steps(run, { 160.0, 1550.0 }); // for each point
+  Steps steps(run, { 0.1, 0.9 }); // tree, planes
   const PointTree tree(points, steps.next());
   forBlocksReporting(steps.next(), points.rows(), BlockSize,
     [&](Index begin, Index end)
@@ -133,7 +133,7 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
   {
     return isolated;
   }
-  Steps steps(run, { 160.0, 1400.0, 60.0, 20.0 }); // for each point
+  Steps steps(run, { 0.1, 0.84, 0.04, 0.02 });
   const PointTree tree(points, steps.next());
   std::vector<double> squares(size);
   std::vector<std::array<int, Neighbors>> around(size);

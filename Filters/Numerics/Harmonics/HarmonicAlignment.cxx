@@ -163,12 +163,6 @@ Columns rotateHarmonics(const Columns& coefficients, const Matrix3d& rotation, c
 }
 
 //------------------------------------------------------------------------------
-double workOfHarmonicRotation(double columns, double degree)
-{
-  return workOfEvaluation(2.0 * std::pow(degree + 1.0, 2), columns, degree);
-}
-
-//------------------------------------------------------------------------------
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients)
 {
   const EllipsoidAxes axes = axesOf(coefficients);

@@ -14,9 +14,6 @@ namespace conformal
 Columns rotateHarmonics(
   const Columns& coefficients, const Eigen::Matrix3d& rotation, const Run& run = {});
 
-/// What rotateHarmonics() is expected to take, see Steps.
-double workOfHarmonicRotation(double columns, double degree);
-
 /// A point s of a surface that is mapped to p comes to SurfaceRotation (s - Center) and is mapped
 /// to MapRotation p.
 struct HarmonicAlignment

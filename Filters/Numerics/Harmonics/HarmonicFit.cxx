@@ -90,8 +90,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const Columns& values, const HarmonicGrid& grid, double longest, const Run& run)
 {
   constexpr Index blockSize = 512;
-  const auto size = static_cast<double>(triangles.rows());
-  Steps steps(run, { 50.0 * size, 500.0 * size, 300.0 * static_cast<double>(grid.size()) });
+  Steps steps(run, { 0.1, 0.8, 0.1 }); // small triangles, locator, samples
   steps.next();
   SurfaceSamples samples;
   const std::vector<char> isSmall =
@@ -99,7 +98,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const SphereLocator locator(mesh.SpherePositions, triangles, steps.next());
   const Run sampling = steps.next();
   const Points directions = grid.directions();
-  const double share = 4.0 * Pi / static_cast<double>(grid.size()), leastArea = 1e-200;
+  const double share = 4.0 * Pi / static_cast<double>(grid.size()), minimumArea = 1e-200;
   samples.Values.resize(grid.size(), values.cols());
   samples.Density.resize(grid.size());
   samples.Counted.resize(grid.size());
@@ -118,7 +117,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
         }
         const double area = areaVector(mesh.Positions, triangles, hint).norm();
         const double onSphere = areaVector(mesh.SpherePositions, triangles, hint).norm();
-        samples.Density[i] = area / std::max(onSphere, leastArea);
+        samples.Density[i] = area / std::max(onSphere, minimumArea);
         // A node in a sliver stands for no more than the sliver.
         samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : area / std::max(onSphere, share);
       }
@@ -146,10 +145,9 @@ struct ColumnGroup
   }
 };
 
-constexpr int MostSteps = 200;
-constexpr double ExpectedSteps = 25.0;
+constexpr int MaximumNumberOfSteps = 200;
 constexpr double WantedAccuracy = 1e-28; // of the square of the residual
-constexpr double LargestResidual = 1e-8;
+constexpr double MaximumResidual = 1e-8;
 
 // Reports how far the residual has fallen, which it does by a factor from step to step.
 class Descent
@@ -174,25 +172,17 @@ private:
   double First = 0.0;
   double Reached = 0.0;
 };
-
-double workOfTransforms(double degree)
-{
-  return 2.0 * (900.0 * std::pow(degree + 1.0, 2) + 10.0 * std::pow(degree + 1.0, 3));
-}
 }
 
 //------------------------------------------------------------------------------
 Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, const Run& run)
 {
-  const auto vertices = static_cast<double>(mesh.Positions.rows());
-  const auto columns = static_cast<double>(values.cols());
   const HarmonicGrid grid(4 * degree); // exact for a harmonic times a density times a harmonic
   const Index groups = (values.cols() + 2) / 3;
-  std::vector<double> work = { 300.0 * vertices,
-    1100.0 * vertices + 300.0 * static_cast<double>(grid.size()),
-    workOfEvaluation(vertices, 1.0, 2.0 * degree), workOfEvaluation(vertices, columns, degree) };
-  work.insert(work.end(), groups, ExpectedSteps * workOfTransforms(degree));
-  Steps steps(run, work);
+  // Triangles, samples, density, moments, and the equations of each group.
+  std::vector<double> shares = { 0.05, 0.2, 0.45, 0.2 };
+  shares.insert(shares.end(), groups, 0.1 / static_cast<double>(groups));
+  Steps steps(run, shares);
   steps.next();
   const Triangles triangles = trianglesOnSphere(mesh, run.unwatched());
   const SurfaceSamples samples =
@@ -207,8 +197,8 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     throw std::invalid_argument("the surface has no area");
   }
   // Where the surface is shrunk to almost nothing, no more than this is asked of the solution.
-  const double leastDensity = 1e-3 * area / (4.0 * Pi);
-  const Eigen::VectorXd inverse = samples.Density.cwiseMax(leastDensity).cwiseInverse();
+  const double minimumDensity = 1e-3 * area / (4.0 * Pi);
+  const Eigen::VectorXd inverse = samples.Density.cwiseMax(minimumDensity).cwiseInverse();
   const auto timesDensity = [&](const Eigen::VectorXd& factor, const Points& coefficients)
   {
     Columns product = grid.synthesize(coefficients, run.unwatched());
@@ -224,7 +214,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     throw std::overflow_error("values are too large for their harmonics");
   }
   ConjugateGradientsOptions options;
-  options.NumberOfSteps = MostSteps;
+  options.NumberOfSteps = MaximumNumberOfSteps;
   options.Accuracy = WantedAccuracy;
   Columns coefficients(moments.rows(), moments.cols());
   for (Index group = 0; group < groups; ++group)
@@ -241,22 +231,15 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
         descent.report(residual.cwiseProduct(product).sum());
       },
       options);
-    if (!(own.Values.norm() <= LargestResidual * before))
+    if (!(own.Values.norm() <= MaximumResidual * before))
     {
-      throw NumericalFailure("the harmonics did not converge within " + std::to_string(MostSteps) +
+      throw NumericalFailure("the harmonics did not converge within " +
+        std::to_string(MaximumNumberOfSteps) +
         " steps: the area distortion of the map to the sphere is too large. Map the surface with "
         "an AreaBalance, or use a lower Degree.");
     }
     coefficients.middleCols(first, size) = (solution * own.Units.asDiagonal()).leftCols(size);
   }
   return coefficients;
-}
-
-//------------------------------------------------------------------------------
-double workOfHarmonicFit(double vertices, double columns, double degree)
-{
-  return 1400.0 * vertices + 2400.0 * std::pow(degree + 1.0, 2) +
-    workOfEvaluation(vertices, 1.0, 2.0 * degree) + workOfEvaluation(vertices, columns, degree) +
-    std::ceil(columns / 3.0) * ExpectedSteps * workOfTransforms(degree);
 }
 }

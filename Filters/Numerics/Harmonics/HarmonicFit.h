@@ -37,9 +37,6 @@ namespace conformal
 /// @throws Aborted
 Columns fitHarmonics(
   const MappedMesh& mesh, const Columns& values, int degree, const Run& run = {});
-
-/// What fitHarmonics() is expected to take, see Steps.
-double workOfHarmonicFit(double vertices, double columns, double degree);
 }
 
 #endif

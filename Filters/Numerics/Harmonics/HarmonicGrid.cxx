@@ -15,9 +15,9 @@ namespace conformal
 namespace
 {
 // At least so many, with factors that fast Fourier transforms like.
-Index smoothNumber(Index least)
+Index smoothNumber(Index minimum)
 {
-  for (Index number = (least + 3) / 4 * 4;; number += 4)
+  for (Index number = (minimum + 3) / 4 * 4;; number += 4)
   {
     Index left = number;
     for (const Index factor : { 2, 3, 5 })

@@ -26,11 +26,7 @@ double enclosedVolume(const Points& positions, const Triangles& triangles)
 //------------------------------------------------------------------------------
 HarmonicSurface makeHarmonicSurface(const Columns& coefficients, int frequency, const Run& run)
 {
-  const auto size = static_cast<double>(geodesicSphereSize(frequency));
-  Steps steps(run,
-    { 31.0 * size,
-      workOfEvaluation(
-        size, static_cast<double>(coefficients.cols()), degreeOfHarmonics(coefficients.rows())) });
+  Steps steps(run, { 0.05, 0.95 }); // sphere, harmonics
   HarmonicSurface surface;
   Mesh sphere = makeGeodesicSphere(frequency, steps.next());
   const Columns values = evaluateHarmonics(coefficients, sphere.Positions, steps.next());

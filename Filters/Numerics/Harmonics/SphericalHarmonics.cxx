@@ -188,13 +188,6 @@ Columns harmonicMoments(const Points& directions, const Columns& values, int deg
 }
 
 //------------------------------------------------------------------------------
-double workOfEvaluation(double directions, double columns, double degree)
-{
-  const double count = degree + 1.0;
-  return directions * (100.0 + 25.0 * count + (0.8 + 0.25 * columns) * count * count);
-}
-
-//------------------------------------------------------------------------------
 Eigen::VectorXd powerPerDegree(const Columns& coefficients)
 {
   const int degree = degreeOfHarmonics(coefficients.rows());

@@ -53,9 +53,6 @@ Columns evaluateHarmonics(
 Columns harmonicMoments(
   const Points& directions, const Columns& values, int degree, const Run& run = {});
 
-/// What either of both is expected to take, see Steps.
-double workOfEvaluation(double directions, double columns, double degree);
-
 /// Sum of squares of the coefficients of each degree, over all columns: does not depend on how the
 /// sphere is turned, nor on how the values are where columns are coordinates.
 Eigen::VectorXd powerPerDegree(const Columns& coefficients);

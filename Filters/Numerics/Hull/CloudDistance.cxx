@@ -24,16 +24,6 @@ constexpr double SamplesPerSquare = 32.0; // of the grid's spacing
 // A second round brings seeds round corners that the first could not turn.
 constexpr int NumberOfSweeps = 6;
 
-// For each sample and each node, in nanoseconds as in Steps.
-constexpr double WorkOfStray = 1700.0, WorkOfIsolated = 3.0, WorkOfSweep = 9.0;
-
-// How many samples count, of all processes.
-double numberOfSelected(const FreudenthalGrid& grid, const TrainingSamples& samples)
-{
-  return std::min(
-    static_cast<double>(samples.totalSize()), SamplesPerSquare / (grid.Spacing * grid.Spacing));
-}
-
 // A square distance above, an id below: as integers, these compare by distance, then by id.
 using Entry = std::uint64_t;
 constexpr Entry NoEntry = std::numeric_limits<Entry>::max();
@@ -328,19 +318,11 @@ private:
 
   const FreudenthalGrid& Grid;
   const Points Taken;              ///< the samples that count
-  const Run Threads;               // nobody watches
+  const Run Threads;               // without progress
   std::vector<std::uint8_t> Stray; ///< for each of those taken
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in grid coordinates
 };
-}
-
-//------------------------------------------------------------------------------
-double workOfDistances(const FreudenthalGrid& grid, const TrainingSamples& samples)
-{
-  return (8.0 + WorkOfIsolated + NumberOfSweeps * WorkOfSweep) *
-    static_cast<double>(grid.numberOfNodes()) +
-    (WorkOfStray + 95.0) * numberOfSelected(grid, samples);
 }
 
 //------------------------------------------------------------------------------
@@ -401,13 +383,10 @@ FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin)
 std::vector<float> distanceToSamples(
   const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run)
 {
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  const double size = numberOfSelected(grid, samples);
-  std::vector<double> work = { 3.0 * nodes + 10.0 * size, WorkOfStray * size, 85.0 * size,
-    WorkOfIsolated * nodes, 3.0 * nodes };
-  work.insert(work.end(), NumberOfSweeps, WorkOfSweep * nodes);
-  work.push_back(2.0 * nodes);
-  Steps steps(run, work);
+  std::vector<double> shares = { 0.02, 0.65, 0.04, 0.02, 0.02 };
+  shares.insert(shares.end(), NumberOfSweeps, 0.04);
+  shares.push_back(0.01);
+  Steps steps(run, shares);
   steps.next();
   NearestSamples nearest(grid, samples, run);
   nearest.dropStray(steps.next());

@@ -44,9 +44,6 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// @post the result depends on the samples only, not on threads
 std::vector<float> distanceToSamples(
   const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run = {});
-
-/// What distanceToSamples() takes, in nanoseconds as in Steps.
-double workOfDistances(const FreudenthalGrid& grid, const TrainingSamples& samples);
 }
 
 #endif

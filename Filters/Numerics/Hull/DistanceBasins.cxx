@@ -289,7 +289,7 @@ int findLikeliest(const FreudenthalGrid& grid, const std::vector<float>& distanc
 OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,
   double persistence, const Run& run)
 {
-  Steps steps(run, { 25.0, 12.0, 14.0, 4.0 }); // for each node
+  Steps steps(run, { 0.45, 0.22, 0.26, 0.07 });
   const std::array<int, 3>& size = grid.Size;
   for (int z = 0; z < size[2]; ++z)
   {

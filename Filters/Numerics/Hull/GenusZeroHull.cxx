@@ -18,12 +18,12 @@ namespace conformal
 {
 namespace
 {
-void requireRange(double value, double lowest, double highest, const char* name)
+void requireRange(double value, double minimum, double maximum, const char* name)
 {
-  if (!(value >= lowest && value <= highest))
+  if (!(value >= minimum && value <= maximum))
   {
     throw std::invalid_argument(std::string("the ") + name + " must be in [" +
-      std::to_string(lowest) + ", " + std::to_string(highest) + "]");
+      std::to_string(minimum) + ", " + std::to_string(maximum) + "]");
   }
 }
 
@@ -56,8 +56,8 @@ Index countSamples(const TrainingSamples& samples, const HullData& data, const R
   return sum;
 }
 
-// Of the nodes next to data, 1, leave those that hang together with one next to the outside.
-// Returns how many are left out.
+// Keep of the nodes of data, marked 1, those in pieces that touch the outside. Return how many are
+// dropped.
 Index keepSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   std::vector<std::uint8_t>& nodes, const Run& run)
 {
@@ -92,7 +92,8 @@ Index countInside(
   return count;
 }
 
-// Of the largest cut that handles need, however well it avoids the data, the nodes near these.
+// Cut handles as far from the data as possible; return how many nodes near data the largest cut
+// has.
 Index countCutData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& solid,
   const std::vector<float>& distances, double offset, const Run& run)
 {
@@ -100,17 +101,14 @@ Index countCutData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>&
   constexpr double nearness = 0.6; // offsets
   std::vector<std::uint8_t> opened = solid;
   cutHandles(grid, opened, distances, offset, HandleCut::FarFromData, run);
-  return largestCutNearData(grid, solid, opened, distances, nearness * offset);
+  return maximumCutNearData(grid, solid, opened, distances, nearness * offset);
 }
 
 void addSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, int smoothingPasses, const Run& run,
   GenusZeroHullResult& result)
 {
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  Steps steps(
-    run, { 12.0 * nodes + 1800.0 * surfaceNodes, smoothingPasses * 450.0 * surfaceNodes });
+  Steps steps(run, { 0.4, 0.6 }); // level set, smoothing
   Mesh surface = makeLevelSetSurface(grid, inside, values, level, steps.next());
   smoothSurface(surface.Positions, surface.Triangles, smoothingPasses, steps.next());
   result.Positions.swap(surface.Positions);
@@ -121,16 +119,10 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const GenusZeroHullOptions& options, const Run& run)
 {
   const int margin = static_cast<int>(std::ceil(options.Offset)) + 2;
-  const auto size = static_cast<double>(samples.size());
-  Steps steps(run, { 1.0, 20.0 }); // until the grid is known
+  // Grid, distances, outside, largest piece, Euler number, handles, nodes of the data, samples
+  // outside, data hidden inside, surface.
+  Steps steps(run, { 0.01, 0.6, 0.15, 0.02, 0.01, 0.05, 0.01, 0.01, 0.02, 0.12 });
   const FreudenthalGrid grid = gridAround(samples, spacing, margin, steps.next());
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  // Of distances, what is outside, the largest piece, its Euler number, handles, the data's nodes,
-  // samples outside, data hidden inside, the surface and its smoothing.
-  steps.replan({ workOfDistances(grid, samples), 55.0 * nodes, 6.0 * nodes, 3.5 * nodes,
-    22.0 * nodes, 2.5 * nodes, 22.0 * size, 10.0 * nodes,
-    12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
   std::vector<float> distances = distanceToSamples(grid, samples, steps.next());
 
   GenusZeroHullResult result;
@@ -182,17 +174,17 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   if ((result.NumberOfInsideNodes == 0 || result.Leaks) &&
     2 * result.NumberOfSamplesOutside > samples.totalSize())
   {
-    return result; // too coarse a cloud: no surface is asked for
+    return result; // the cloud is too sparse for this spacing
   }
   addSurface(
     grid, inside, distances, options.Offset, options.SmoothingPasses, steps.next(), result);
   return result;
 }
 
-// Of each node its number of steps to the surface of a solid, from 1, on both sides; 0 for those
-// that are farther than so many.
+// Count the steps from each node to the surface of a solid, from 1, on both sides; 0 for nodes
+// farther than the maximum.
 std::vector<std::uint16_t> stepsToSurface(
-  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int most)
+  const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int maximum)
 {
   const std::array<int, 14> steps = grid.neighborSteps();
   std::vector<std::uint16_t> reached(inside.size(), 0);
@@ -211,7 +203,7 @@ std::vector<std::uint16_t> stepsToSurface(
       }
     });
   const auto size = static_cast<int>(reached.size());
-  for (int layer = 2; layer <= most; ++layer)
+  for (int layer = 2; layer <= maximum; ++layer)
   {
     next.clear();
     for (const int node : front)
@@ -240,10 +232,10 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   const FreudenthalGrid& grid = solid.Grid;
   const double layers = std::max(1.0, std::floor(reach * solid.Width / grid.Spacing));
   const std::vector<double> areas = areasOfPoints(solid.Cloud);
-  const double largest =
+  const double maximumSide =
     areas.empty() ? 0.0 : std::sqrt(*std::max_element(areas.begin(), areas.end()));
   const std::vector<std::uint16_t> steps = stepsToSurface(grid, solid.Inside,
-    static_cast<int>(std::max(layers, std::min(farthest, largest / grid.Spacing))));
+    static_cast<int>(std::max(layers, std::min(farthest, maximumSide / grid.Spacing))));
   std::vector<std::uint8_t> data(steps.size());
   for (std::size_t node = 0; node < data.size(); ++node)
   {
@@ -258,10 +250,10 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
     }
     const Eigen::Vector3i low =
       grid.toGrid(solid.Cloud.row(i)).array().floor().cast<int>().matrix();
-    const int lowest = grid.node(low[0], low[1], low[2]);
+    const int first = grid.node(low[0], low[1], low[2]);
     for (const int corner : grid.cornerSteps())
     {
-      const int node = lowest + corner;
+      const int node = first + corner;
       data[node] =
         data[node] || (steps[node] > 0 && steps[node] * grid.Spacing <= std::sqrt(areas[i]));
     }
@@ -269,16 +261,11 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   return data;
 }
 
-// No triangles where winding numbers do not tell inside from outside.
+// Return no triangles where winding numbers do not separate inside from outside.
 GenusZeroHullResult makeHullByWindingNumbers(
   const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
-  const auto size = static_cast<double>(samples.size());
-  const double nodes = 6.0 / std::pow(options.Spacing, 3);
-  const double surfaceNodes = std::pow(nodes, 2.0 / 3.0);
-  Steps steps(run,
-    { workOfIndicatorSolid(samples, options.Spacing), 44.0 * size,
-      12.0 * nodes + (1800.0 + options.SmoothingPasses * 450.0) * surfaceNodes });
+  Steps steps(run, { 0.93, 0.01, 0.06 }); // solid, samples outside, surface
   IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, steps.next());
   GenusZeroHullResult result;
   if (solid.Inside.empty())
@@ -354,10 +341,10 @@ bool HullData::contains(const Vector3& sample) const
 //------------------------------------------------------------------------------
 bool hasHandles(const GenusZeroHullResult& hull)
 {
-  constexpr Index most = 4, mostOfData = 3; // that sparse data have by chance
+  constexpr Index maximum = 4, maximumOfData = 3; // that sparse data have by chance
   return !hull.HandlesByChance &&
-    (hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, most) ||
-      (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > mostOfData));
+    (hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, maximum) ||
+      (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > maximumOfData));
 }
 
 //------------------------------------------------------------------------------
@@ -387,7 +374,7 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   {
     return hull;
   }
-  // Where the distance leaks it tells nothing of what is left out.
+  // A hull that leaks has no count of the samples left out.
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
   const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
@@ -400,27 +387,11 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
 }
 
 //------------------------------------------------------------------------------
-double workOfGenusZeroHull(double numberOfSamples, double spacing)
-{
-  // Of the nodes that a usual object has, and of no more samples than are worth the spacing.
-  const double perSquare = 1.0 / (spacing * spacing);
-  return 220.0 * 4.7 * perSquare / spacing + 40.0 * numberOfSamples +
-    1900.0 * std::min(numberOfSamples, 32.0 * perSquare);
-}
-
-//------------------------------------------------------------------------------
 double cutFraction(const GenusZeroHullResult& hull)
 {
   const double area = surfaceArea(hull.Positions, hull.Triangles);
   const double cut = static_cast<double>(hull.NumberOfCutNodes) * hull.Spacing * hull.Spacing;
   return hasHandles(hull) && area > 0.0 ? std::min(1.0, 2.0 * cut / area) : 0.0;
-}
-
-//------------------------------------------------------------------------------
-double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing)
-{
-  return workOfIndicatorSolid(samples, spacing) + 44.0 * static_cast<double>(samples.totalSize()) +
-    160000.0 / (spacing * spacing);
 }
 
 //------------------------------------------------------------------------------

@@ -83,9 +83,6 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfSamplesInside = 0;  ///< samples inside, apart from the surface: inner parts
 };
 
-/// What makeGenusZeroHull() takes, in nanoseconds as in Steps.
-double workOfGenusZeroHull(double numberOfSamples, double spacing);
-
 /// Whether the object itself seems to have handles, or parts that touch: then a cut goes through
 /// its inside, or through its data however well it avoids them. Handles of the offset, between
 /// limbs closer than it, need neither; one node inside for each handle may be a gap in sparse data.
@@ -134,9 +131,6 @@ GenusZeroHullResult makeGenusZeroHull(
 /// @param[in] winding  of the latter; likewise
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
   GenusZeroHullOptions winding, const Run& run = {});
-
-/// What makeGenusZeroHull() takes with WindingNumbers, in nanoseconds as in Steps.
-double workOfHullByWindingNumbers(const TrainingSamples& samples, double spacing);
 }
 
 #endif

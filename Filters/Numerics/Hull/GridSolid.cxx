@@ -260,7 +260,7 @@ Index fillHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside
 }
 
 //------------------------------------------------------------------------------
-Index largestCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
+Index maximumCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
   const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness)
 {
   constexpr std::uint8_t unseen = 1, seen = 2;

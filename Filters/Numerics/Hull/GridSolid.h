@@ -57,7 +57,7 @@ Index fillHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside
 /// the most of any piece.
 /// @param[in] uncut, cut  the solid before and after
 /// @param[in] nearness    distance up to which a node is near
-Index largestCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
+Index maximumCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
   const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness);
 }
 

@@ -15,13 +15,6 @@ constexpr double Nearness = 1.5;       // spacings from a point
 constexpr double MarginOfLevel = 0.15; // a cube's corners may miss what is in it
 constexpr Index CubesPerChunk = 1 << 12, CoarsePerChunk = 1 << 16;
 
-// In nanoseconds as in Steps, and of the nodes near the surface, of which there are as on a cube.
-constexpr double WorkOfNode = 30.0;
-double workOfEvaluation(double nodes)
-{
-  return 5500.0 * std::pow(nodes, 2.0 / 3.0);
-}
-
 using Triple = std::array<int, 3>;
 
 // Every fourth node along each axis, up to one at or beyond the last.
@@ -60,33 +53,52 @@ double middleOf(const Eigen::VectorXd& values)
   return *middle;
 }
 
-// The winding numbers of the coarse grid, evaluated in cubes of nodes that are close together.
-std::vector<float> coarseNumbers(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
-  const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width, const Run& run)
+// Call body(x) for all nodes from low up to, but not including, high; along x first.
+template <typename Body>
+void forNodes(const Triple& low, const Triple& high, const Body& body)
 {
-  constexpr int side = 4;
-  std::vector<Index> order;
-  order.reserve(coarseGrid.numberOfNodes());
-  Triple low;
-  for (low[2] = 0; low[2] < coarseGrid.Size[2]; low[2] += side)
+  Triple x;
+  for (x[2] = low[2]; x[2] < high[2]; ++x[2])
   {
-    for (low[1] = 0; low[1] < coarseGrid.Size[1]; low[1] += side)
+    for (x[1] = low[1]; x[1] < high[1]; ++x[1])
     {
-      for (low[0] = 0; low[0] < coarseGrid.Size[0]; low[0] += side)
+      for (x[0] = low[0]; x[0] < high[0]; ++x[0])
       {
-        for (int z = low[2]; z < std::min(low[2] + side, coarseGrid.Size[2]); ++z)
-        {
-          for (int y = low[1]; y < std::min(low[1] + side, coarseGrid.Size[1]); ++y)
-          {
-            for (int x = low[0]; x < std::min(low[0] + side, coarseGrid.Size[0]); ++x)
-            {
-              order.push_back(coarseGrid.node(x, y, z));
-            }
-          }
-        }
+        body(x);
       }
     }
   }
+}
+
+// List the nodes of a coarse grid cube by cube. WindingNumbers::at() needs runs of 64 nodes that
+// lie close together, and a cube of 4 x 4 x 4 nodes is such a run.
+std::vector<Index> nodesByCubes(const CoarseGrid& coarseGrid)
+{
+  constexpr int side = 4;
+  const Triple& size = coarseGrid.Size;
+  std::vector<Index> nodes;
+  nodes.reserve(coarseGrid.numberOfNodes());
+  const auto cubes = [&](int axis) { return (size[axis] + side - 1) / side; };
+  forNodes({ 0, 0, 0 }, { cubes(0), cubes(1), cubes(2) },
+    [&](const Triple& cube)
+    {
+      Triple low, high;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = side * cube[axis];
+        high[axis] = std::min(low[axis] + side, size[axis]);
+      }
+      forNodes(
+        low, high, [&](const Triple& x) { nodes.push_back(coarseGrid.node(x[0], x[1], x[2])); });
+    });
+  return nodes;
+}
+
+// Compute the winding numbers at the nodes of the coarse grid.
+std::vector<float> coarseNumbers(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
+  const WindingNumbers& cloud, const WindingNumbers::Sources& sources, double width, const Run& run)
+{
+  const std::vector<Index> order = nodesByCubes(coarseGrid);
   std::vector<float> numbers(order.size());
   const auto size = static_cast<Index>(order.size());
   Points places;
@@ -122,41 +134,28 @@ std::vector<Index> cubesToEvaluate(const FreudenthalGrid& grid, const CoarseGrid
     {
       low[axis] = std::max(0, static_cast<int>(std::floor((x[axis] - Nearness) / Stride)));
       high[axis] = std::min(
-        coarseGrid.Size[axis] - 2, static_cast<int>(std::floor((x[axis] + Nearness) / Stride)));
+        coarseGrid.Size[axis] - 1, static_cast<int>(std::floor((x[axis] + Nearness) / Stride)) + 1);
     }
-    for (int z = low[2]; z <= high[2]; ++z)
-    {
-      for (int y = low[1]; y <= high[1]; ++y)
-      {
-        for (int cx = low[0]; cx <= high[0]; ++cx)
-        {
-          marks[coarseGrid.node(cx, y, z)] = 1;
-        }
-      }
-    }
+    forNodes(low, high, [&](const Triple& c) { marks[coarseGrid.node(c[0], c[1], c[2])] = 1; });
   }
   std::vector<Index> cubes;
-  for (int z = 0; z + 1 < coarseGrid.Size[2]; ++z)
-  {
-    for (int y = 0; y + 1 < coarseGrid.Size[1]; ++y)
+  forNodes({ 0, 0, 0 }, { coarseGrid.Size[0] - 1, coarseGrid.Size[1] - 1, coarseGrid.Size[2] - 1 },
+    [&](const Triple& x)
     {
-      for (int x = 0; x + 1 < coarseGrid.Size[0]; ++x)
+      const Index cube = coarseGrid.node(x[0], x[1], x[2]);
+      float minimum = coarse[cube], maximum = minimum;
+      for (int s = 1; s < 8; ++s)
       {
-        float least = coarse[coarseGrid.node(x, y, z)], most = least;
-        for (int s = 1; s < 8; ++s)
-        {
-          const float value = coarse[coarseGrid.node(x + (s & 1), y + (s >> 1 & 1), z + (s >> 2))];
-          least = std::min(least, value);
-          most = std::max(most, value);
-        }
-        const Index cube = coarseGrid.node(x, y, z);
-        if (marks[cube] || (least < level + MarginOfLevel && most > level - MarginOfLevel))
-        {
-          cubes.push_back(cube);
-        }
+        const float value =
+          coarse[coarseGrid.node(x[0] + (s & 1), x[1] + (s >> 1 & 1), x[2] + (s >> 2))];
+        minimum = std::min(minimum, value);
+        maximum = std::max(maximum, value);
       }
-    }
-  }
+      if (marks[cube] || (minimum < level + MarginOfLevel && maximum > level - MarginOfLevel))
+      {
+        cubes.push_back(cube);
+      }
+    });
   return cubes;
 }
 
@@ -318,18 +317,11 @@ double interpolated(
 }
 
 //------------------------------------------------------------------------------
-double workOfIndicator(double nodes)
-{
-  return WorkOfNode * nodes + workOfEvaluation(nodes);
-}
-
-//------------------------------------------------------------------------------
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run)
 {
   const CoarseGrid coarseGrid(grid);
-  const auto nodes = static_cast<double>(grid.numberOfNodes());
-  Steps steps(run, { 0.5 * WorkOfNode * nodes, workOfEvaluation(nodes), 0.5 * WorkOfNode * nodes });
+  Steps steps(run, { 0.2, 0.6, 0.2 }); // coarse grid, nodes near the surface, blur
   const WindingNumbers::Sources sources = cloud.sources(areas);
   const std::vector<float> coarse =
     coarseNumbers(grid, coarseGrid, cloud, sources, width, steps.next());

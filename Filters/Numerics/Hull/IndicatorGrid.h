@@ -33,9 +33,6 @@ struct Indicator
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run = {});
-
-/// What indicatorOn() takes on so many nodes around a usual object, in nanoseconds as in Steps.
-double workOfIndicator(double nodes);
 }
 
 #endif

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace conformal
 {
@@ -16,21 +19,16 @@ namespace
 {
 constexpr double SelectedPoints = 50000.0;
 constexpr Index ThinnedPoints = 10000;
-constexpr Index MinimumPoints = 20; // of which anything can be told
+constexpr Index MinimumPoints = 20; // for a solid
 
 // Widths, in units of the largest radius and of the typical spacing of the thinned points.
 constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.5, FirstToLastWidth = 4.0;
 
-// Noise that is no smaller against the spacing asks for a width of its own, and for wider ones
-// while there are more handles and cavities than these.
+// Noise above this fraction of the spacing needs a width of its own, and wider ones while there are
+// more handles and cavities than tolerated.
 constexpr double NoiseOfSpacing = 0.25, WidthOfNoise = 2.5, NextWidth = 1.5;
 constexpr int NumberOfWidths = 3;
 constexpr Index ToleratedFaults = 4;
-
-// In nanoseconds as in Steps: for each point selected, each point thinned, and each node.
-constexpr double WorkOfIsolated = 1500.0, WorkOfThinning = 1000.0;
-constexpr double WorkOfNeighbors = 3000.0, WorkOfOrientation = 110000.0;
-constexpr double WorkOfFaults = 18.0, WorkOfRepair = 34.0;
 
 // The surface over missing data may bulge out of the data's box by as much.
 constexpr double Bulge = 0.1;
@@ -79,116 +77,138 @@ Faults faultsOf(const FreudenthalGrid& grid, std::vector<std::uint8_t> inside)
   faults.Handles = 1 - eulerNumber(grid, inside);
   return faults;
 }
-}
 
-//------------------------------------------------------------------------------
-double workOfIndicatorSolid(const TrainingSamples& samples, double spacing)
+// Thinned samples with area vectors, and the solid that is being made of them.
+class SolidSearch
 {
-  const auto size = static_cast<double>(samples.totalSize());
-  const double nodes = 6.0 / (spacing * spacing * spacing); // of a usual object
-  const double thinned = std::min(size, 0.9 * static_cast<double>(ThinnedPoints));
-  return (WorkOfIsolated + WorkOfThinning) * std::min(size, SelectedPoints) +
-    (2.0 * WorkOfNeighbors + (samples.oriented() ? 0.0 : WorkOfOrientation)) * thinned +
-    workOfIndicator(nodes) + (WorkOfFaults + WorkOfRepair) * nodes;
+public:
+  SolidSearch(OrientedPoints cloud, double spacing, const Run& run)
+    : Cloud(std::move(cloud))
+    , Numbers(this->Cloud.Positions, run.unwatched())
+    , SpacingOfPoints(typicalSpacing(this->Cloud.Positions, run.unwatched()))
+    , Width(std::max(MinimumWidth, WidthOfSpacing * this->SpacingOfPoints))
+  {
+    const int margin = static_cast<int>(std::ceil(Bulge / spacing)) + 3;
+    this->Solid.Grid = gridAround(boxOf(this->Cloud.Positions), spacing, margin);
+  }
+
+  // Find area vectors by the normals of the samples, or without them where these are of no use.
+  void orientSamples(bool hasNormals, const Run& run)
+  {
+    if (hasNormals)
+    {
+      this->Areas = areaVectors(this->Cloud.Positions, this->Cloud.Normals, run.unwatched());
+      this->Solid.NormalsUsed =
+        turnOutward(this->Numbers, this->Areas, this->Width, run.part(0.0, 0.1));
+    }
+    this->orientAnew(run.part(0.1, 1.0));
+    const double noise = noiseOf(this->Cloud.Positions, this->Areas, run.unwatched()).Deviation;
+    this->Solid.Noise = noise;
+    this->IsNoisy = noise > NoiseOfSpacing * this->SpacingOfPoints;
+  }
+
+  // Find the nodes inside, with wider kernels while noise leaves many faults; keep the fewest.
+  void findInside(const Run& run)
+  {
+    constexpr double share = 0.8; // of what is left of the progress, for each width
+    Index minimum = -1;
+    double begin = 0.0;
+    for (int i = 0; i < NumberOfWidths; ++i)
+    {
+      const double end = begin + share * (1.0 - begin);
+      Steps steps(run.part(begin, end), { 0.5, 0.4, 0.1 }); // orientation, indicator, faults
+      begin = end;
+      this->widen(i, steps.next());
+      Indicator field =
+        indicatorOn(this->Solid.Grid, this->Numbers, this->Areas, this->Width, steps.next());
+      steps.next();
+      std::vector<std::uint8_t> inside = nodesAbove(this->Solid.Grid, field);
+      const Index faults = faultsOf(this->Solid.Grid, inside).sum();
+      if (minimum < 0 || faults < minimum)
+      {
+        minimum = faults;
+        this->Solid.Field = std::move(field);
+        this->Solid.Inside.swap(inside);
+        this->Solid.Width = this->Width;
+      }
+      if (!this->IsNoisy || faults <= ToleratedFaults)
+      {
+        break;
+      }
+    }
+  }
+
+  // Return the solid as one ball.
+  IndicatorSolid repaired(const Run& run)
+  {
+    IndicatorSolid& solid = this->Solid;
+    joinPieces(solid.Grid, solid.Field, solid.Inside, run.part(0.0, 0.3));
+    fillCavities(solid.Grid, solid.Inside, run.part(0.3, 0.5));
+    solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
+    solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, run.part(0.5, 1.0));
+    if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
+    {
+      solid.Inside.clear();
+    }
+    solid.Cloud.swap(this->Cloud.Positions);
+    return std::move(solid);
+  }
+
+private:
+  void orientAnew(const Run& run)
+  {
+    if (!this->Solid.NormalsUsed)
+    {
+      OrientationOptions options;
+      options.FirstWidth = FirstToLastWidth * this->Width;
+      options.LastWidth = this->Width;
+      this->Areas = orient(this->Numbers, options, run);
+    }
+  }
+
+  // Widen the kernel for a try; the first one has the width of the orientation unless noise needs
+  // more.
+  void widen(int number, const Run& run)
+  {
+    const double widthOfNoise = WidthOfNoise * this->Solid.Noise;
+    if (number > 0)
+    {
+      this->Width *= NextWidth;
+      this->orientAnew(run);
+    }
+    else if (this->IsNoisy && this->Width < widthOfNoise)
+    {
+      this->Width = widthOfNoise;
+      this->orientAnew(run);
+    }
+  }
+
+  OrientedPoints Cloud;
+  WindingNumbers Numbers;
+  double SpacingOfPoints;
+  double Width; // of the kernel
+  bool IsNoisy = false;
+  Points Areas;
+  IndicatorSolid Solid;
+};
 }
 
 //------------------------------------------------------------------------------
 IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing, const Run& run)
 {
-  IndicatorSolid solid;
-  OrientedPoints cloud = selectSamples(samples, SelectedPoints);
-  const auto selected = static_cast<double>(cloud.Positions.rows());
-  Steps steps(run,
-    { WorkOfIsolated * selected, WorkOfThinning * selected,
-      workOfIndicatorSolid(samples, spacing) - (WorkOfIsolated + WorkOfThinning) * selected });
+  // Isolated points, thinning, trees, orientation, inside, repair.
+  Steps steps(run, { 0.06, 0.04, 0.02, 0.72, 0.13, 0.03 });
   constexpr double farthest = 8.0;
+  OrientedPoints cloud = selectSamples(samples, SelectedPoints);
   cloud = without(cloud, isolatedPoints(cloud.Positions, farthest, steps.next()));
   cloud = thin(cloud, ThinnedPoints, steps.next());
   if (cloud.Positions.rows() < MinimumPoints)
   {
-    return solid;
+    return {};
   }
-  const int margin = static_cast<int>(std::ceil(Bulge / spacing)) + 3;
-  solid.Grid = gridAround(boxOf(cloud.Positions), spacing, margin);
-
-  const auto size = static_cast<double>(cloud.Positions.rows());
-  const auto nodes = static_cast<double>(solid.Grid.numberOfNodes());
-  const auto workFromOrientation = [&]
-  {
-    return std::vector<double>{ solid.NormalsUsed ? 0.0 : WorkOfOrientation * size,
-      workOfIndicator(nodes), WorkOfFaults * nodes, WorkOfRepair * nodes };
-  };
-  std::vector<double> work = workFromOrientation();
-  work[0] += WorkOfNeighbors * size; // for the noise
-  work.insert(work.begin(), WorkOfNeighbors * size);
-  steps.replan(work);
-  steps.next();
-  const WindingNumbers numbers(cloud.Positions, run.unwatched());
-  const double spacingOfPoints = typicalSpacing(cloud.Positions, run.unwatched());
-  double width = std::max(MinimumWidth, WidthOfSpacing * spacingOfPoints);
-  Points areas;
-  if (samples.oriented())
-  {
-    areas = areaVectors(cloud.Positions, cloud.Normals, run.unwatched());
-    solid.NormalsUsed = turnOutward(numbers, areas, width, run);
-    steps.replan(workFromOrientation());
-  }
-  const auto orientAnew = [&]
-  {
-    const Run orienting = steps.next();
-    if (!solid.NormalsUsed)
-    {
-      OrientationOptions options;
-      options.FirstWidth = FirstToLastWidth * width;
-      options.LastWidth = width;
-      areas = orient(numbers, options, orienting);
-    }
-  };
-  orientAnew();
-  const double noise = noiseOf(cloud.Positions, areas, run.unwatched()).Deviation;
-  solid.Noise = noise;
-  const bool noisy = noise > NoiseOfSpacing * spacingOfPoints;
-  if (noisy && width < WidthOfNoise * noise)
-  {
-    width = WidthOfNoise * noise;
-    steps.replan(workFromOrientation());
-    orientAnew();
-  }
-  Index fewest = -1;
-  for (int i = 0; i < NumberOfWidths; ++i)
-  {
-    if (i > 0)
-    {
-      width *= NextWidth;
-      steps.replan(workFromOrientation());
-      orientAnew();
-    }
-    Indicator field = indicatorOn(solid.Grid, numbers, areas, width, steps.next());
-    steps.next();
-    std::vector<std::uint8_t> inside = nodesAbove(solid.Grid, field);
-    const Index faults = faultsOf(solid.Grid, inside).sum();
-    if (fewest < 0 || faults < fewest)
-    {
-      fewest = faults;
-      solid.Field = std::move(field);
-      solid.Inside.swap(inside);
-      solid.Width = width;
-    }
-    if (!noisy || faults <= ToleratedFaults)
-    {
-      break;
-    }
-  }
-  const Run repairing = steps.next();
-  joinPieces(solid.Grid, solid.Field, solid.Inside, repairing.part(0.0, 0.3));
-  fillCavities(solid.Grid, solid.Inside, repairing.part(0.3, 0.5));
-  solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
-  solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, repairing.part(0.5, 1.0));
-  if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
-  {
-    solid.Inside.clear();
-  }
-  solid.Cloud.swap(cloud.Positions);
-  return solid;
+  SolidSearch search(std::move(cloud), spacing, steps.next());
+  search.orientSamples(samples.oriented(), steps.next());
+  search.findInside(steps.next());
+  return search.repaired(steps.next());
 }
 }

@@ -29,7 +29,7 @@ struct IndicatorSolid
   HandleRepair Repair;
 };
 
-/// Tell inside from outside by all points at once.
+/// Separate inside from outside by the winding numbers of all points.
 ///
 /// 1. Some 50,000 samples are selected, isolated ones left out (StrayPoints.h) and the others
 ///    thinned to 10,000 (CloudThinning.h).
@@ -43,15 +43,12 @@ struct IndicatorSolid
 ///    ball.
 ///
 /// @param[in] samples  of rank 3
-/// @return no solid where there are too few points to tell
+/// @return no solid if there are too few points
 /// @throws std::length_error if the grid would have more than MaximumNumberOfNodes
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
 IndicatorSolid solidByWindingNumbers(
   const TrainingSamples& samples, double spacing, const Run& run = {});
-
-/// What solidByWindingNumbers() takes, in nanoseconds as in Steps.
-double workOfIndicatorSolid(const TrainingSamples& samples, double spacing);
 }
 
 #endif

@@ -83,37 +83,6 @@ Cut cutOf(unsigned int set)
   return cut;
 }
 
-// Numbers of the edges with one node in the set: those of a node, which lead to the corners of the
-// cube above it, follow each other.
-class CutEdges
-{
-public:
-  CutEdges(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
-    : Steps(grid.cornerSteps())
-    , Inside(inside)
-  {
-  }
-  unsigned int corners(int node) const
-  {
-    unsigned int set = 0;
-    for (int s = 0; s < 8; ++s)
-    {
-      set |= static_cast<unsigned int>(this->Inside[node + this->Steps[s]]) << s;
-    }
-    return set;
-  }
-  // Corners at the other end of a node's cut edges.
-  static unsigned int cut(unsigned int corners)
-  {
-    return (corners & 1U) ? ~corners & 0xffU : corners;
-  }
-
-  const std::array<int, 8> Steps;
-
-private:
-  const std::vector<std::uint8_t>& Inside;
-};
-
 int countBits(unsigned int bits)
 {
   int count = 0;
@@ -123,110 +92,177 @@ int countBits(unsigned int bits)
   }
   return count;
 }
+
+// Marching tetrahedra over all cubes of a grid, each known by its lowest corner. The last node of a
+// row has a cube that runs into the next row, but no node near a face is in the set.
+//
+// A vertex lies on each edge with one node in the set. Edges of a node, which lead to the corners
+// of the cube above it, have consecutive numbers.
+class MarchingTetrahedra
+{
+public:
+  MarchingTetrahedra(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
+    const std::vector<float>& values, double level)
+    : Grid(grid)
+    , Inside(inside)
+    , Values(values)
+    , Level(level)
+    , Corners(grid.cornerSteps())
+    , FirstEdge(grid.numberOfNodes() - Corners[7], -1)
+  {
+    for (unsigned int set = 0; set < this->Cuts.size(); ++set)
+    {
+      this->Cuts[set] = cutOf(set);
+    }
+  }
+
+  void placeVertices(const Run& run)
+  {
+    this->forCubes(run,
+      [&](int node)
+      {
+        const unsigned int cut = edgesCut(this->cornersInside(node));
+        if (cut)
+        {
+          this->FirstEdge[node] = static_cast<int>(this->Positions.size());
+          for (int s = 1; s < 8; ++s)
+          {
+            if (cut >> s & 1U)
+            {
+              this->Positions.push_back(this->positionOn(node, node + this->Corners[s]));
+            }
+          }
+        }
+      });
+  }
+
+  void makeTriangles(const Run& run)
+  {
+    this->Triangles.reserve(2 * this->Positions.size());
+    this->forCubes(run,
+      [&](int node)
+      {
+        const unsigned int corners = this->cornersInside(node);
+        for (int tetrahedron = 0; corners != 0 && corners != 0xffU && tetrahedron < 6;
+             ++tetrahedron)
+        {
+          this->cutTetrahedron(node, corners, tetrahedron);
+        }
+      });
+  }
+
+  Mesh surface() const
+  {
+    Mesh surface;
+    surface.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      surface.Positions.row(static_cast<Index>(i)) = this->Positions[i];
+    }
+    surface.Triangles.resize(static_cast<Index>(this->Triangles.size()), 3);
+    for (std::size_t i = 0; i < this->Triangles.size(); ++i)
+    {
+      const std::array<int, 3>& face = this->Triangles[i];
+      surface.Triangles.row(static_cast<Index>(i)) << face[0], face[1], face[2];
+    }
+    return surface;
+  }
+
+private:
+  template <typename Body>
+  void forCubes(const Run& run, const Body& body) const
+  {
+    forBlocksReporting(run.inOrder(), static_cast<Index>(this->FirstEdge.size()), 1 << 10,
+      [&](Index begin, Index end)
+      {
+        for (int node = static_cast<int>(begin); node < end; ++node)
+        {
+          body(node);
+        }
+      });
+  }
+
+  // Corners of a node's cube that are in the set, as bits.
+  unsigned int cornersInside(int node) const
+  {
+    unsigned int set = 0;
+    for (int s = 0; s < 8; ++s)
+    {
+      set |= static_cast<unsigned int>(this->Inside[node + this->Corners[s]]) << s;
+    }
+    return set;
+  }
+
+  // Corners at the other end of a node's cut edges.
+  static unsigned int edgesCut(unsigned int corners)
+  {
+    return (corners & 1U) ? ~corners & 0xffU : corners;
+  }
+
+  Vector3 positionOn(int node, int other) const
+  {
+    const bool from = this->Inside[node] != 0;
+    const double in = this->Values[from ? node : other], out = this->Values[from ? other : node];
+    const double t = in < this->Level && this->Level < out ? (this->Level - in) / (out - in) : 0.5;
+    const Vector3 a = this->Grid.position(node), b = this->Grid.position(other);
+    return Vector3(from ? a + t * (b - a) : b + t * (a - b));
+  }
+
+  int vertexBetween(int node, int cornerA, int cornerB) const
+  {
+    const int lower = std::min(cornerA, cornerB), axes = cornerA ^ cornerB;
+    const int owner = node + this->Corners[lower];
+    const unsigned int before = (1U << axes) - 1;
+    return this->FirstEdge[owner] + countBits(edgesCut(this->cornersInside(owner)) & before);
+  }
+
+  void cutTetrahedron(int node, unsigned int corners, int tetrahedron)
+  {
+    const int* ascent = Ascents[tetrahedron];
+    unsigned int set = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      set |= (corners >> ascent[i] & 1U) << i;
+    }
+    const Cut& cut = this->Cuts[set];
+    for (int k = 0; k < cut.NumberOfTriangles; ++k)
+    {
+      std::array<int, 3> face;
+      for (int i = 0; i < 3; ++i)
+      {
+        face[i] =
+          this->vertexBetween(node, ascent[cut.Places[k][i][0]], ascent[cut.Places[k][i][1]]);
+      }
+      if (tetrahedron % 2 == 1)
+      {
+        std::swap(face[1], face[2]);
+      }
+      this->Triangles.push_back(face);
+    }
+  }
+
+  const FreudenthalGrid& Grid;
+  const std::vector<std::uint8_t>& Inside;
+  const std::vector<float>& Values;
+  const double Level;
+  const std::array<int, 8> Corners; // steps from a node to the corners of its cube
+  std::array<Cut, 16> Cuts;
+  std::vector<int> FirstEdge; // of each node, or -1
+  std::vector<Vector3> Positions;
+  std::vector<std::array<int, 3>> Triangles;
+};
 }
 
 //------------------------------------------------------------------------------
 Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, const Run& run)
 {
-  // All cubes, from their lowest corners. The last node of a row has a cube that runs into the
-  // next row, but no node near a face is in the set.
-  Steps steps(run, { 11.0, 20.0, 1.5 }); // for each node
-  const CutEdges edges(grid, inside);
-  const Index cubes = grid.numberOfNodes() - edges.Steps[7];
-  std::vector<int> firstEdge(cubes, -1);
-  std::vector<Vector3> positions;
-  const auto place = [&](int node, int other)
-  {
-    const bool from = inside[node] != 0;
-    const double in = values[from ? node : other], out = values[from ? other : node];
-    const double t = in < level && level < out ? (level - in) / (out - in) : 0.5;
-    const Vector3 a = grid.position(node), b = grid.position(other);
-    return Vector3(from ? a + t * (b - a) : b + t * (a - b));
-  };
-  forBlocksReporting(steps.next().inOrder(), cubes, 1 << 10,
-    [&](Index begin, Index end)
-    {
-      for (int node = static_cast<int>(begin); node < end; ++node)
-      {
-        const unsigned int cut = CutEdges::cut(edges.corners(node));
-        if (cut)
-        {
-          firstEdge[node] = static_cast<int>(positions.size());
-          for (int s = 1; s < 8; ++s)
-          {
-            if (cut >> s & 1U)
-            {
-              positions.push_back(place(node, node + edges.Steps[s]));
-            }
-          }
-        }
-      }
-    });
-  const auto vertex = [&](int node, int cornerA, int cornerB)
-  {
-    const int lower = std::min(cornerA, cornerB), axes = cornerA ^ cornerB;
-    const int owner = node + edges.Steps[lower];
-    const unsigned int before = (1U << axes) - 1;
-    return firstEdge[owner] + countBits(CutEdges::cut(edges.corners(owner)) & before);
-  };
-
-  std::array<Cut, 16> cuts;
-  for (unsigned int set = 0; set < 16; ++set)
-  {
-    cuts[set] = cutOf(set);
-  }
-  std::vector<std::array<int, 3>> triangles;
-  triangles.reserve(2 * positions.size());
-  forBlocksReporting(steps.next().inOrder(), cubes, 1 << 10,
-    [&](Index begin, Index end)
-    {
-      for (int node = static_cast<int>(begin); node < end; ++node)
-      {
-        const unsigned int corners = edges.corners(node);
-        if (corners == 0 || corners == 0xffU)
-        {
-          continue;
-        }
-        for (int tetrahedron = 0; tetrahedron < 6; ++tetrahedron)
-        {
-          const int* ascent = Ascents[tetrahedron];
-          unsigned int set = 0;
-          for (int i = 0; i < 4; ++i)
-          {
-            set |= (corners >> ascent[i] & 1U) << i;
-          }
-          const Cut& cut = cuts[set];
-          for (int k = 0; k < cut.NumberOfTriangles; ++k)
-          {
-            std::array<int, 3> face;
-            for (int i = 0; i < 3; ++i)
-            {
-              face[i] = vertex(node, ascent[cut.Places[k][i][0]], ascent[cut.Places[k][i][1]]);
-            }
-            if (tetrahedron % 2 == 1)
-            {
-              std::swap(face[1], face[2]);
-            }
-            triangles.push_back(face);
-          }
-        }
-      }
-    });
-
+  Steps steps(run, { 0.34, 0.61, 0.05 }); // vertices, triangles, surface
+  MarchingTetrahedra marching(grid, inside, values, level);
+  marching.placeVertices(steps.next());
+  marching.makeTriangles(steps.next());
   steps.next();
-  Mesh surface;
-  surface.Positions.resize(static_cast<Index>(positions.size()), 3);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    surface.Positions.row(static_cast<Index>(i)) = positions[i];
-  }
-  surface.Triangles.resize(static_cast<Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    surface.Triangles.row(static_cast<Index>(i)) << triangles[i][0], triangles[i][1],
-      triangles[i][2];
-  }
+  Mesh surface = marching.surface();
   run.report(1.0);
   return surface;
 }

@@ -161,89 +161,130 @@ void addRepairs(const FreudenthalGrid& grid, const Indicator& indicator,
     }
   }
 }
+
+/// Joins the pieces of a solid into one, whose nodes are marked Joined.
+class PieceJoin
+{
+public:
+  static constexpr std::uint8_t Outside = 0, Unseen = 1, Apart = 2, Joined = 3;
+
+  PieceJoin(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside)
+    : Grid(grid)
+    , Inside(inside)
+  {
+  }
+
+  /// Drop tiny pieces and mark the largest one; the others are Apart. The largest is first; of
+  /// equals, that of the lowest node.
+  std::vector<std::vector<int>> largePieces()
+  {
+    std::vector<std::vector<int>> pieces;
+    std::size_t total = 0;
+    for (int node = 0; node < static_cast<int>(this->Inside.size()); ++node)
+    {
+      if (this->Inside[node] == Unseen)
+      {
+        pieces.emplace_back();
+        markPiece(this->Grid, this->Inside, node, Apart, pieces.back());
+        total += pieces.back().size();
+      }
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+      [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    while (!pieces.empty() &&
+      static_cast<double>(pieces.back().size()) < TinyPiece * static_cast<double>(total))
+    {
+      this->mark(pieces.back(), Outside);
+      pieces.pop_back();
+    }
+    if (!pieces.empty())
+    {
+      this->mark(pieces.front(), Joined);
+    }
+    return pieces;
+  }
+
+  /// Join each piece to the first one by the cheapest way, or drop it if that is too long.
+  /// @return the number of nodes added
+  Index joinToFirst(
+    const std::vector<std::vector<int>>& pieces, const Indicator& indicator, const Run& run)
+  {
+    Index count = 0;
+    Ways ways(this->Grid, indicator);
+    ways.start(pieces.front());
+    for (std::size_t left = pieces.size() - 1; left > 0; --left)
+    {
+      const int end = ways.next(this->Inside, Apart, run);
+      if (end < 0)
+      {
+        break;
+      }
+      std::vector<int> piece;
+      markPiece(this->Grid, this->Inside, end, Joined, piece);
+      const std::vector<int> way = ways.way(end);
+      if (this->isTooLong(way, piece.size()))
+      {
+        this->mark(piece, Outside);
+        continue;
+      }
+      count += this->fill(way);
+      ways.start(piece);
+      ways.start(way);
+    }
+    return count;
+  }
+
+private:
+  void mark(const std::vector<int>& nodes, std::uint8_t as)
+  {
+    for (const int node : nodes)
+    {
+      this->Inside[node] = as;
+    }
+  }
+
+  bool isTooLong(const std::vector<int>& way, std::size_t sizeOfPiece) const
+  {
+    const auto open = std::count_if(
+      way.begin(), way.end(), [&](int node) { return this->Inside[node] == Outside; });
+    const double reach = std::min(ReachOfPiece * std::cbrt(static_cast<double>(sizeOfPiece)),
+      FarthestReach / this->Grid.Spacing);
+    return static_cast<double>(open) > reach;
+  }
+
+  Index fill(const std::vector<int>& way)
+  {
+    Index count = 0;
+    for (const int node : way)
+    {
+      count += this->Inside[node] == Outside;
+      this->Inside[node] = Joined;
+      for (const int step : this->Steps)
+      {
+        std::uint8_t& neighbor = this->Inside[node + step];
+        count += neighbor == Outside;
+        neighbor = neighbor == Outside ? Joined : neighbor;
+      }
+    }
+    return count;
+  }
+
+  const FreudenthalGrid& Grid;
+  std::vector<std::uint8_t>& Inside;
+  const std::array<int, 14> Steps = Grid.neighborSteps();
+};
 }
 
 //------------------------------------------------------------------------------
 Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run)
 {
-  constexpr std::uint8_t outside = 0, unseen = 1, apart = 2, joined = 3;
-  std::vector<std::vector<int>> pieces;
-  std::size_t total = 0;
-  for (int node = 0; node < static_cast<int>(inside.size()); ++node)
-  {
-    if (inside[node] == unseen)
-    {
-      pieces.emplace_back();
-      markPiece(grid, inside, node, apart, pieces.back());
-      total += pieces.back().size();
-    }
-  }
-  const auto mark = [&](const std::vector<int>& nodes, std::uint8_t as)
-  {
-    for (const int node : nodes)
-    {
-      inside[node] = as;
-    }
-  };
-  // The largest first; of equals, that of the lowest node.
-  std::stable_sort(
-    pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  while (!pieces.empty() &&
-    static_cast<double>(pieces.back().size()) < TinyPiece * static_cast<double>(total))
-  {
-    mark(pieces.back(), outside);
-    pieces.pop_back();
-  }
-  Index count = 0;
-  if (!pieces.empty())
-  {
-    mark(pieces.front(), joined);
-  }
-  if (pieces.size() > 1)
-  {
-    const std::array<int, 14> steps = grid.neighborSteps();
-    Ways ways(grid, indicator);
-    ways.start(pieces.front());
-    for (std::size_t left = pieces.size() - 1; left > 0; --left)
-    {
-      const int end = ways.next(inside, apart, run);
-      if (end < 0)
-      {
-        break;
-      }
-      std::vector<int> piece;
-      markPiece(grid, inside, end, joined, piece);
-      const std::vector<int> way = ways.way(end);
-      Index open = 0;
-      for (const int node : way)
-      {
-        open += inside[node] == outside;
-      }
-      const double reach = std::min(
-        ReachOfPiece * std::cbrt(static_cast<double>(piece.size())), FarthestReach / grid.Spacing);
-      if (static_cast<double>(open) > reach)
-      {
-        mark(piece, outside);
-        continue;
-      }
-      for (const int node : way)
-      {
-        count += inside[node] == outside;
-        inside[node] = joined;
-        for (const int step : steps)
-        {
-          count += inside[node + step] == outside;
-          inside[node + step] = inside[node + step] == outside ? joined : inside[node + step];
-        }
-      }
-      ways.start(piece);
-      ways.start(way);
-    }
-  }
+  PieceJoin join(grid, inside);
+  std::vector<std::vector<int>> pieces = join.largePieces();
+  const Index count = pieces.size() > 1 ? join.joinToFirst(pieces, indicator, run) : 0;
   for (std::uint8_t& node : inside)
   {
-    node = node == joined;
+    node = node == PieceJoin::Joined;
   }
   return count;
 }

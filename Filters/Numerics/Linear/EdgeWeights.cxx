@@ -24,8 +24,8 @@ Points cotangentsOf(
       const Vector3 u = points.row(triangles(r, next(k))).transpose() - a;
       const Vector3 v = points.row(triangles(r, previous(k))).transpose() - a;
       const double sine = u.cross(v).norm(), cosine = u.dot(v);
-      constexpr double smallest = 1e-12; // smaller angles are rounding error
-      finite = finite && sine > smallest * (u.squaredNorm() + v.squaredNorm());
+      constexpr double minimum = 1e-12; // smaller angles are rounding error
+      finite = finite && sine > minimum * (u.squaredNorm() + v.squaredNorm());
       row[k] = cosine / sine;
     }
     if (finite)

@@ -160,7 +160,7 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
   result.AngleDistortion.resize(size);
   result.AreaDistortion.resize(size);
   result.QuasiConformalError.resize(size);
-  Steps steps(run, { 20.0, 225.0, 21.0 }); // for each triangle
+  Steps steps(run, { 0.08, 0.84, 0.08 });
   steps.next();
   const Points mesh = inUnitBox(points);
   Measured measured(size);

@@ -43,9 +43,7 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
 //------------------------------------------------------------------------------
 Points carryMap(const Points& points, const MappedMesh& other, const Run& run)
 {
-  Steps steps(run,
-    { 500.0 * static_cast<double>(other.Triangles.rows()),
-      1000.0 * static_cast<double>(points.rows()) });
+  Steps steps(run, { 0.5, 0.5 }); // tree, foot points
   const TriangleTree tree(other.Positions, other.Triangles, steps.next());
   Points result(points.rows(), 3);
   constexpr Index blockSize = 256;

@@ -191,19 +191,25 @@ template <typename Query>
 std::vector<double> squareDistances(
   const TriangleTree& tree, Index size, const Query& query, const Run& run)
 {
-  constexpr Index blockSize = 1 << 9;
+  // Searches from points far away are long, so that reports need to come after a few blocks.
+  constexpr Index blockSize = 1 << 9, chunkSize = 16 * blockSize;
   std::vector<double> squares(size);
-  forBlocksReporting(run, size, blockSize,
-    [&](Index begin, Index end)
-    {
-      int hint = -1; // consecutive points are often neighbors in space
-      for (Index i = begin; i < end; ++i)
+  for (Index start = 0; start < size; start += chunkSize)
+  {
+    const Index length = std::min(chunkSize, size - start);
+    forBlocks(run, length, blockSize,
+      [&](Index begin, Index end)
       {
-        const FootPoint foot = tree.closestPoint(query(i), hint);
-        hint = foot.Triangle;
-        squares[i] = foot.SquareDistance;
-      }
-    });
+        int hint = -1; // consecutive points are often neighbors in space
+        for (Index i = start + begin; i < start + end; ++i)
+        {
+          const FootPoint foot = tree.closestPoint(query(i), hint);
+          hint = foot.Triangle;
+          squares[i] = foot.SquareDistance;
+        }
+      });
+    run.report(static_cast<double>(start + length) / static_cast<double>(size));
+  }
   return squares;
 }
 
@@ -225,12 +231,12 @@ double meanOf(const std::vector<double>& values, Index total, const Reduce& redu
 // No value is below 0.
 double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
 {
-  double most = 0.0;
+  double ofOwn = 0.0;
   for (double value : values)
   {
-    most = std::max(most, value);
+    ofOwn = std::max(ofOwn, value);
   }
-  return maximum(reduce, { most })[0];
+  return maximum(reduce, { ofOwn })[0];
 }
 
 // Compute square distances to the whole cloud from those to its parts.
@@ -250,6 +256,43 @@ std::vector<double> rootsTimes(std::vector<double> squares, double unit)
   }
   return squares;
 }
+
+void requireUsable(
+  const Triangles& modelTriangles, Index totalOfReference, const SurfaceMismatchOptions& options)
+{
+  if (modelTriangles.rows() == 0)
+  {
+    throw std::invalid_argument("the model has no triangles");
+  }
+  if (totalOfReference == 0)
+  {
+    throw std::invalid_argument("the reference has no points");
+  }
+  if (options.NumberOfSamples < 1)
+  {
+    throw std::invalid_argument("the number of samples must be positive");
+  }
+}
+
+double fractionAbove(const std::vector<double>& values, double limit)
+{
+  return static_cast<double>(std::count_if(
+           values.begin(), values.end(), [limit](double value) { return value > limit; })) /
+    static_cast<double>(values.size());
+}
+
+// Throw unless distances of this maximum, and their mean squares, are finite and no square is lost.
+// @param[in] square  of the unit of the figures
+void requireSquares(const SurfaceMismatch& result, double square, double maximumDistance)
+{
+  constexpr double minimumSquare = 0x1p-960; // smaller squares would lose digits
+  if (!std::isfinite(maximumDistance) || square < minimumSquare ||
+    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
+  {
+    throw std::overflow_error(std::string("the distances are too ") +
+      (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -262,30 +305,11 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   reduce.sum(totals, 2);
   const Index total = totals[0];
   const bool isCloud = totals[1] == 0;
-  if (modelTriangles.rows() == 0)
-  {
-    throw std::invalid_argument("the model has no triangles");
-  }
-  if (total == 0)
-  {
-    throw std::invalid_argument("the reference has no points");
-  }
-  if (options.NumberOfSamples < 1)
-  {
-    throw std::invalid_argument("the number of samples must be positive");
-  }
+  requireUsable(modelTriangles, total, options);
   const Index size = referencePoints.size();
-  const auto modelSize = static_cast<double>(modelPoints.size());
-  const auto modelFaces = static_cast<double>(modelTriangles.rows());
-  const auto dataSize = static_cast<double>(size);
-  const double referenceFaces =
-    referenceTriangles.rows() > 0 ? static_cast<double>(referenceTriangles.rows()) : dataSize;
-  constexpr double ofTree = 450.0, ofQuery = 500.0;
-  Steps steps(run,
-    { 30.0 * (modelSize + dataSize), ofTree * modelFaces, ofQuery * dataSize, ofTree * modelSize,
-      ofQuery * dataSize, ofTree * referenceFaces,
-      20.0 * modelFaces + 60.0 * options.NumberOfSamples, ofQuery * options.NumberOfSamples,
-      ofQuery * modelSize, 20.0 * (modelSize + dataSize + modelFaces) });
+  // Points, then a tree and a search each: from the reference to the model's triangles and to its
+  // vertices, from samples and from vertices of the model to the reference; then the figures.
+  Steps steps(run, { 0.02, 0.21, 0.12, 0.11, 0.12, 0.21, 0.02, 0.05, 0.12, 0.02 });
   steps.next();
   requireFinite(modelPoints, "model", {});
   requireFinite(referencePoints, "reference", reduce);
@@ -331,9 +355,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   steps.next();
   result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.rows());
   const double web = WebDistance / figureUnit;
-  result.WebFraction = static_cast<double>(std::count_if(back.begin(), back.end(),
-                         [web](double squareDistance) { return squareDistance > web * web; })) /
-    static_cast<double>(back.size());
+  result.WebFraction = fractionAbove(back, web * web);
   double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));
   for (int v : vertices)
   {
@@ -342,13 +364,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   result.HausdorffDistance = std::sqrt(farthest) * figureUnit;
   result.ModelDistances = rootsTimes(fromVertices, distanceUnit);
   result.ReferenceDistances = rootsTimes(forward, distanceUnit);
-  constexpr double minimumSquare = 0x1p-960; // smaller squares would lose digits
-  if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < minimumSquare ||
-    !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
-  {
-    throw std::overflow_error(std::string("the distances are too ") +
-      (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
-  }
+  requireSquares(result, square, std::sqrt(farthest) * distanceUnit + distanceUnit);
   run.report(1.0);
   return result;
 }

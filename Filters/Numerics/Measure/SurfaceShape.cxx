@@ -17,9 +17,9 @@ namespace conformal
 {
 namespace
 {
-void requireScale(double scale, double least, const char* name)
+void requireScale(double scale, double minimum, const char* name)
 {
-  if (!(scale >= least && scale <= 1.0))
+  if (!(scale >= minimum && scale <= 1.0))
   {
     throw std::invalid_argument(std::string(name) + " is out of its range");
   }
@@ -138,8 +138,7 @@ SurfaceShape measureSurfaceShape(
   requireScale(options.CurvatureScale, 0.0, "CurvatureScale");
   requireScale(options.DepthScale, 1e-3, "DepthScale");
   const Index size = surface.Positions.rows();
-  constexpr double measuring = 1.0, solving = 10.0;
-  Steps steps(run, { measuring, options.CurvatureScale > 0.0 ? solving : 0.0, solving });
+  Steps steps(run, { 0.1, options.CurvatureScale > 0.0 ? 0.9 : 0.0, 0.9 }); // integrals, solutions
   steps.next();
   Eigen::VectorXd areas = nearestAreas(surface);
   const double area = areas.sum();

@@ -46,7 +46,7 @@ using Sides = std::vector<Side>;
 // id.
 Sides sortedSides(const Triangles& triangles, const Run& run = {})
 {
-  Steps steps(run, { 11.0, 36.0, 22.0 }); // for each triangle
+  Steps steps(run, { 0.16, 0.52, 0.32 });
   steps.next();
   const int size = triangles.rows() > 0 ? triangles.maxCoeff() + 1 : 0;
   std::vector<int> ends(size + 1, 0);
@@ -240,9 +240,7 @@ GenusZeroReport checkGenusZero(
   const Triangles& triangles, Index numberOfVertices, const PointView& points, const Run& run)
 {
   requireIds(triangles, numberOfVertices);
-  const double withPoints = points.size() > 0 ? 1.0 : 0.0;
-  Steps steps(run,
-    { 4.0 + 8.0 * withPoints, 70.0, 15.0, 15.0, 150.0, 40.0 + 8.0 * withPoints }); // a triangle
+  Steps steps(run, { 0.04, 0.23, 0.05, 0.05, 0.49, 0.14 });
   steps.next();
   GenusZeroReport result;
   for (Index r = 0; r < triangles.rows(); ++r)

@@ -46,6 +46,124 @@ std::array<std::array<int, 3>, NumberOfSides> icosahedronSides()
   }
   return sides;
 }
+
+// Row i of a side holds i + 1 points, from its corner 0 down to the edge opposite, and the
+// triangles between them and the row above. Points inside edges come after the corners, points
+// inside sides after those.
+class GeodesicSphereMaker
+{
+public:
+  explicit GeodesicSphereMaker(int frequency)
+    : Frequency(frequency)
+    , FirstInside(NumberOfCorners)
+    , NumberInside((frequency - 1) * (frequency - 2) / 2)
+  {
+    this->Sphere.Positions.resize(geodesicSphereSize(frequency), 3);
+    this->Sphere.Triangles.resize(20 * Index(frequency) * frequency, 3);
+    this->Sphere.Positions.topRows(NumberOfCorners) = this->Corners;
+    for (const auto& side : this->Sides)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto [a, b] = std::minmax(side[k], side[next(k)]);
+        if (this->FirstOnEdge.emplace(std::make_pair(a, b), this->FirstInside).second)
+        {
+          for (int step = 1; step < frequency; ++step)
+          {
+            this->Sphere.Positions.row(this->FirstInside++) =
+              ((frequency - step) * this->Corners.row(a) + step * this->Corners.row(b))
+                .normalized();
+          }
+        }
+      }
+    }
+  }
+
+  // Make the rows of a side after the first one, up to the last one. Rows may be made at the same
+  // time.
+  void makeRows(int side, int first, int last)
+  {
+    std::vector<int> above, row;
+    for (int j = 0; j <= first; ++j)
+    {
+      above.push_back(this->idAt(side, first, j));
+    }
+    for (int i = first + 1; i <= last; ++i)
+    {
+      row.resize(i + 1);
+      for (int j = 0; j <= i; ++j)
+      {
+        row[j] = this->idAt(side, i, j);
+      }
+      this->placeRow(side, row);
+      this->joinRows(side, above, row);
+      above.swap(row);
+    }
+  }
+
+  Mesh Sphere;
+
+private:
+  int onEdge(int from, int to, int step) const
+  {
+    const int first = this->FirstOnEdge.at({ std::min(from, to), std::max(from, to) });
+    return first + (from < to ? step : this->Frequency - step) - 1;
+  }
+
+  int idAt(int side, int i, int j) const
+  {
+    const auto [a, b, c] = this->Sides[side];
+    const int f = this->Frequency;
+    if (i == 0)
+    {
+      return a;
+    }
+    if (i == f && (j == 0 || j == f))
+    {
+      return j == 0 ? b : c;
+    }
+    if (j == 0 || j == i)
+    {
+      return this->onEdge(a, j == 0 ? b : c, i);
+    }
+    return i == f ? this->onEdge(b, c, j)
+                  : this->FirstInside + side * this->NumberInside + (i - 1) * (i - 2) / 2 + j - 1;
+  }
+
+  // Points inside the side; those of its edges have their places.
+  void placeRow(int side, const std::vector<int>& row)
+  {
+    const auto [a, b, c] = this->Sides[side];
+    const int i = static_cast<int>(row.size()) - 1, f = this->Frequency;
+    for (int j = 1; i < f && j < i; ++j)
+    {
+      this->Sphere.Positions.row(row[j]) =
+        ((f - i) * this->Corners.row(a) + (i - j) * this->Corners.row(b) + j * this->Corners.row(c))
+          .normalized();
+    }
+  }
+
+  void joinRows(int side, const std::vector<int>& above, const std::vector<int>& row)
+  {
+    const auto i = static_cast<int>(above.size());
+    Index face = Index(side) * this->Frequency * this->Frequency + Index(i - 1) * (i - 1);
+    for (int j = 0; j < i; ++j)
+    {
+      this->Sphere.Triangles.row(face++) << above[j], row[j], row[j + 1];
+      if (j + 1 < i)
+      {
+        this->Sphere.Triangles.row(face++) << above[j], row[j + 1], above[j + 1];
+      }
+    }
+  }
+
+  const int Frequency;
+  const Points Corners = icosahedronCorners();
+  const std::array<std::array<int, 3>, NumberOfSides> Sides = icosahedronSides();
+  std::map<std::pair<int, int>, int> FirstOnEdge;
+  int FirstInside;
+  const int NumberInside; // of each side
+};
 }
 
 //------------------------------------------------------------------------------
@@ -62,101 +180,17 @@ Mesh makeGeodesicSphere(int f, const Run& run)
     throw std::invalid_argument("the frequency must lie between 1 and " +
       std::to_string(MaximumFrequency) + ", not " + std::to_string(f));
   }
-  const Points corners = icosahedronCorners();
-  const auto sides = icosahedronSides();
-
-  Mesh sphere;
-  sphere.Positions.resize(geodesicSphereSize(f), 3);
-  sphere.Triangles.resize(20 * Index(f) * f, 3);
-  sphere.Positions.topRows(NumberOfCorners) = corners;
-
-  // Points inside edges follow the corners, points inside faces follow these.
-  std::map<std::pair<int, int>, int> firstOnEdge;
-  int nextId = NumberOfCorners;
-  for (const auto& side : sides)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto [a, b] = std::minmax(side[k], side[next(k)]);
-      if (firstOnEdge.emplace(std::make_pair(a, b), nextId).second)
-      {
-        for (int step = 1; step < f; ++step)
-        {
-          sphere.Positions.row(nextId++) =
-            ((f - step) * corners.row(a) + step * corners.row(b)).normalized();
-        }
-      }
-    }
-  }
-  const auto onEdge = [&](int from, int to, int step)
-  {
-    const int first = firstOnEdge.at({ std::min(from, to), std::max(from, to) });
-    return first + (from < to ? step : f - step) - 1;
-  };
-
-  // Row i of a face has i + 1 points, from its corner 0 to the opposite edge. Add the triangles
-  // between each row and the row above.
-  const int firstInside = nextId, numberInside = (f - 1) * (f - 2) / 2;
-  const auto idAt = [&](int side, int i, int j)
-  {
-    const auto [a, b, c] = sides[side];
-    if (i == 0)
-    {
-      return a;
-    }
-    if (i == f && (j == 0 || j == f))
-    {
-      return j == 0 ? b : c;
-    }
-    if (j == 0 || j == i)
-    {
-      return onEdge(a, j == 0 ? b : c, i);
-    }
-    return i == f ? onEdge(b, c, j)
-                  : firstInside + side * numberInside + (i - 1) * (i - 2) / 2 + j - 1;
-  };
-  const auto makeRow = [&](int side, int i, std::vector<int>& above, std::vector<int>& row)
-  {
-    const auto [a, b, c] = sides[side];
-    row.resize(i + 1);
-    for (int j = 0; j <= i; ++j)
-    {
-      row[j] = idAt(side, i, j);
-      if (i < f && j > 0 && j < i)
-      {
-        sphere.Positions.row(row[j]) =
-          ((f - i) * corners.row(a) + (i - j) * corners.row(b) + j * corners.row(c)).normalized();
-      }
-    }
-    Index face = Index(side) * f * f + Index(i - 1) * (i - 1);
-    for (int j = 0; j < i; ++j)
-    {
-      sphere.Triangles.row(face++) << above[j], row[j], row[j + 1];
-      if (j + 1 < i)
-      {
-        sphere.Triangles.row(face++) << above[j], row[j + 1], above[j + 1];
-      }
-    }
-    above.swap(row);
-  };
+  GeodesicSphereMaker maker(f);
   constexpr Index rowsAtATime = 8;
   const Index blocksOfSide = (f + rowsAtATime - 1) / rowsAtATime;
   forBlocksReporting(run, NumberOfSides * blocksOfSide, 1,
     [&](Index block, Index)
     {
-      const int side = static_cast<int>(block / blocksOfSide);
       const int first = static_cast<int>(block % blocksOfSide * rowsAtATime);
-      std::vector<int> above, row;
-      for (int j = 0; j <= first; ++j)
-      {
-        above.push_back(idAt(side, first, j));
-      }
-      for (int i = first + 1; i <= std::min<int>(f, first + rowsAtATime); ++i)
-      {
-        makeRow(side, i, above, row);
-      }
+      maker.makeRows(
+        static_cast<int>(block / blocksOfSide), first, std::min<int>(f, first + rowsAtATime));
     });
-  return sphere;
+  return std::move(maker.Sphere);
 }
 
 //------------------------------------------------------------------------------
@@ -184,16 +218,16 @@ bool isGeodesicSphere(const Points& positions, const Triangles& triangles)
   {
     return false;
   }
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  double minimum = std::numeric_limits<double>::infinity(), maximum = 0.0;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     const Vector3 a = positions.row(triangles(r, 0)), b = positions.row(triangles(r, 1)),
                   c = positions.row(triangles(r, 2));
     const double area = (b - a).cross(c - a).norm();
-    smallest = std::min(smallest, area);
-    largest = std::max(largest, area);
+    minimum = std::min(minimum, area);
+    maximum = std::max(maximum, area);
   }
   constexpr double even = 4.0;
-  return largest <= even * smallest;
+  return maximum <= even * minimum;
 }
 }

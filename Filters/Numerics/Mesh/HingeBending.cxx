@@ -19,8 +19,8 @@ constexpr double MaximumNumber = 4.0;
 
 double cotangent(const Vector3& a, const Vector3& b)
 {
-  constexpr double smallest = 1e-12; // lower bound of sines
-  return a.dot(b) / std::max(a.cross(b).norm(), smallest * a.norm() * b.norm() + 1e-300);
+  constexpr double minimum = 1e-12; // lower bound of sines
+  return a.dot(b) / std::max(a.cross(b).norm(), minimum * a.norm() * b.norm() + 1e-300);
 }
 }
 
@@ -80,9 +80,9 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
         const double cotAc = cotangent(b - a, c - a), cotAd = cotangent(b - a, d - a),
                      cotBc = cotangent(a - b, c - b), cotBd = cotangent(a - b, d - b);
         Eigen::Array4d k(cotBc + cotBd, cotAc + cotAd, -cotAc - cotBc, -cotAd - cotBd);
-        const double largest = std::max(k.abs().maxCoeff(), MaximumNumber);
+        const double maximum = std::max(k.abs().maxCoeff(), MaximumNumber);
         const double s = 0.5 * (stiffness[hinge.Corners[0]] + stiffness[hinge.Corners[1]]);
-        k *= std::sqrt(LikeLaplacian * s) * MaximumNumber / largest;
+        k *= std::sqrt(LikeLaplacian * s) * MaximumNumber / maximum;
         for (int i = 0; i < 4; ++i)
         {
           hinge.K[i] = static_cast<float>(k[i]);

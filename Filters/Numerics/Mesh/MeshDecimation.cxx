@@ -16,10 +16,7 @@ DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run)
   {
     throw std::invalid_argument("a closed surface must have at least 4 vertices");
   }
-  // for each vertex, without collapsing
-  const auto size = static_cast<double>(mesh.Positions.rows());
-  const double collapsed = std::max(0.0, size - static_cast<double>(numberOfVertices));
-  Steps steps(run, { 580.0 * size, 600.0 * size, 9000.0 * collapsed, 50.0 * size });
+  Steps steps(run, { 0.06, 0.06, 0.87, 0.01 }); // check, tables, collapses, result
   requireGenusZero(mesh.Triangles, mesh.Positions.rows(), steps.next());
   steps.next();
   const Points places = inUnitBox(mesh.Positions);

@@ -60,24 +60,24 @@ ProgressiveMesh makeProgressiveMesh(
       used.push_back(v);
     }
   }
-  const auto most = static_cast<Index>(used.size()) - 4;
-  return takeOut(std::move(rings), std::move(used), most, run);
+  const auto maximum = static_cast<Index>(used.size()) - 4;
+  return takeOut(std::move(rings), std::move(used), maximum, run);
 }
 
 //------------------------------------------------------------------------------
-ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index most, const Run& run)
+ProgressiveMesh takeOut(VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run)
 {
   // In any closed mesh of genus zero, at least half of the vertices have at most this many
   // neighbors.
-  constexpr std::size_t mostNeighbors = 8;
+  constexpr std::size_t maximumNeighbors = 8;
   ProgressiveMesh result = { std::move(rings), {} };
-  const auto count = static_cast<std::size_t>(most);
+  const auto count = static_cast<std::size_t>(maximum);
   result.Splits.reserve(std::min(count, vertices.size()));
   std::vector<char> held(result.Rings.size());
   for (;;)
   {
     std::fill(held.begin(), held.end(), 0);
-    for (std::size_t neighbors = 3; neighbors <= mostNeighbors; ++neighbors)
+    for (std::size_t neighbors = 3; neighbors <= maximumNeighbors; ++neighbors)
     {
       for (const int v : vertices)
       {

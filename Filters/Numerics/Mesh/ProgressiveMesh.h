@@ -37,7 +37,7 @@ ProgressiveMesh makeProgressiveMesh(
 /// @param[in] most      maximum number of vertices to remove; four vertices of the mesh always stay
 /// @return the remaining rings, and the splits that restore the removed vertices
 ProgressiveMesh takeOut(
-  VertexRings rings, std::vector<int> vertices, Index most, const Run& run = {});
+  VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run = {});
 }
 
 #endif

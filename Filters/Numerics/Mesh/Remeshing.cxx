@@ -101,7 +101,7 @@ public:
   }
 
   /// Split edges longer than a limit, or the longest ones, up to the given number of vertices.
-  void split(double limit, Index most = std::numeric_limits<Index>::max())
+  void split(double limit, Index maximum = std::numeric_limits<Index>::max())
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
@@ -123,13 +123,13 @@ public:
         touched = { operation.A, operation.B, across.Left, across.Right, m };
         return true;
       },
-      [&] { return this->Count < most; });
+      [&] { return this->Count < maximum; });
   }
 
   /// Collapse edges shorter than a limit, unless longer edges than another limit result, down to
   /// the given number of vertices.
   /// @param[in] anyway  accept any shape of the triangles that preserves the topology
-  void collapse(double limit, double longest, Index least = 4, bool anyway = false)
+  void collapse(double limit, double longest, Index minimum = 4, bool anyway = false)
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
@@ -156,7 +156,7 @@ public:
         --this->Count;
         return true;
       },
-      [&] { return this->Count > least; });
+      [&] { return this->Count > minimum; });
   }
 
   /// Flip edges while this moves vertices closer to six neighbors.
@@ -497,24 +497,20 @@ private:
   Run Step; // of the current remeshing step
 };
 
-/// Shares of progress of each part of an iteration, then of reaching the target number.
-std::vector<double> sharesOf(const RemeshingOptions& options, Index numberOfPositions)
+/// Shares of each iteration: splits, collapses, flips, smoothing; then of meeting the number:
+/// collapses, splits, smoothings, flips.
+std::vector<double> sharesOf(const RemeshingOptions& options)
 {
-  const auto wanted = static_cast<double>(options.NumberOfVertices);
-  double size = static_cast<double>(numberOfPositions);
   std::vector<double> shares;
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
-    const double lost = std::max(0.0, size - wanted);
-    shares.insert(
-      shares.end(), { 500.0 * size, 500.0 * size + 3000.0 * lost, 1000.0 * size, 600.0 * wanted });
-    size = wanted;
+    shares.insert(shares.end(), { 0.2, iteration == 0 ? 1.0 : 0.2, 0.4, 0.2 });
   }
   if (options.MeetNumber)
   {
-    shares.insert(shares.end(), { 500.0 * size, 500.0 * size });
-    shares.insert(shares.end(), FinalSmoothings, 1600.0 * wanted);
-    shares.push_back(1000.0 * wanted);
+    shares.insert(shares.end(), { 0.2, 0.2 });
+    shares.insert(shares.end(), FinalSmoothings, 0.6);
+    shares.push_back(0.4);
   }
   return shares;
 }
@@ -529,7 +525,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
       "NumberOfVertices must be at least 4, and NumberOfIterations not negative");
   }
   const Index wanted = options.NumberOfVertices;
-  Steps steps(run, sharesOf(options, mesh.Positions.rows()));
+  Steps steps(run, sharesOf(options));
   Remesher remesher(mesh.Positions, mesh.Triangles, run);
   double length = remesher.lengthFor(wanted);
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)

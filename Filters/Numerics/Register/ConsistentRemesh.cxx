@@ -50,16 +50,10 @@ Mesh commonSphere(
   }
   AdaptiveSphereOptions sphere;
   sphere.NumberOfPoints = options.NumberOfPoints;
-  std::vector<double> work;
-  double size = 0.0;
-  for (const MappedMesh& surface : surfaces)
-  {
-    work.push_back(1200.0 * static_cast<double>(surface.Positions.rows()));
-    size += static_cast<double>(surface.Positions.rows());
-  }
-  work.push_back(600.0 * size);
-  work.push_back(1000.0 * size + workOfAdaptiveSphere(sphere));
-  Steps steps(run, work);
+  // A density of each surface, that of all, the sphere.
+  std::vector<double> shares(surfaces.size(), 0.2 / static_cast<double>(surfaces.size()));
+  shares.insert(shares.end(), { 0.1, 0.7 });
+  Steps steps(run, shares);
   std::vector<SphereDensity> densities;
   densities.reserve(surfaces.size());
   for (const MappedMesh& surface : surfaces)
@@ -75,8 +69,7 @@ void sample(
   const MappedMesh& surface, const Triangles& triangles, ConsistentMeshes& meshes, const Run& run)
 {
   const Points& directions = meshes.Sphere.Positions;
-  const auto size = static_cast<double>(directions.rows());
-  Steps steps(run, { 500.0 * static_cast<double>(triangles.rows()), 300.0 * size, 150.0 * size });
+  Steps steps(run, { 0.7, 0.2, 0.1 }); // locator, positions, weights
   const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
   std::vector<SphereLocation> locations(directions.rows());
   Points positions(directions.rows(), 3);
@@ -114,23 +107,9 @@ ConsistentMeshes remeshConsistently(
     throw std::invalid_argument("there is no surface to remesh");
   }
   const bool isAdaptive = options.MeshType == RemeshMeshType::Adaptive;
-  AdaptiveSphereOptions sphere;
-  sphere.NumberOfPoints = options.NumberOfPoints;
-  const double points = isAdaptive ? static_cast<double>(options.NumberOfPoints)
-                                   : static_cast<double>(geodesicSphereSize(options.Frequency));
-  double size = 0.0;
-  for (const MappedMesh& surface : surfaces)
-  {
-    size += static_cast<double>(surface.Positions.rows());
-  }
-  // The maps, the sphere, and each surface.
-  std::vector<double> work = { 350.0 * size,
-    isAdaptive ? 2800.0 * size + workOfAdaptiveSphere(sphere) : 100.0 * points };
-  for (const MappedMesh& surface : surfaces)
-  {
-    work.push_back(1000.0 * static_cast<double>(surface.Positions.rows()) + 450.0 * points);
-  }
-  Steps steps(run, work);
+  std::vector<double> shares = { 0.2, isAdaptive ? 2.4 : 0.05 }; // maps, sphere, each surface
+  shares.insert(shares.end(), surfaces.size(), 0.75 / static_cast<double>(surfaces.size()));
+  Steps steps(run, shares);
   const Run checking = steps.next();
   std::vector<Placed> all;
   for (const MappedMesh& surface : surfaces)
@@ -156,28 +135,5 @@ ConsistentMeshes remeshConsistently(
     meshes.Sphere.Triangles.col(1).swap(meshes.Sphere.Triangles.col(2));
   }
   return meshes;
-}
-
-//------------------------------------------------------------------------------
-double expectedRemeshPoints(const ConsistentRemeshOptions& options)
-{
-  return options.MeshType == RemeshMeshType::Adaptive
-    ? static_cast<double>(options.NumberOfPoints)
-    : 10.0 * options.Frequency * options.Frequency;
-}
-
-//------------------------------------------------------------------------------
-double workOfConsistentRemesh(
-  double size, double numberOfSurfaces, const ConsistentRemeshOptions& options)
-{
-  if (options.MeshType == RemeshMeshType::Geodesic)
-  {
-    return 1200.0 * size +
-      (100.0 + 450.0 * numberOfSurfaces) * 10.0 * options.Frequency * options.Frequency;
-  }
-  AdaptiveSphereOptions sphere;
-  sphere.NumberOfPoints = options.NumberOfPoints;
-  return 4000.0 * size + workOfAdaptiveSphere(sphere) +
-    450.0 * numberOfSurfaces * static_cast<double>(options.NumberOfPoints);
 }
 }

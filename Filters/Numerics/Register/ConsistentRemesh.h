@@ -16,7 +16,7 @@ namespace conformal
 enum class RemeshMeshType
 {
   Geodesic, ///< evenly over the sphere
-  Adaptive  ///< evenly over the surfaces, as dense as the mean of what they ask for
+  Adaptive  ///< evenly over the surfaces, as dense as the mean of their densities
 };
 
 struct ConsistentRemeshOptions
@@ -42,14 +42,6 @@ struct ConsistentMeshes
 /// @throws Aborted
 ConsistentMeshes remeshConsistently(const std::vector<MappedMesh>& surfaces,
   const ConsistentRemeshOptions& options = {}, const Run& run = {});
-
-/// Return about how many points the mesh of all surfaces has.
-double expectedRemeshPoints(const ConsistentRemeshOptions& options);
-
-/// What remeshConsistently() takes, in nanoseconds as in Steps.
-/// @param[in] size  number of points of all surfaces
-double workOfConsistentRemesh(
-  double size, double numberOfSurfaces, const ConsistentRemeshOptions& options);
 }
 
 #endif

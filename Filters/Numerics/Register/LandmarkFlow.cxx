@@ -14,9 +14,9 @@ namespace
 {
 constexpr double Met = 1e-6;
 constexpr double RepairedFraction = 0.25;
-constexpr double SmallestFraction = 1.0 / 64.0;
+constexpr double MinimumFraction = 1.0 / 64.0;
 constexpr double WorthARound = 0.95;  // of the sum of distances, by all widths once
-constexpr double Nearer = 1.0 - 1e-6; // likewise, by a step
+constexpr double Nearer = 1.0 - 1e-6; // of the sum of distances, by a step
 
 // The turn that brings one direction to another, no farther than a limit.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)
@@ -86,13 +86,13 @@ std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangl
     if (orientation(places.row(corners[0]), places.row(corners[1]), places.row(corners[2])) <= 0)
     {
       int nearest = 0;
-      double least = std::numeric_limits<double>::infinity();
+      double minimum = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < ids.size(); ++i)
       {
         const double distance = (places.row(ids[i]) - places.row(corners[0])).squaredNorm();
-        if (left[static_cast<Index>(i)] > tolerance && distance < least)
+        if (left[static_cast<Index>(i)] > tolerance && distance < minimum)
         {
-          least = distance;
+          minimum = distance;
           nearest = static_cast<int>(i);
         }
       }
@@ -103,101 +103,162 @@ std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangl
   blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
   return blocked;
 }
+
+// A flow of positions that brings some vertices, the landmarks, to their targets step by step.
+class LandmarkFlow
+{
+public:
+  LandmarkFlow(const Triangles& triangles, const std::vector<int>& ids, const Points& targets,
+    Points& places, const LandmarkFlowOptions& options)
+    : Corners(triangles)
+    , Ids(ids)
+    , Targets(targets)
+    , Places(places)
+    , Options(options)
+    , Left(this->distances())
+    , Fractions(Eigen::VectorXd::Ones(this->Left.size()))
+    , LeftAtFirstWidth(this->Left.sum())
+  {
+  }
+
+  const Eigen::VectorXd& left() const { return this->Left; }
+
+  bool isOver() const
+  {
+    return this->Width >= this->Options.Widths.size() || this->Left.size() == 0 ||
+      !(this->Left.maxCoeff() > this->Options.Tolerance);
+  }
+
+  // Move the vertices, or change what keeps them from moving.
+  void step(const Run& run)
+  {
+    Points moved = this->moved(run);
+    const std::vector<int> blocked =
+      blockedLandmarks(moved, this->Corners, this->Ids, this->Left, this->Options.Tolerance);
+    const bool isShort = std::all_of(blocked.begin(), blocked.end(),
+      [&](int i) { return this->Fractions[i] <= RepairedFraction; });
+    if (blocked.empty() || (isShort && this->Options.Repair && this->Options.Repair(moved)))
+    {
+      this->accept(moved);
+    }
+    else
+    {
+      this->shorten(blocked);
+    }
+  }
+
+private:
+  // Of each landmark to its target.
+  Eigen::VectorXd distances() const
+  {
+    Eigen::VectorXd result(static_cast<Index>(this->Ids.size()));
+    for (Index i = 0; i < result.size(); ++i)
+    {
+      result[i] = (this->Places.row(this->Ids[i]) - this->Targets.row(i)).norm();
+    }
+    return result;
+  }
+
+  Points moved(const Run& run) const
+  {
+    const Index count = this->Left.size();
+    Points centers(count, 3), turns(count, 3);
+    for (Index i = 0; i < count; ++i)
+    {
+      centers.row(i) = this->Places.row(this->Ids[i]);
+      turns.row(i) = this->Fractions[i] *
+        turnBetween(centers.row(i), this->Targets.row(i), this->Options.LongestStep);
+    }
+    const TurnField field(centers, turns, this->Options.Widths[this->Width]);
+    Points moved(this->Places.rows(), 3);
+    constexpr Index blockSize = 1024;
+    forBlocks(run, this->Places.rows(), blockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index v = begin; v < end; ++v)
+        {
+          moved.row(v) = turned(this->Places.row(v), field(this->Places.row(v)));
+        }
+      });
+    return moved;
+  }
+
+  // Keep a step that brings the landmarks nearer; else go on with the next width.
+  void accept(Points& moved)
+  {
+    std::swap(this->Places, moved);
+    const Eigen::VectorXd after = this->distances();
+    if (after.sum() < Nearer * this->Left.sum())
+    {
+      this->Left = after;
+      this->Fractions = (2.0 * this->Fractions).cwiseMin(1.0);
+    }
+    else
+    {
+      std::swap(this->Places, moved);
+      this->nextWidth();
+    }
+  }
+
+  // Landmarks next to a folded triangle go on by a part of their way, so that the others get
+  // theirs.
+  void shorten(const std::vector<int>& blocked)
+  {
+    for (const int i : blocked)
+    {
+      this->Fractions[i] = this->Fractions[i] > MinimumFraction ? 0.5 * this->Fractions[i] : 0.0;
+    }
+    bool moves = false;
+    for (Index i = 0; i < this->Left.size(); ++i)
+    {
+      moves = moves || (this->Fractions[i] > 0.0 && this->Left[i] > this->Options.Tolerance);
+    }
+    if (!moves ||
+      std::all_of(blocked.begin(), blocked.end(), [&](int i) { return this->Fractions[i] == 0.0; }))
+    {
+      this->nextWidth();
+    }
+  }
+
+  // All widths begin anew while a round of them is worth it.
+  void nextWidth()
+  {
+    this->Fractions.setOnes();
+    ++this->Width;
+    if (this->Width == this->Options.Widths.size() &&
+      this->Left.sum() < WorthARound * this->LeftAtFirstWidth)
+    {
+      this->Width = 0;
+      this->LeftAtFirstWidth = this->Left.sum();
+    }
+  }
+
+  const Triangles& Corners;
+  const std::vector<int>& Ids;
+  const Points& Targets;
+  Points& Places;
+  const LandmarkFlowOptions& Options;
+  Eigen::VectorXd Left;      // distances that the landmarks still have to go
+  Eigen::VectorXd Fractions; // of their way that landmarks go in a step
+  std::size_t Width = 0;
+  double LeftAtFirstWidth;
+};
 }
 
 //------------------------------------------------------------------------------
 LandmarkFlowResult flowToLandmarks(const Triangles& triangles, const std::vector<int>& ids,
   const Points& targets, Points& places, const LandmarkFlowOptions& options, const Run& run)
 {
-  const auto count = static_cast<Index>(ids.size());
-  const auto errors = [&]()
-  {
-    Eigen::VectorXd result(count);
-    for (Index i = 0; i < count; ++i)
-    {
-      result[i] = (places.row(ids[i]) - targets.row(i)).norm();
-    }
-    return result;
-  };
-  // Those next to a folded triangle go on by a part of their way, so that the others get theirs.
-  Eigen::VectorXd left = errors(), fractions = Eigen::VectorXd::Ones(count);
-  std::size_t width = 0;
-  double atFirstWidth = left.sum();
-  const auto nextWidth = [&]()
-  {
-    fractions.setOnes();
-    ++width;
-    if (width == options.Widths.size() && left.sum() < WorthARound * atFirstWidth)
-    {
-      width = 0;
-      atFirstWidth = left.sum();
-    }
-  };
-  for (int step = 0; step < options.MaximumNumberOfSteps && width < options.Widths.size() &&
-       count > 0 && left.maxCoeff() > options.Tolerance;
-       ++step)
+  LandmarkFlow flow(triangles, ids, targets, places, options);
+  for (int step = 0; step < options.MaximumNumberOfSteps && !flow.isOver(); ++step)
   {
     run.report(static_cast<double>(step) / options.MaximumNumberOfSteps);
-    Points centers(count, 3), turns(count, 3);
-    for (Index i = 0; i < count; ++i)
-    {
-      centers.row(i) = places.row(ids[i]);
-      turns.row(i) =
-        fractions[i] * turnBetween(centers.row(i), targets.row(i), options.LongestStep);
-    }
-    const TurnField field(centers, turns, options.Widths[width]);
-    Points moved(places.rows(), 3);
-    constexpr Index blockSize = 1024;
-    forBlocks(run, places.rows(), blockSize,
-      [&](Index begin, Index end)
-      {
-        for (Index v = begin; v < end; ++v)
-        {
-          moved.row(v) = turned(places.row(v), field(places.row(v)));
-        }
-      });
-    const std::vector<int> blocked =
-      blockedLandmarks(moved, triangles, ids, left, options.Tolerance);
-    bool isShort = true;
-    for (const int i : blocked)
-    {
-      isShort = isShort && fractions[i] <= RepairedFraction;
-    }
-    if (blocked.empty() || (isShort && options.Repair && options.Repair(moved)))
-    {
-      std::swap(places, moved);
-      const Eigen::VectorXd after = errors();
-      if (after.sum() < Nearer * left.sum())
-      {
-        left = after;
-        fractions = (2.0 * fractions).cwiseMin(1.0);
-      }
-      else
-      {
-        std::swap(places, moved);
-        nextWidth();
-      }
-      continue;
-    }
-    bool moves = false;
-    for (const int i : blocked)
-    {
-      fractions[i] = fractions[i] > SmallestFraction ? 0.5 * fractions[i] : 0.0;
-    }
-    for (Index i = 0; i < count; ++i)
-    {
-      moves = moves || (fractions[i] > 0.0 && left[i] > options.Tolerance);
-    }
-    if (!moves ||
-      std::all_of(blocked.begin(), blocked.end(), [&](int i) { return fractions[i] == 0.0; }))
-    {
-      nextWidth();
-    }
+    flow.step(run);
   }
   run.report(1.0);
   LandmarkFlowResult result;
-  result.Error = count > 0 ? left.maxCoeff() : 0.0;
-  result.NumberOfUnmet = (left.array() > Met).count();
+  result.Error = ids.empty() ? 0.0 : flow.left().maxCoeff();
+  result.NumberOfUnmet = (flow.left().array() > Met).count();
   return result;
 }
 }

@@ -18,10 +18,10 @@ struct LandmarkFlowOptions
   /// widest first, a narrower one where that would fold a triangle; again from the widest as long
   /// as that is worth it.
   std::vector<double> Widths = { 0.8, 0.5, 0.3, 0.15, 0.07, 0.03, 0.015 };
-  double Tolerance = 1e-9;         ///< distance at which a landmark is met
+  double Tolerance = 1e-9;         ///< distance at which a landmark has reached its target
   double LongestStep = 0.1;        ///< radians
   int MaximumNumberOfSteps = 1000; ///< in all
-  /// Takes out flipped triangles by moving vertices a little, and says whether none is left; may be
+  /// Remove flipped triangles by moving vertices a little, and return whether none is left; may be
   /// empty. Tried where a short step folds.
   std::function<bool(Points&)> Repair;
 };

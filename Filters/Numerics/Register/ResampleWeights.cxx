@@ -104,7 +104,7 @@ ResampledNumbers resampleNumbers(const ResampleWeights& weights, const std::vect
         for (int c = 0; c < numberOfComponents && sum > 0.0; ++c)
         {
           double mean = 0.0;
-          double least = std::numeric_limits<double>::infinity(), most = -least;
+          double minimum = std::numeric_limits<double>::infinity(), maximum = -minimum;
           for (Index k = first; k < last; ++k)
           {
             if (isFinite(weights.Ids[k]))
@@ -112,11 +112,11 @@ ResampledNumbers resampleNumbers(const ResampleWeights& weights, const std::vect
               const double value =
                 values[static_cast<Index>(weights.Ids[k]) * numberOfComponents + c];
               mean += weights.Weights[k] / sum * value;
-              least = std::min(least, value);
-              most = std::max(most, value);
+              minimum = std::min(minimum, value);
+              maximum = std::max(maximum, value);
             }
           }
-          result.Values[i * numberOfComponents + c] = std::clamp(mean, least, most);
+          result.Values[i * numberOfComponents + c] = std::clamp(mean, minimum, maximum);
         }
       }
     });
@@ -139,7 +139,7 @@ std::vector<int> heaviestLabels(
         std::iota(parts.begin(), parts.end(), weights.Offsets[i]);
         std::stable_sort(parts.begin(), parts.end(),
           [&](Index a, Index b) { return labels[weights.Ids[a]] < labels[weights.Ids[b]]; });
-        double most = 0.0;
+        double maximum = 0.0;
         for (std::size_t k = 0; k < parts.size();)
         {
           const int id = weights.Ids[parts[k]];
@@ -148,9 +148,9 @@ std::vector<int> heaviestLabels(
           {
             sum += weights.Weights[parts[k]];
           }
-          if (sum > most)
+          if (sum > maximum)
           {
-            most = sum;
+            maximum = sum;
             heaviest[i] = id;
           }
         }

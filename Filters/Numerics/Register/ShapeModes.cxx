@@ -51,7 +51,7 @@ Points meanOf(const std::vector<Points>& shapes)
 Points alignShapes(std::vector<Points>& shapes, const Eigen::VectorXd& shares,
   ShapeAlignment alignment, const Run& run)
 {
-  constexpr int most = 100;
+  constexpr int maximum = 100;
   constexpr double accuracy = 1e-24; // square of a share of the size
   const bool isSimilar = alignment == ShapeAlignment::Similarity;
   double size = 0.0;
@@ -60,7 +60,7 @@ Points alignShapes(std::vector<Points>& shapes, const Eigen::VectorXd& shares,
     size += std::sqrt(product(shape, shape, shares)) / static_cast<double>(shapes.size());
   }
   Points mean = shapes.front();
-  for (int round = 0; round < most; ++round)
+  for (int round = 0; round < maximum; ++round)
   {
     run.forEach(static_cast<Index>(shapes.size()),
       [&](Index s)
@@ -81,7 +81,7 @@ Points alignShapes(std::vector<Points>& shapes, const Eigen::VectorXd& shares,
     }
     const Points change = next - mean;
     mean = std::move(next);
-    run.report((round + 1.0) / most);
+    run.report((round + 1.0) / maximum);
     if (product(change, change, shares) <= accuracy * size * size)
     {
       break;
@@ -106,20 +106,20 @@ void addModes(ShapeModes& result, const std::vector<Points>& differences,
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products);
   const double all = std::max(0.0, products.trace());
   // What is below is rounding: of the points, and of the largest eigenvalue.
-  const double least = std::max(1e-20 * product(result.Mean, result.Mean, shares), 1e-13 * all);
+  const double minimum = std::max(1e-20 * product(result.Mean, result.Mean, shares), 1e-13 * all);
   const double freedom = std::sqrt(static_cast<double>(size) - 1.0);
   std::vector<Eigen::VectorXd> scores;
   for (Index k = size - 1; k >= 1 && static_cast<int>(scores.size()) < numberOfModes; --k)
   {
     const double value = eigen.eigenvalues()[k];
-    if (!(value > least))
+    if (!(value > minimum))
     {
       break;
     }
     Eigen::VectorXd vector = eigen.eigenvectors().col(k);
-    const double largest = (1.0 - 1e-6) * vector.cwiseAbs().maxCoeff();
+    const double maximum = (1.0 - 1e-6) * vector.cwiseAbs().maxCoeff();
     Index first = 0;
-    while (std::abs(vector[first]) < largest)
+    while (std::abs(vector[first]) < maximum)
     {
       ++first;
     }
@@ -145,8 +145,7 @@ void addModes(ShapeModes& result, const std::vector<Points>& differences,
 ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>& shapes,
   const ShapeModesOptions& options, const Run& run)
 {
-  const auto count = static_cast<double>(shapes.size());
-  Steps steps(run, { 100.0, 1000.0, 20.0 + 5.0 * count });
+  Steps steps(run, { 0.1, 0.85, 0.05 }); // areas, alignment, modes
   steps.next();
   const Eigen::VectorXd shares = vertexShares(triangles, shapes);
   std::vector<Points> aligned = shapes;
@@ -183,11 +182,5 @@ ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>&
     result.Mean.rowwise() += centerOf(shapes.front(), shares).transpose();
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-double workOfShapeModes(double numberOfPoints, double numberOfShapes)
-{
-  return numberOfPoints * numberOfShapes * (600.0 + 10.0 * numberOfShapes);
 }
 }

@@ -43,9 +43,6 @@ struct ShapeModes
 /// @throws Aborted
 ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>& shapes,
   const ShapeModesOptions& options = {}, const Run& run = {});
-
-/// What findShapeModes() takes, in nanoseconds as in Steps.
-double workOfShapeModes(double numberOfPoints, double numberOfShapes);
 }
 
 #endif

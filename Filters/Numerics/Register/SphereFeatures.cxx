@@ -172,8 +172,8 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
       }
     }
   }
-  constexpr double smallest = 1e-6; // of a radius far below the spacing of the sources
-  features = features.cwiseMax(smallest).array().log().matrix();
+  constexpr double minimum = 1e-6; // of a radius far below the spacing of the sources
+  features = features.cwiseMax(minimum).array().log().matrix();
   run.report(1.0);
   return features;
 }

@@ -100,9 +100,9 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
 {
   const Triangles& triangles = sphere.Triangles;
   const Triangles neighbors = triangleNeighbors(triangles, sphere.Positions.rows());
-  std::vector<double> work(active.Shapes.size(), 1500.0);
-  work[0] = 400.0;
-  Steps steps(run, work);
+  std::vector<double> shares(active.Shapes.size(), 0.8); // rotations, triangles
+  shares.back() = 0.2;
+  Steps steps(run, shares);
   std::vector<std::vector<Vector3>> turns(active.Shapes.size());
   for (std::size_t s = 1; s < active.Shapes.size(); ++s)
   {
@@ -160,10 +160,7 @@ Points cotangentsOf(const Wanted& wanted)
 
 Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
 {
-  const auto size = static_cast<double>(sphere.Positions.rows());
-  Steps steps(run,
-    { 100.0 * size, 3000.0 * size * static_cast<double>(active.Shapes.size()), 600.0 * size,
-      6000.0 * size, 500.0 * size });
+  Steps steps(run, { 0.01, 0.45, 0.05, 0.45, 0.04 }); // blend, triangles, forces, factor, solution
   steps.next();
   const Triangles& triangles = sphere.Triangles;
   const Eigen::VectorXd areas = commonAreas(sphere, active.Shapes);
@@ -266,12 +263,5 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   }
   run.report(1.0);
   return linearBlend(active);
-}
-
-//------------------------------------------------------------------------------
-double workOfMorph(double numberOfPoints, double numberOfShapes, MorphPath path)
-{
-  return numberOfPoints *
-    (path == MorphPath::Rigid ? 3000.0 + 1500.0 * numberOfShapes : 20.0 * numberOfShapes);
 }
 }

@@ -53,9 +53,6 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   const Run& run = {});
 
 constexpr double MinimumCotangent = 0.02, MaximumCotangent = 50.0;
-
-/// What morphShapes() takes, in nanoseconds as in Steps.
-double workOfMorph(double numberOfPoints, double numberOfShapes, MorphPath path);
 }
 
 #endif

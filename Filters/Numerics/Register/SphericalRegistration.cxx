@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -23,7 +24,7 @@ namespace
 {
 constexpr int CoarsestFrequency = 8, FeatureFrequency = 20;
 constexpr int NumberOfStarts = 8, NumberKept = 6, NumberOfFinalists = 2;
-constexpr double NearLowest = 1.05;  // what a finalist's score may be above the lowest one
+constexpr double NearMinimum = 1.05; // what a finalist's score may be above the lowest one
 constexpr double PoseWeight = 3.0;   // of 1 less the correlation of positions, in the score
 constexpr double HoldAtTheEnd = 0.1; // of the sphere's weights
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
@@ -33,7 +34,7 @@ constexpr double SphereWeight = 0.2; // of the sphere's metric in the surfaces'
 // Of the mean distance, the areas around and the curvatures, against a stretch of 1.
 constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2, 0.2 };
 const std::vector<double> AreaRadii = { 0.17, 0.35 };
-// Of curvatures: how far they are smoothed, and what of them says all there is to say.
+// Radius to which a curvature is smoothed, and the curvature at which its arc tangent saturates.
 struct CurvatureFeature
 {
   double Scale, Saturation;
@@ -129,9 +130,9 @@ private:
   {
     const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
     constexpr double few = 1e-6; // of the area: where no vertex is near
-    const double least = few * areas.sum() / static_cast<double>(grid.size());
-    Rows sums = least * sampleAt(this->Own, this->Given, grid.mesh().Positions);
-    Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), least);
+    const double minimum = few * areas.sum() / static_cast<double>(grid.size());
+    Rows sums = minimum * sampleAt(this->Own, this->Given, grid.mesh().Positions);
+    Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), minimum);
     int hint = -1;
     for (Index v = 0; v < areas.size(); ++v)
     {
@@ -178,14 +179,14 @@ public:
   RegistrationEnergy run(int finest, const Run& run)
   {
     std::vector<int> frequencies;
-    std::vector<double> work = { 3.0, 8.5 };
+    std::vector<double> shares = { 3.0, 8.5 }; // rotations, starts, then levels by their vertices
     for (int frequency = CoarsestFrequency; frequency < finest;)
     {
       frequency = std::min(finest, 2 * frequency);
       frequencies.push_back(frequency);
-      work.push_back(0.037 * frequency * frequency);
+      shares.push_back(0.037 * frequency * frequency);
     }
-    Steps steps(run, work);
+    Steps steps(run, shares);
     const std::vector<Eigen::Matrix3d> rotations = this->rotations(steps.next());
     this->Grid = this->Moving.sampled(CoarsestFrequency);
     const SampledSurface target = this->Fixed.sampled(2 * CoarsestFrequency);
@@ -287,7 +288,7 @@ private:
   void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
     int numberOfSteps, const Run& run) const
   {
-    // Few at a time, since each takes long and progress is told in between; one tells its own.
+    // Few at a time, since each is long and progress is reported in between; one reports its own.
     constexpr std::size_t together = 2;
     const auto size = static_cast<double>(candidates.size());
     for (std::size_t start = 0; start < candidates.size(); start += together)
@@ -344,7 +345,7 @@ private:
     this->descendFrom(candidates, target, FirstSteps, run.part(0.0, 0.5));
     candidates.resize(std::min<std::size_t>(candidates.size(), NumberKept));
     this->descendFrom(candidates, target, CoarseSteps, run.part(0.5, 1.0));
-    const double limit = NearLowest * candidates.front().Score;
+    const double limit = NearMinimum * candidates.front().Score;
     const auto isNear = [&](const Candidate& one) { return one.Score <= limit; };
     candidates.erase(
       std::find_if_not(candidates.begin(), candidates.end(), isNear), candidates.end());
@@ -359,7 +360,7 @@ private:
   Points Before;
 };
 
-// Takes out what flips of the places of a mesh.
+// Removes flipped triangles from a map of a mesh.
 class FoldRepair
 {
 public:
@@ -371,7 +372,7 @@ public:
   {
   }
 
-  // Whether none is flipped any more.
+  // Return whether no triangle is flipped any more.
   bool operator()(Points& places) const
   {
     std::vector<Vector3> positions(places.rows());
@@ -392,16 +393,16 @@ private:
   const Mesh& Surface;
   EdgeWeights Strings;
   VertexRings Rings;
-  SurfaceShapes Shapes;
+  BoundedTriangles Shapes;
 };
 
 // The moving surface's vertices along with a part of the deformation, or with as much of it as
 // leaves no triangle flipped.
 Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& registration,
-  const FoldRepair& repair, double most)
+  const FoldRepair& repair, double maximum)
 {
   const MappedMesh& mesh = moving.Surface;
-  for (double fraction = most; fraction > 0.1; fraction *= 0.7)
+  for (double fraction = maximum; fraction > 0.1; fraction *= 0.7)
   {
     Points places = fraction == 1.0 ? registration.places(mesh.SpherePositions)
                                     : registration.placesAt(fraction, mesh.SpherePositions);
@@ -414,6 +415,101 @@ Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& re
   // Where not even that leaves them as they are, triangles are as small as rounding.
   return countFlippedTriangles(turned, mesh.Triangles) == 0 ? turned : mesh.SpherePositions;
 }
+
+// Landmarks: vertices of the moving surface, where they are, and where they are to be.
+struct LandmarkPairs
+{
+  LandmarkPairs(
+    const std::vector<std::pair<int, int>>& landmarks, const Points& moving, const Points& fixed)
+    : Sources(static_cast<Index>(landmarks.size()), 3)
+    , Targets(static_cast<Index>(landmarks.size()), 3)
+  {
+    for (Index i = 0; i < this->count(); ++i)
+    {
+      this->Ids.push_back(landmarks[i].first);
+      this->Sources.row(i) = moving.row(landmarks[i].first);
+      this->Targets.row(i) = fixed.row(landmarks[i].second);
+      this->Pairs.push_back({ this->Sources.row(i), this->Targets.row(i) });
+    }
+  }
+
+  Index count() const { return this->Sources.rows(); }
+
+  MoebiusTransform transform(AlignmentKind kind) const
+  {
+    return alignSpheres(this->Sources, this->Targets, Eigen::VectorXd::Ones(this->count()), kind)
+      .Transform;
+  }
+
+  // The largest distance to a target.
+  double errorOf(const Points& places) const
+  {
+    double error = 0.0;
+    for (Index i = 0; i < this->count(); ++i)
+    {
+      error = std::max(error, (places.row(this->Ids[i]) - this->Targets.row(i)).norm());
+    }
+    return error;
+  }
+
+  std::vector<int> Ids;
+  Points Sources, Targets;
+  std::vector<SpherePair> Pairs;
+};
+
+// Weights of the shape's features, where these are used, then of the given ones.
+std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& featureWeights)
+{
+  std::vector<double> weights;
+  for (const double weight : ShapeWeights)
+  {
+    if (shapeWeight > 0.0)
+    {
+      weights.push_back(shapeWeight * weight);
+    }
+  }
+  weights.insert(weights.end(), featureWeights.begin(), featureWeights.end());
+  return weights;
+}
+
+// The moving surface's vertices along with the deformation and then to the landmarks. Landmarks
+// that cannot be met after the whole deformation may be after less of it.
+Points carriedToLandmarks(const PreparedSurface& moving, const Registration& registration,
+  const LandmarkPairs& landmarks, Index& numberOfUnmet, const Run& run)
+{
+  const FoldRepair repair(moving.Surface);
+  LandmarkFlowOptions flowing;
+  flowing.Repair = repair;
+  LandmarkFlowResult flow;
+  Points best;
+  for (const double maximumFraction : { 1.0, 0.5, 0.0 })
+  {
+    const Run part = run.part(0.5 * (1.0 - maximumFraction), 0.5 * (1.5 - maximumFraction));
+    Points places = carriedWithoutFolds(moving, registration, repair, maximumFraction);
+    const LandmarkFlowResult found = flowToLandmarks(
+      moving.Surface.Triangles, landmarks.Ids, landmarks.Targets, places, flowing, part);
+    if (maximumFraction == 1.0 || found.Error < flow.Error)
+    {
+      flow = found;
+      best = std::move(places);
+    }
+    if (flow.NumberOfUnmet == 0)
+    {
+      break;
+    }
+  }
+  numberOfUnmet = flow.NumberOfUnmet;
+  return best;
+}
+
+// The closest rotation or Moebius transform to a deformation.
+MoebiusTransform transformOf(const Registration& registration, AlignmentKind kind, const Run& run)
+{
+  const SampledSurface& grid = registration.Grid;
+  return alignSpheres(grid.Grid.mesh().Positions, registration.Places,
+    vertexAreas(grid.Values.leftCols<3>(), grid.Grid.mesh().Triangles), kind, run)
+    .Transform;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -424,88 +520,31 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
 {
   const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
   const bool withShape = options.ShapeWeight > 0.0;
-  const auto size = static_cast<double>(moving.Surface.Positions.rows());
-  const auto fixedSize = static_cast<double>(fixed.Surface.Positions.rows());
-  Steps steps(run,
-    { 8e7 + 2e3 * size, 8e7 + 2e3 * fixedSize, diffeomorphic ? 1e9 : 5.5e8, 2e3 * size,
-      200.0 * size * static_cast<double>(landmarks.size()) });
+  // The surfaces, the deformation, the vertices, and landmarks.
+  Steps steps(run, { 0.15, 0.15, 0.55, 0.05, 0.1 });
   const PreparedSurface from(moving, withShape, "moving", steps.next());
   const PreparedSurface to(fixed, withShape, "fixed", steps.next());
-  const auto count = static_cast<Index>(landmarks.size());
-  std::vector<SpherePair> pairs;
-  std::vector<int> ids;
-  Points sources(count, 3), targets(count, 3);
-  for (Index i = 0; i < count; ++i)
-  {
-    ids.push_back(landmarks[i].first);
-    sources.row(i) = from.Surface.SpherePositions.row(landmarks[i].first);
-    targets.row(i) = to.Surface.SpherePositions.row(landmarks[i].second);
-    pairs.push_back({ sources.row(i), targets.row(i) });
-  }
-  std::vector<double> weights;
-  for (const double weight : ShapeWeights)
-  {
-    if (withShape)
-    {
-      weights.push_back(options.ShapeWeight * weight);
-    }
-  }
-  weights.insert(weights.end(), featureWeights.begin(), featureWeights.end());
-  const double sum = [&]()
-  {
-    double total = 0.0;
-    for (const double weight : weights)
-    {
-      total += weight;
-    }
-    return total;
-  }();
-
+  const LandmarkPairs pairs(landmarks, from.Surface.SpherePositions, to.Surface.SpherePositions);
+  const std::vector<double> weights = weightsOf(options.ShapeWeight, featureWeights);
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   const AlignmentKind kind =
     options.Space == SpaceOfTransforms::Moebius ? AlignmentKind::Moebius : AlignmentKind::Rotation;
-  Registration registration(from, to, pairs, weights, options.StretchWeight);
-  const bool byLandmarks = !diffeomorphic && count > 0;
-  const MoebiusTransform given = byLandmarks
-    ? alignSpheres(sources, targets, Eigen::VectorXd::Ones(count), kind).Transform
-    : MoebiusTransform();
+  Registration registration(from, to, pairs.Pairs, weights, options.StretchWeight);
+  const bool byLandmarks = !diffeomorphic && pairs.count() > 0;
+  const MoebiusTransform given = byLandmarks ? pairs.transform(kind) : MoebiusTransform();
   RegistrationEnergy energy =
     registration.run(diffeomorphic ? options.Frequency : CoarsestFrequency, steps.next());
   SphericalRegistrationResult result;
   const Run carrying = steps.next();
   if (diffeomorphic)
   {
-    const FoldRepair repair(from.Surface);
-    LandmarkFlowOptions flowing;
-    flowing.Repair = repair;
-    // Landmarks that cannot be met after the whole deformation may be after less of it.
-    LandmarkFlowResult flow;
-    const Run landmarking = steps.next();
-    for (const double most : { 1.0, 0.5, 0.0 })
-    {
-      const Run part = landmarking.part(0.5 * (1.0 - most), 0.5 * (1.5 - most));
-      Points places = carriedWithoutFolds(from, registration, repair, most);
-      const LandmarkFlowResult found =
-        flowToLandmarks(from.Surface.Triangles, ids, targets, places, flowing, part);
-      if (most == 1.0 || found.Error < flow.Error)
-      {
-        flow = found;
-        result.SpherePositions = std::move(places);
-      }
-      if (flow.NumberOfUnmet == 0)
-      {
-        break;
-      }
-    }
-    result.NumberOfUnmetLandmarks = flow.NumberOfUnmet;
+    result.SpherePositions =
+      carriedToLandmarks(from, registration, pairs, result.NumberOfUnmetLandmarks, steps.next());
   }
   else
   {
-    const SampledSurface& grid = registration.Grid;
-    const MoebiusTransform transform = byLandmarks
-      ? given
-      : alignSpheres(grid.Grid.mesh().Positions, registration.Places,
-          vertexAreas(grid.Values.leftCols<3>(), grid.Grid.mesh().Triangles), kind, carrying)
-          .Transform;
+    const MoebiusTransform transform =
+      byLandmarks ? given : transformOf(registration, kind, carrying);
     result.SpherePositions = from.Surface.SpherePositions;
     transform.applyTo(result.SpherePositions);
   }
@@ -516,11 +555,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
     result.AgreementBefore = 1.0 - 0.5 * registration.DifferenceBefore / sum;
     result.AgreementAfter = 1.0 - 0.5 * energy.Features / sum;
   }
-  for (Index i = 0; i < count; ++i)
-  {
-    result.LandmarkError =
-      std::max(result.LandmarkError, (result.SpherePositions.row(ids[i]) - targets.row(i)).norm());
-  }
+  result.LandmarkError = pairs.errorOf(result.SpherePositions);
   result.NumberOfFolds = countFlippedTriangles(result.SpherePositions, from.Surface.Triangles);
   if (to.Mirrored)
   {

@@ -48,9 +48,7 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
 /// For each direction the corners of the closest triangle.
 std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, const Run& run)
 {
-  Steps steps(run,
-    { 500.0 * static_cast<double>(source.Triangles.rows()),
-      1000.0 * static_cast<double>(directions.rows()) });
+  Steps steps(run, { 0.5, 0.5 }); // tree, foot points
   const TriangleTree tree(source.SpherePositions, source.Triangles, steps.next());
   std::vector<Parts> parts(directions.rows());
   forBlocksReporting(steps.next(), directions.rows(), BlockSize,
@@ -140,12 +138,8 @@ SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& 
   const SphericalResampleOptions& options, const Run& run)
 {
   const bool isAdaptive = options.Method == ResampleMethod::AreaAdaptive;
-  const auto sourceSize = static_cast<double>(source.SpherePositions.rows()),
-             targetSize = static_cast<double>(target.SpherePositions.rows());
-  const double sum = sourceSize + targetSize;
-  Steps steps(run,
-    { 250.0 * sum, 1000.0 * sum, isAdaptive ? 1000.0 * sum : 0.0,
-      isAdaptive ? 500.0 * sum : 100.0 * targetSize });
+  // Cover, weights, weights from the target, areas.
+  Steps steps(run, { 0.15, 0.8, isAdaptive ? 0.8 : 0.0, isAdaptive ? 0.4 : 0.05 });
   steps.next();
   SphericalResampling result;
   result.NumberOfFolds = requireCover(source, "source", run);

@@ -21,22 +21,6 @@ namespace
 {
 using Registrations = std::vector<SphericalRegistrationResult>;
 
-double workOfRegistration(double size, const SphericalTemplateOptions& options)
-{
-  const double fine = options.Registration.Frequency;
-  return 1.6e9 + 2e6 * fine * fine + 8e3 * size;
-}
-
-double workOfMean(double size, double numberOfSurfaces, const SphericalTemplateOptions& options)
-{
-  ConsistentRemeshOptions remesh;
-  remesh.MeshType = RemeshMeshType::Geodesic;
-  remesh.Frequency = options.MeanFrequency;
-  const double points = 10.0 * options.MeanFrequency * options.MeanFrequency;
-  return workOfConsistentRemesh(size, numberOfSurfaces, remesh) +
-    workOfShapeModes(points, numberOfSurfaces);
-}
-
 void requireUsable(const std::vector<TemplateInput>& inputs)
 {
   if (inputs.empty())
@@ -92,37 +76,16 @@ public:
     }
   }
 
-  std::vector<double> workOfRegistrations() const
-  {
-    std::vector<double> work;
-    for (const TemplateInput& input : this->Inputs)
-    {
-      const auto size = static_cast<double>(input.Surface.Surface.Positions.rows());
-      work.push_back(workOfRegistration(size, this->Options));
-    }
-    return work;
-  }
-
-  double workOfOneMean() const
-  {
-    double size = 0.0;
-    for (const TemplateInput& input : this->Inputs)
-    {
-      size += static_cast<double>(input.Surface.Surface.Positions.rows());
-    }
-    return workOfMean(size, static_cast<double>(this->Inputs.size()), this->Options);
-  }
-
   // Each surface with another one; that one is left as it is.
-  Registrations registeredWith(std::size_t one, Steps& steps) const
+  Registrations registeredWith(std::size_t one, const Run& run) const
   {
-    return this->registered(this->Inputs[one].Surface, this->Inputs[one].Landmarks, one, steps);
+    return this->registered(this->Inputs[one].Surface, this->Inputs[one].Landmarks, one, run);
   }
 
   Registrations registeredWithMean(
-    const RegisteredSurface& mean, const Registrations& last, Steps& steps) const
+    const RegisteredSurface& mean, const Registrations& last, const Run& run) const
   {
-    return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), steps);
+    return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), run);
   }
 
   // Of positions and features, as the surface in front lies.
@@ -157,7 +120,7 @@ public:
     const ShapeModes modes =
       findShapeModes(common.Sphere.Triangles, common.Positions, all, steps.next());
     std::size_t closest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t s = 0; s < this->Inputs.size(); ++s)
     {
       double square = 0.0;
@@ -167,9 +130,9 @@ public:
         square += modes.Explained[k] * score * score;
       }
       constexpr double closer = 1.0 - 1e-6;
-      if (square < closer * least)
+      if (square < closer * minimum)
       {
-        least = square;
+        minimum = square;
         closest = s;
       }
     }
@@ -178,8 +141,9 @@ public:
 
 private:
   Registrations registered(const RegisteredSurface& fixed, const std::vector<int>& landmarks,
-    std::size_t own, Steps& steps) const
+    std::size_t own, const Run& run) const
   {
+    Steps steps(run, std::vector<double>(this->Inputs.size(), 1.0));
     Registrations result;
     for (std::size_t s = 0; s < this->Inputs.size(); ++s)
     {
@@ -307,37 +271,27 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
 {
   requireUsable(inputs);
   const TemplateSearch search(inputs, featureWeights, options);
-  const std::vector<double> registering = search.workOfRegistrations();
-  const double averaging = search.workOfOneMean();
   const int rounds = inputs.size() > 1 ? options.MaximumNumberOfRounds : 0;
-  // All surfaces and their mean, so many times.
-  const auto times = [&](int count, std::vector<double> work = {})
+  std::vector<double> shares;
+  for (int i = 0; i < 2 + rounds; ++i)
   {
-    for (int i = 0; i < count; ++i)
-    {
-      work.insert(work.end(), registering.begin(), registering.end());
-      work.push_back(averaging);
-    }
-    return work;
-  };
-  Steps steps(run, times(2 + rounds));
+    shares.insert(shares.end(), { 0.95, 0.05 }); // registrations, mean
+  }
+  Steps steps(run, shares);
 
   SphericalTemplateResult result;
-  result.Registrations = search.registeredWith(0, steps);
+  result.Registrations = search.registeredWith(0, steps.next());
   const auto start = search.closestToMean(result.Registrations, steps.next());
   result.Start = static_cast<Index>(start);
+  const Run again = steps.next();
   if (start != 0)
   {
-    result.Registrations = search.registeredWith(start, steps);
-  }
-  else
-  {
-    steps.replan(times(rounds, { averaging }));
+    result.Registrations = search.registeredWith(start, again);
   }
   RegisteredSurface mean = search.meanOf(result.Registrations, start, steps.next());
   for (int i = 0; i < rounds; ++i)
   {
-    result.Registrations = search.registeredWithMean(mean, result.Registrations, steps);
+    result.Registrations = search.registeredWithMean(mean, result.Registrations, steps.next());
     RegisteredSurface next = search.meanOf(result.Registrations, start, steps.next());
     result.Changes.push_back(changeOf(next.Surface, mean.Surface));
     mean = std::move(next);
@@ -349,15 +303,5 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
   result.Mean = std::move(mean.Surface);
   run.report(1.0);
   return result;
-}
-
-//------------------------------------------------------------------------------
-double workOfSphericalTemplate(
-  double size, double numberOfSurfaces, const SphericalTemplateOptions& options)
-{
-  const double rounds = 2.0 + options.MaximumNumberOfRounds;
-  return rounds *
-    (numberOfSurfaces * workOfRegistration(size / numberOfSurfaces, options) +
-      workOfMean(size, numberOfSurfaces, options));
 }
 }

@@ -23,7 +23,7 @@ struct SphericalTemplateOptions
   double Tolerance = 0.01;       ///< change of the mean, in its size, with which rounds end
 };
 
-/// A surface, and what is known to correspond.
+/// A surface, and its landmarks.
 struct TemplateInput
 {
   std::string Name = "a surface"; ///< in messages
@@ -52,18 +52,14 @@ struct SphericalTemplateResult
 /// same one is found, but for rounding.
 /// @param[in] inputs          #S, at least one, in one space
 /// @param[in] featureWeights  #K, at least 0
-/// @throws std::invalid_argument that says which surface has no area, a map that does not cover the
+/// @throws std::invalid_argument that names the surface that has no area, a map that does not cover
+/// the
 ///   sphere once, or another number of landmarks than the first one; or as registerSpheres() does
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& inputs,
   const std::vector<double>& featureWeights, const SphericalTemplateOptions& options = {},
   const Run& run = {});
-
-/// What findSphericalTemplate() takes, in nanoseconds as in Steps.
-/// @param[in] size  number of points of all surfaces
-double workOfSphericalTemplate(
-  double size, double numberOfSurfaces, const SphericalTemplateOptions& options);
 }
 
 #endif

@@ -35,11 +35,11 @@ struct Flat
 /// @return false if it has no area
 bool flatten(const Eigen::Matrix3d& corners, Flat& flat)
 {
-  constexpr double leastArea = 1e-12; // of the square of an edge
+  constexpr double minimumArea = 1e-12; // of the square of an edge
   const Vector3 u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);
   const Vector3 normal = u.cross(v);
   const double area = normal.norm(), length = u.norm();
-  if (!(area > leastArea * std::max(u.squaredNorm(), v.squaredNorm())))
+  if (!(area > minimumArea * std::max(u.squaredNorm(), v.squaredNorm())))
   {
     return false;
   }
@@ -155,7 +155,7 @@ Eigen::Matrix3d triangleRotation(
 std::vector<Vector3> triangleRotations(const Triangles& triangles, const Triangles& neighbors,
   const Points& from, const Points& to, const Vector3& whole, const Run& run)
 {
-  Steps steps(run, { 200.0, 1000.0 }); // for each triangle
+  Steps steps(run, { 0.2, 0.8 });
   const Eigen::Matrix3d turn = rotationOf(whole);
   std::vector<Eigen::Matrix3d> rotations(triangles.rows());
   std::vector<Vector3> vectors(triangles.rows());

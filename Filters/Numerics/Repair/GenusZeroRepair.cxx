@@ -244,9 +244,7 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
   {
     throw std::invalid_argument("the surface has no triangles");
   }
-  const auto size = static_cast<double>(triangles.rows());
-  const double ofCheck = 230.0 * size;
-  Steps steps(run, { ofCheck, 240.0 * size, 15.0 * size, 300.0 * size, ofCheck });
+  Steps steps(run, { 0.25, 0.25, 0.02, 0.2, 0.28 }); // check, gluing, holes, handles, check
   GenusZeroReport report = checkGenusZero(triangles, points.size(), {}, steps.next());
   requireFinite(points, triangles);
   GenusZeroRepairResult result;
@@ -269,7 +267,6 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
       result.Gluing.NumberOfRepeatedPoints - result.Gluing.NumberOfDuplicates -
       result.Gluing.NumberOfTrianglesRemoved - result.Gluing.NumberOfTurnedTriangles;
   }
-  steps.replan({ workOfHandleLoops(surface), ofCheck });
   openHandles(surface, area, result.Loops, steps.next());
   const Run last = steps.next();
   collect(surface, result);

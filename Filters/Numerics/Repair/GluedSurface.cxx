@@ -409,7 +409,7 @@ int placeInLoop(int corner, int size)
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
 {
-  Steps steps(run, { 100.0, 60.0, 60.0 }); // for each triangle
+  Steps steps(run, { 0.5, 0.25, 0.25 });
   steps.next();
   GluedSurface surface;
   EdgeSides sides;

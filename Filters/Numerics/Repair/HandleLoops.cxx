@@ -43,7 +43,7 @@ struct SidesOfVertices
   }
 };
 
-// A surface as loops see it.
+// A surface with the lengths and classes of its edges.
 struct LoopSpace
 {
   LoopSpace(const GluedSurface& surface, const std::vector<double>& lengths)
@@ -345,7 +345,7 @@ HandleLoop shortestAlong(
   const LoopSpace& space, const PathTree& paths, int edge, LoopSearch& search)
 {
   constexpr double firstSpacing = 0.25, slidingSpacing = 0.125; // in lengths of the loop so far
-  constexpr int mostSlides = 16;
+  constexpr int maximumSlides = 16;
   const HandleLoop own = loopOf(space, paths.SidesTo, edge);
   HandleLoop best = own;
   search.shorten(space.Surface.from(edge), best); // far out on the handle, where it is narrow
@@ -354,7 +354,7 @@ HandleLoop shortestAlong(
     search.shorten(place, best);
   }
   bool slides = true;
-  for (int i = 0; i < mostSlides && slides; ++i)
+  for (int i = 0; i < maximumSlides && slides; ++i)
   {
     slides = false;
     for (const int place : placesAlong(space, best, slidingSpacing * best.Length))
@@ -416,8 +416,6 @@ public:
 private:
   std::vector<std::pair<std::size_t, LoopClass>> Rows;
 };
-
-constexpr double workOfAHandle = 1.5e6; // of middling size
 }
 
 //------------------------------------------------------------------------------
@@ -429,13 +427,6 @@ Index numberOfHandles(const GluedSurface& surface)
 }
 
 //------------------------------------------------------------------------------
-double workOfHandleLoops(const GluedSurface& surface)
-{
-  return 180.0 * surface.numberOfTriangles() +
-    workOfAHandle * static_cast<double>(numberOfHandles(surface));
-}
-
-//------------------------------------------------------------------------------
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run)
 {
@@ -443,9 +434,7 @@ std::vector<HandleLoop> findHandleLoops(
   {
     return {};
   }
-  const double size = surface.numberOfTriangles();
-  Steps steps(run,
-    { 80.0 * size, 100.0 * size, workOfAHandle * static_cast<double>(numberOfHandles(surface)) });
+  Steps steps(run, { 0.2, 0.3, 0.5 }); // paths, classes, loops
   steps.next();
   LoopSpace space(surface, lengths);
   const PathTree paths = shortestPaths(space, 0);

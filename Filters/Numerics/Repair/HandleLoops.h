@@ -34,9 +34,6 @@ struct HandleLoop
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run = {});
 
-/// What findHandleLoops() takes, in nanoseconds as in Steps.
-double workOfHandleLoops(const GluedSurface& surface);
-
 /// Number of handles of a closed, orientable surface of one piece.
 Index numberOfHandles(const GluedSurface& surface);
 }

@@ -98,10 +98,10 @@ Triangles toTriangles(const Corners& corners)
 }
 
 // Rings until one has no more than so many vertices, which a fan closes.
-LoopCap ringsOf(const Points& corners, int mostOfFan)
+LoopCap ringsOf(const Points& corners, int maximumOfFan)
 {
   constexpr double pitch = 1.3 * 2.0 * Pi; // of rings, in edges of the outer one, around a circle
-  constexpr double least = 0.35;           // a ring's radius, of the one around it
+  constexpr double minimum = 0.35;         // a ring's radius, of the one around it
   const Vector3 middle = middleOf(corners);
   const auto size = static_cast<int>(corners.rows());
   LoopCap cap;
@@ -109,10 +109,10 @@ LoopCap ringsOf(const Points& corners, int mostOfFan)
   std::vector<Vector3> added;
   CapRing ring = outermost(corners);
   double radius = 1.0;
-  while (ring.size() > mostOfFan)
+  while (ring.size() > maximumOfFan)
   {
     const CapRing inner = halved(ring, size + static_cast<int>(added.size()));
-    radius *= std::max(least, 1.0 - pitch / ring.size());
+    radius *= std::max(minimum, 1.0 - pitch / ring.size());
     for (int j = 0; j < inner.size(); ++j)
     {
       added.emplace_back(middle + radius * (inner.Around.row(j).transpose() - middle));
@@ -188,8 +188,8 @@ LoopCap capLoop(const Points& corners, const std::function<bool(int, int)>& isJo
     cap.Added.resize(0, 3);
     return cap;
   }
-  constexpr int mostOfFan = 10;
-  LoopCap rings = ringsOf(corners, mostOfFan);
+  constexpr int maximumOfFan = 10;
+  LoopCap rings = ringsOf(corners, maximumOfFan);
   if (!folds(rings, corners))
   {
     return rings;

@@ -30,7 +30,7 @@ struct NearestOne
   void replaceFarthest(const Neighbor& neighbor) { this->Best = neighbor; }
 };
 
-struct NearestOnes
+struct NearestHeap
 {
   std::vector<Neighbor>& Heap; ///< at its final size, the farthest neighbor first
   const Neighbor& farthest() const { return this->Heap.front(); }
@@ -156,7 +156,7 @@ void PointTree::nearest(const Vector3& x, int k, std::vector<Neighbor>& neighbor
   neighbors.assign(count, Nobody);
   if (count > 0)
   {
-    NearestOnes found = { neighbors };
+    NearestHeap found = { neighbors };
     this->search(x, Vector3::Zero(), 0, 0, this->size(), found);
     std::sort_heap(neighbors.begin(), neighbors.end());
   }

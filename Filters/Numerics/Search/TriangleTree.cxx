@@ -86,7 +86,7 @@ FootPoint closestPointOfTriangle(
 
 TriangleTree::TriangleTree(const Points& positions, const Triangles& triangles, const Run& run)
 {
-  Steps steps(run, { 30.0, 300.0, 70.0, 40.0, 55.0 }); // for each triangle
+  Steps steps(run, { 0.06, 0.6, 0.14, 0.08, 0.12 });
   steps.next();
   std::vector<Box> boxes(triangles.rows());
   for (Index r = 0; r < triangles.rows(); ++r)

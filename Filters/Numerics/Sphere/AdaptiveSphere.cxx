@@ -20,13 +20,12 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double MinimumRadius = 1e-7;  // of a triangle to be divided
-constexpr double MinimumDensity = 1e-9; // relative to the mean, so that sizes are finite
-constexpr double SizeSpread = 3.0;      // of the random factor of areas
-constexpr double GoodAngle = 35.0;      // smoothing decreases no angle below it
-constexpr double SmoothingStep = 0.7;   // fraction of the way to the centroid
-constexpr int SmoothingTries = 3;       // each with half the step
-constexpr double WorkOfRefinement = 7000.0, WorkOfRound = 3000.0; // for each point
+constexpr double MinimumRadius = 1e-7;   // of a triangle to be divided
+constexpr double MinimumDensity = 1e-9;  // relative to the mean, so that sizes are finite
+constexpr double SizeSpread = 3.0;       // of the random factor of areas
+constexpr double GoodAngle = 35.0;       // smoothing decreases no angle below it
+constexpr double SmoothingStep = 0.7;    // fraction of the way to the centroid
+constexpr int SmoothingTries = 3;        // each with half the step
 constexpr double LargeEdge = 0.01;       // above it the sphere is not locally flat
 constexpr double FlatSquaredSine = 1e-6; // of the minimum angle of triangles without a plane
 constexpr double Rounding = 1e-9;
@@ -81,11 +80,10 @@ public:
     const double area = std::accumulate(density.Areas.begin(), density.Areas.end(), 0.0);
     this->Floor = MinimumDensity * all / area;
     this->AreaUnit = 4.0 * Pi / area;
-    const Index most =
-      numberOfPoints + numberOfPoints / 50; // maximum number; memory may not hold it
-    this->Positions.reserve(most);
-    this->Sizes.reserve(most);
-    this->Items.reserve(2 * most);
+    const Index maximum = numberOfPoints + numberOfPoints / 50; // for which there may be no room
+    this->Positions.reserve(maximum);
+    this->Sizes.reserve(maximum);
+    this->Items.reserve(2 * maximum);
     for (Index i = 0; i < start.Positions.rows(); ++i)
     {
       this->addPoint(start.Positions.row(i));
@@ -253,13 +251,13 @@ private:
     for (int step = 0; step < farthest; ++step)
     {
       int next = -1;
-      double least = 0.0;
+      double minimum = 0.0;
       for (int k = 0; k < 3; ++k)
       {
         const double itsSide = side(this->corner(t, k), this->corner(t, k + 1), direction);
-        if (itsSide < least)
+        if (itsSide < minimum)
         {
-          least = itsSide;
+          minimum = itsSide;
           next = this->Items[t].Across[k];
         }
       }
@@ -527,14 +525,14 @@ private:
   /// Compute the minimum angle around a point for another position of the point.
   double squaredSineAround(int v, const Vector3& position) const
   {
-    double least = 1.0;
+    double minimum = 1.0;
     this->forEachTriangle(v,
       [&](int t, int k)
       {
         const Shape shape(position, this->corner(t, k + 1), this->corner(t, k + 2));
-        least = std::min(least, shape.SquaredSine);
+        minimum = std::min(minimum, shape.SquaredSine);
       });
-    return least;
+    return minimum;
   }
 
   void smooth(int v)
@@ -597,10 +595,9 @@ Mesh makeAdaptiveSphere(
       ", and SmoothingRounds must not be negative");
   }
   const auto size = static_cast<double>(options.NumberOfPoints);
-  std::vector<double> work(2 + options.SmoothingRounds, WorkOfRound * size);
-  work[0] = 100.0 * static_cast<double>(density.Areas.size());
-  work[1] = WorkOfRefinement * size;
-  Steps steps(run, work);
+  std::vector<double> shares = { 0.02, 0.33 }; // density, refinement, each round
+  shares.insert(shares.end(), options.SmoothingRounds, 0.13);
+  Steps steps(run, shares);
   std::optional<Refinement> refinement(
     std::in_place, density, options.NumberOfPoints, steps.next());
   refinement->refine(options.NumberOfPoints, steps.next());
@@ -618,12 +615,5 @@ Mesh makeAdaptiveSphere(
   }
   run.report(1.0);
   return refinement->mesh();
-}
-
-//------------------------------------------------------------------------------
-double workOfAdaptiveSphere(const AdaptiveSphereOptions& options)
-{
-  return (WorkOfRefinement + WorkOfRound * options.SmoothingRounds) *
-    static_cast<double>(options.NumberOfPoints);
 }
 }

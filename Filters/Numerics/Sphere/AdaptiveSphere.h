@@ -1,4 +1,4 @@
-/// Adaptive mesh of the sphere with a prescribed density of points, \cite Chew1993.
+/// A mesh of the sphere with a given density.
 
 #ifndef ConformalAdaptiveSphere_h
 #define ConformalAdaptiveSphere_h
@@ -49,9 +49,6 @@ struct AdaptiveSphereLimits
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});
-
-/// Estimate the cost of makeAdaptiveSphere() without that of its density, see Steps.
-double workOfAdaptiveSphere(const AdaptiveSphereOptions& options);
 }
 
 #endif

@@ -53,7 +53,7 @@ MoebiusTransform closestMoebiusTransform(
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   MoebiusTransform best;
   best.Rotation = closestRotation(from, to, weights);
-  double least = squaredDistance(best, from, to, weights), damping = 1e-3;
+  double minimum = squaredDistance(best, from, to, weights), damping = 1e-3;
   constexpr double maximumDamping = 1e9;
   for (int i = 0; i < MaximumSteps && damping < maximumDamping; ++i)
   {
@@ -79,12 +79,12 @@ MoebiusTransform closestMoebiusTransform(
     next.Rotation =
       best.Rotation * rotationBy(step.tail<3>()) * leftRotation(best.Center, move, next.Center);
     const double distance = squaredDistance(next, from, to, weights);
-    const bool better = distance < least;
+    const bool better = distance < minimum;
     damping *= better ? 0.1 : 10.0;
     if (better)
     {
       best = next;
-      least = distance;
+      minimum = distance;
     }
   }
   return best;

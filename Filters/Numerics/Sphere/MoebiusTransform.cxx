@@ -71,7 +71,7 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
 {
   const double total = weights.sum();
   MoebiusTransform transform, best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int i = 0; i < MaximumSteps; ++i)
   {
     Vector3 mean = Vector3::Zero();
@@ -83,11 +83,11 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
       squares += weights[v] * x * x.transpose();
     }
     mean /= total;
-    if (!(mean.norm() < least))
+    if (!(mean.norm() < minimum))
     {
       break; // at the limit of rounding
     }
-    least = mean.norm();
+    minimum = mean.norm();
     best = transform;
     const Eigen::Matrix3d slope =
       2.0 * ((1.0 + 1e-9) * Eigen::Matrix3d::Identity() - squares / total);

@@ -13,8 +13,7 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
   const Points& directions, const Run& run)
 {
   constexpr Index BlockSize = 512;
-  const auto size = static_cast<double>(triangles.rows());
-  Steps steps(run, { 70.0 * size, 500.0 * size, 300.0 * static_cast<double>(directions.rows()) });
+  Steps steps(run, { 0.1, 0.7, 0.2 }); // cover, locator, values
   steps.next();
   Points sphere = spherePositions;
   SphereCoverage coverage = measureSphereCoverage(sphere, triangles, run);

@@ -85,8 +85,7 @@ bool isAnywhere(const SphereDensity& density, const Run& run)
 SphereDensity densityOnSurface(
   const MappedMesh& surface, const std::vector<double>& weights, const Run& run)
 {
-  const auto size = static_cast<double>(surface.Triangles.rows());
-  Steps steps(run, { 100.0 * size, 500.0 * size });
+  Steps steps(run, { 0.2, 0.8 }); // cover, locator
   steps.next();
   struct Located
   {
@@ -194,13 +193,7 @@ SphereDensity equalShares(const std::vector<SphereDensity>& densities, const Run
     std::function<double(const Vector3&)> At;
     double Integral;
   };
-  std::vector<double> work;
-  work.reserve(densities.size());
-  for (const SphereDensity& density : densities)
-  {
-    work.push_back(static_cast<double>(density.Directions.rows()));
-  }
-  Steps steps(run, work);
+  Steps steps(run, std::vector<double>(densities.size(), 1.0));
   std::vector<Part> parts;
   SphereDensity all;
   for (const SphereDensity& density : densities)

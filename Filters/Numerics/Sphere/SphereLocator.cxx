@@ -19,7 +19,7 @@ SphereLocator::SphereLocator(const Points& positions, const Triangles& triangles
 SphereLocator::SphereLocator(
   const Points& positions, const Triangles& triangles, const Triangles& neighbors, const Run& run)
 {
-  Steps steps(run, { 30.0, 250.0, 10.0, 50.0 }); // for each triangle
+  Steps steps(run, { 0.09, 0.73, 0.03, 0.15 });
   // A point p = p'/|p'| of the sphere lies 1 - |p'| above its flat triangle, where |p'|^2 = 1 - sum
   // l_i l_j |n_i - n_j|^2 >= 1 - (longest edge)^2 / 3.
   const double rounding = 1e-14;

@@ -175,8 +175,8 @@ Vector2 newtonStep(const Derivatives& at)
 {
   const double a = at.Hessian(0, 0), b = at.Hessian(0, 1), c = at.Hessian(1, 1);
   const double mean = 0.5 * (a + c), radius = std::hypot(0.5 * (a - c), b);
-  const double smallest = mean - radius, needed = 0.05 * (std::abs(mean) + radius);
-  const double shift = std::max(0.0, needed - smallest);
+  const double minimum = mean - radius, needed = 0.05 * (std::abs(mean) + radius);
+  const double shift = std::max(0.0, needed - minimum);
   const double determinant = (a + shift) * (c + shift) - b * b;
   Vector2 step = { b * at.Gradient[1] - (c + shift) * at.Gradient[0],
     b * at.Gradient[0] - (a + shift) * at.Gradient[1] };
@@ -193,12 +193,12 @@ std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, con
   const Frame frame(origin);
   std::vector<Vector3> local;
   double width = 0.0; // width of the ring in the chart projected from the center of the sphere
-  constexpr double greatest = 5.0;
+  constexpr double maximum = 5.0;
   for (int id : ring)
   {
     local.push_back(frame.local(positions[id] - origin));
     const double height = 1.0 + local.back()[2], reach = local.back().head<2>().norm();
-    width = std::max(width, height * greatest > reach ? reach / height : greatest);
+    width = std::max(width, height * maximum > reach ? reach / height : maximum);
   }
   std::vector<Vector2> kernel = { { -width, -width }, { width, -width }, { width, width },
     { -width, width } };

@@ -267,8 +267,8 @@ private:
     {
       const Vector3& place = this->Positions[ids[i]];
       const double height = middle.dot(place);
-      constexpr double lowest = 0.2;
-      if (!(height > lowest))
+      constexpr double minimum = 0.2;
+      if (!(height > minimum))
       {
         return false;
       }
@@ -354,7 +354,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 
 //------------------------------------------------------------------------------
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
-  const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes, const Run& run)
+  const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
+  const Run& run)
 {
   Repair repair(positions, points, triangles, strings, rings);
   for (int round = 0; round < Rounds; ++round)

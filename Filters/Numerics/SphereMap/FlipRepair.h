@@ -7,7 +7,7 @@
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 #include "Mesh/VertexRings.h"
-#include "SphereMap/SurfaceShapes.h"
+#include "SphereMap/BoundedTriangles.h"
 
 #include <vector>
 
@@ -34,7 +34,7 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// @param[in,out] positions  unit vectors; no good triangle becomes bad
 /// @return whether none is bad any more
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
-  const EdgeWeights& strings, const VertexRings& rings, const SurfaceShapes& shapes,
+  const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
   const Run& run = {});
 }
 

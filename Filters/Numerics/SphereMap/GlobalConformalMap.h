@@ -67,9 +67,6 @@ struct GlobalConformalMapResult
 /// \cite Liou2008 section 4.1
 GlobalConformalMapResult globalConformalMap(
   const Mesh& mesh, const GlobalConformalMapOptions& options = {}, const Run& run = {});
-
-/// What globalConformalMap() takes, in nanoseconds as in Steps.
-double workOfGlobalConformalMap(const GlobalConformalMapOptions& options, Index numberOfVertices);
 }
 
 #endif

@@ -113,7 +113,7 @@ public:
 private:
   static double firstStep(const EdgeWeights& strings)
   {
-    double greatest = 0.0;
+    double maximum = 0.0;
     for (Index v = 0; v + 1 < static_cast<Index>(strings.Neighbors.Offsets.size()); ++v)
     {
       double sum = 0.0;
@@ -121,9 +121,9 @@ private:
       {
         sum += std::abs(strings.Weights[i]);
       }
-      greatest = std::max(greatest, sum);
+      maximum = std::max(maximum, sum);
     }
-    return 1.0 / std::max(greatest, 1e-300);
+    return 1.0 / std::max(maximum, 1e-300);
   }
 
   void move(const EdgeWeights& strings, double step, Points& next) const

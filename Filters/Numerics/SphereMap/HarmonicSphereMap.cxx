@@ -4,9 +4,9 @@
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
 #include "Sphere/MoebiusTransform.h"
+#include "SphereMap/BoundedTriangles.h"
 #include "SphereMap/FlipRepair.h"
 #include "SphereMap/PuncturedSphereMap.h"
-#include "SphereMap/SurfaceShapes.h"
 
 #include <cmath>
 #include <numeric>
@@ -45,22 +45,6 @@ Points toPoints(const std::vector<Vector3>& vectors)
   return result;
 }
 
-// What steps of an attempt take for each vertex, in nanoseconds as in Steps.
-double workOfPuncture(Index size)
-{
-  return 1700.0 + 9.0 * std::sqrt(static_cast<double>(size));
-}
-
-double workOfRelaxing(Index size)
-{
-  return size < SmallMesh ? 230.0 * SweepsOfSmallMesh : 55.0;
-}
-
-double workOfAttempt(Index size)
-{
-  return workOfPuncture(size) + workOfRelaxing(size) + 180.0;
-}
-
 class Mapper
 {
 public:
@@ -69,7 +53,7 @@ public:
     , Triangles(triangles)
     , Threads(run.unwatched())
     , Shapes(places, triangles)
-    , Angles(places, triangles, SurfaceShapes::Weight::RegularArea)
+    , Angles(places, triangles, BoundedTriangles::Weight::RegularArea)
     , Rings(triangles, places.rows())
     , Areas(vertexAreas(places, triangles))
   {
@@ -113,8 +97,7 @@ private:
   // Without positions if the equations have no solution in floating point.
   HarmonicSphereMap attempt(Index puncture, const Run& run) const
   {
-    Steps steps(run,
-      { workOfPuncture(this->Places.rows()), 105.0, workOfRelaxing(this->Places.rows()), 75.0 });
+    Steps steps(run, { 0.9, 0.02, 0.06, 0.02 }); // equations, center, repair, center
     HarmonicSphereMap map;
     map.NumberOfSolves = 1;
     try
@@ -137,7 +120,7 @@ private:
     return map;
   }
 
-  // Takes folds out and relaxes triangles; whether none is bad in the end.
+  // Remove folds and relax triangles. Return false if too many triangles are bad, or folds remain.
   bool improve(HarmonicSphereMap& map, const Run& run) const
   {
     std::vector<Vector3> positions = toVector(map.Positions);
@@ -222,7 +205,7 @@ private:
   // Of areas on the sphere and on the surface, the largest one around a corner of the triangle.
   double areaRatioAround(const Points& positions, Index puncture) const
   {
-    double largest = 0.0;
+    double maximum = 0.0;
     for (int k = 0; k < 3; ++k)
     {
       const int v = this->Triangles(puncture, k);
@@ -236,15 +219,15 @@ private:
         onSphere += 0.5 * (b - a).cross(c - a).norm();
         onSurface += corners[i].Source.Area;
       }
-      largest = std::max(largest, onSphere / onSurface);
+      maximum = std::max(maximum, onSphere / onSurface);
     }
-    return largest;
+    return maximum;
   }
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const Run Threads; // nobody watches
-  SurfaceShapes Shapes, Angles;
+  const Run Threads; // without progress
+  BoundedTriangles Shapes, Angles;
   VertexRings Rings;
   Eigen::VectorXd Areas;
   EdgeWeights Strings;
@@ -256,18 +239,9 @@ HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
-  // For each vertex: tables, and one attempt. Another one, which few surfaces need, has what is
-  // kept back for it, so that the progress jumps by that at the end of all others.
-  const double work = workOfAttempt(points.rows());
-  Steps steps(run, { 340.0, work, 0.2 * work });
+  Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, an attempt, another one that few surfaces need
   steps.next();
   const Mapper mapper(points, triangles, run);
   return mapper.run(steps);
-}
-
-//------------------------------------------------------------------------------
-double workOfHarmonicMap(Index numberOfVertices)
-{
-  return static_cast<double>(numberOfVertices) * (340.0 + 1.2 * workOfAttempt(numberOfVertices));
 }
 }

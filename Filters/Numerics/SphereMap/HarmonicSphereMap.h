@@ -24,9 +24,6 @@ struct HarmonicSphereMap
 /// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
 HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run = {});
-
-/// What mapHarmonically() takes, in nanoseconds as in Steps.
-double workOfHarmonicMap(Index numberOfVertices);
 }
 
 #endif

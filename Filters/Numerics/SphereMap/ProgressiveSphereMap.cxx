@@ -6,7 +6,7 @@
 #include "Mesh/ProgressiveMesh.h"
 #include "Sphere/SphereOrientation.h"
 #include "Sphere/SphereStar.h"
-#include "SphereMap/SurfaceShapes.h"
+#include "SphereMap/BoundedTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ public:
     const ProgressiveSphereMapOptions& options, const Run& run)
     : NoPlaces(Points::Zero(options.ConnectivityFirst ? places.rows() : 0, 3))
     , FinalShapes(places, triangles)
-    , Shapes(options.ConnectivityFirst ? SurfaceShapes(NoPlaces, triangles) : FinalShapes)
+    , Shapes(options.ConnectivityFirst ? BoundedTriangles(NoPlaces, triangles) : FinalShapes)
     , Options(options)
     , Energy(energyFor(options.AreaBalance))
     , Mesh(options.ConnectivityFirst
@@ -209,7 +209,7 @@ private:
     this->relax(v, this->Energy);
   }
 
-  void sweep(int times, const SurfaceShapes& shapes, const SphereEnergy& energy)
+  void sweep(int times, const BoundedTriangles& shapes, const SphereEnergy& energy)
   {
     relaxVertices(this->Positions, this->Active, this->Mesh.Rings, shapes, energy, times,
       [this]() { this->countVertex(); });
@@ -223,9 +223,9 @@ private:
     }
   }
 
-  const Points NoPlaces;     // all at one point: triangles without a shape count as equilateral
-  SurfaceShapes FinalShapes; // of the surface
-  SurfaceShapes Shapes;      // while vertices are put back
+  const Points NoPlaces;        // all at one point: triangles without a shape count as equilateral
+  BoundedTriangles FinalShapes; // of the surface
+  BoundedTriangles Shapes;      // while vertices are put back
   const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;

@@ -94,8 +94,8 @@ public:
         for (Index r = begin; r < end; ++r)
         {
           const auto [z, weight, wanted] = this->beltrami(r);
-          const double largest = robustly ? MaximumSquared : 1.0; // beyond 1 it is flipped
-          if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < largest))
+          const double maximum = robustly ? MaximumSquared : 1.0; // beyond 1 it is flipped
+          if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < maximum))
           {
             continue;
           }
@@ -223,7 +223,7 @@ Index choosePuncture(const Points& points, const Triangles& triangles)
     radius += (middle - center).norm() / static_cast<double>(size);
   }
   Index best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (Index r = 0; r < size; ++r)
   {
     double score = irregularities[r];
@@ -233,9 +233,9 @@ Index choosePuncture(const Points& points, const Triangles& triangles)
     }
     constexpr double farness = 0.3;
     score += farness * std::max(0.0, (middles[r] - center).norm() / std::max(radius, 1e-300) - 1.0);
-    if (score < least)
+    if (score < minimum)
     {
-      least = score;
+      minimum = score;
       best = r;
     }
   }
@@ -247,7 +247,7 @@ Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions)
 {
   Index best = 0;
-  double greatest = -1.0;
+  double maximum = -1.0;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     const auto corner = [&](const Points& of, int k) { return Vector3(of.row(triangles(r, k))); };
@@ -263,9 +263,9 @@ Index choosePuncture(
     }
     const double score =
       std::pow(1.0 + irregular, -4.0) * twiceArea(spherePositions) / twiceArea(points);
-    if (score > greatest)
+    if (score > maximum)
     {
-      greatest = score;
+      maximum = score;
       best = r;
     }
   }
@@ -277,9 +277,8 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run)
 {
   const Index size = points.rows();
-  const double root = std::sqrt(static_cast<double>(size));
-  // For each vertex; the second system has about a third of them.
-  Steps steps(run, { 750.0 + 7.5 * root, 450.0, 200.0, 260.0 + 1.6 * root, 20.0 });
+  // Equations, correction, equations of about a third of the vertices, and what is around them.
+  Steps steps(run, { 0.68, 0.1, 0.04, 0.17, 0.01 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));

@@ -19,7 +19,6 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double WorkOfLocator = 400.0; // for each triangle
 
 void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* what)
 {
@@ -104,15 +103,10 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
   , Model(model.Positions)
   , Triangles(trianglesOfMap(this->Sphere, model.Triangles, run))
 {
-  const auto size = static_cast<double>(this->Triangles.rows());
-  const double cloudSize = cloud ? static_cast<double>(cloud->size()) : 0.0;
-  const bool fits = options.DomeHeight == DomeHeight::Fitted;
-  Steps steps(run,
-    { 20.0 * size, 60.0 * size, WorkOfLocator * size,
-      (options.SeamMode == SeamMode::EdgeMatched ? 1500.0 : 500.0) * size,
-      fits ? (1.0 + options.Fit.NumberOfFitRounds) * (2500.0 * cloudSize + 5000.0 * size)
-           : 300.0 * size,
-      50.0 * size });
+  const bool isFitted = options.DomeHeight == DomeHeight::Fitted;
+  const bool isMatched = options.SeamMode == SeamMode::EdgeMatched;
+  // Points, neighbors, locator, flat maps, heights, degenerate triangles.
+  Steps steps(run, { 0.02, 0.05, 0.3, isMatched ? 1.1 : 0.37, isFitted ? 20.0 : 0.22, 0.04 });
   steps.next();
   if (this->Sphere.rows() != this->Model.rows() || !this->Model.allFinite())
   {

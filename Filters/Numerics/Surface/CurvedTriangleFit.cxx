@@ -50,8 +50,8 @@ std::vector<Frame> framesOf(const CurvedTriangles& surface, const Adjacency& nei
     {
       sum += (surface.positions().row(*j) - surface.positions().row(v)).norm();
     }
-    const double least = 1e-9; // in units of the cloud's radius
-    frame.Length = std::max(sum / std::max(1, neighbors.size(v)), least);
+    const double minimum = 1e-9; // in units of the cloud's radius
+    frame.Length = std::max(sum / std::max(1, neighbors.size(v)), minimum);
   }
   return frames;
 }
@@ -305,14 +305,14 @@ CurvedTriangles moved(
 
 /// What holds the surface where samples do not.
 void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames, double stiffness,
-  double least, Equations& equations, Unknowns& right)
+  double minimum, Equations& equations, Unknowns& right)
 {
   const Points usual = vertexNormals(surface.positions(), surface.triangles());
   for (Index i = 0; i < right.rows(); ++i)
   {
     const Vector3 normal = usual.row(i);
     const double hold = NormalShare * stiffness / 16.0; // of tilts times length
-    equations.diagonal()[i].diagonal() += Vector3(least, hold + least, hold + least);
+    equations.diagonal()[i].diagonal() += Vector3(minimum, hold + minimum, hold + minimum);
     right(i, 1) += hold * frames[i].Length * frames[i].E1.dot(normal);
     right(i, 2) += hold * frames[i].Length * frames[i].E2.dot(normal);
   }
@@ -321,10 +321,10 @@ void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames,
 /// A cloud may cover a part of the surface, or more than it, but not be of another unit.
 void requireOneSize(const Points& positions)
 {
-  constexpr double largest = 0x1p16, smallest = 0x1p-16;
+  constexpr double maximum = 0x1p16, minimum = 0x1p-16;
   const double extent =
     (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
-  if (!(positions.cwiseAbs().maxCoeff() <= largest && extent >= smallest))
+  if (!(positions.cwiseAbs().maxCoeff() <= maximum && extent >= minimum))
   {
     throw std::invalid_argument("the cloud must have about the size and position of the surface");
   }

@@ -19,7 +19,7 @@ namespace
 {
 constexpr Index SamplesPerVertex = 4, MaximumSamples = 0x800000;
 constexpr double FactorOfCrowding = 3.0;
-constexpr double LargestOfMean = 16.0; // of a length, in units of the mean move; bounds the sums
+constexpr double MaximumOfMean = 16.0; // of a length, in units of the mean move; bounds the sums
 constexpr int RingsAroundSamples = 2;
 
 double areaOf(const Points& positions, const Triangles& triangles, Index r)
@@ -94,7 +94,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   {
     return UsualVertexShift;
   }
-  moves = (moves / unit).cwiseMin(LargestOfMean);
+  moves = (moves / unit).cwiseMin(MaximumOfMean);
 
   const TriangleTree tree(positions, triangles, preparing);
   SampleRotation rotation(samples, 1);
@@ -108,7 +108,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   };
   FixedPointSums sums(Feet + triangles.rows());
   const auto bounded = [&](double height)
-  { return std::clamp(height / unit, -LargestOfMean, LargestOfMean) / LargestOfMean; };
+  { return std::clamp(height / unit, -MaximumOfMean, MaximumOfMean) / MaximumOfMean; };
   forEachFoot(
     samples, tree, rotation.count(), [&](Index i) { return rotation.id(i); },
     [&](Index, const Vector3& x, const FootPoint& foot)
@@ -123,7 +123,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
       sums.add(Product, bounded(normal.dot(x - high)) * fall);
       sums.add(Square, fall * fall);
       // Of the triangle, since feet gather on the edges and corners that stick out.
-      sums.add(Moves, (moves[ids[0]] + moves[ids[1]] + moves[ids[2]]) / (3.0 * LargestOfMean));
+      sums.add(Moves, (moves[ids[0]] + moves[ids[1]] + moves[ids[2]]) / (3.0 * MaximumOfMean));
       sums.add(Feet + foot.Triangle, 1.0);
     },
     steps.next());
@@ -134,7 +134,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
     met[r] = sums[Feet + r] > 0.0;
   }
   const double overSamples =
-    LargestOfMean * sums[Moves] / static_cast<double>(rotation.totalCount());
+    MaximumOfMean * sums[Moves] / static_cast<double>(rotation.totalCount());
   const double overArea =
     meanOverArea(positions, triangles, moves, widened(triangles, positions.rows(), met));
   if (!(sums[Square] > 0.0 && overArea > 0.0))

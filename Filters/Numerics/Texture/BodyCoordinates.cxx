@@ -79,15 +79,15 @@ BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const 
 BodyPoint closestTo(const MappedMesh& surface, const Vector3& x)
 {
   BodyPoint best;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (int r = 0; r < surface.Triangles.rows(); ++r)
   {
     const FootPoint foot = closestPointOfTriangle(x, surface.Positions.row(surface.Triangles(r, 0)),
       surface.Positions.row(surface.Triangles(r, 1)),
       surface.Positions.row(surface.Triangles(r, 2)));
-    if (foot.SquareDistance < least)
+    if (foot.SquareDistance < minimum)
     {
-      least = foot.SquareDistance;
+      minimum = foot.SquareDistance;
       best = { r, foot.Barycentric };
     }
   }
@@ -192,8 +192,7 @@ BodyCoordinates findBodyCoordinates(
     throw std::invalid_argument(
       "Center, RotationAxis and MarkerPoint must be finite, and RotationAxis not zero");
   }
-  const auto size = static_cast<double>(surface.Triangles.rows());
-  Steps steps(run, { 25.0 * size, 25.0 * size, 25.0 * size, 200.0 * size });
+  Steps steps(run, { 0.09, 0.09, 0.09, 0.73 }); // poles, marker, map
   const Vector3 axis = options.RotationAxis.stableNormalized();
   steps.next();
   const BodyPoint north = farthestAlong(surface, options.Center, axis);
@@ -227,9 +226,9 @@ BodyCoordinates findBodyCoordinates(
   { return mixed(result.SpherePositions, surface.Triangles, point).normalized(); };
   // The transform moves vertices, while triangles stay flat. Repeat it until the points inside
   // triangles are at their positions.
-  constexpr int mostRounds = 12;
+  constexpr int maximumRounds = 12;
   constexpr double tolerance = 1e-14;
-  for (int i = 0; i < mostRounds; ++i)
+  for (int i = 0; i < maximumRounds; ++i)
   {
     moving.report(1.0 - std::pow(0.2, i)); // usually one or two iterations suffice
     const Vector3 toNorth = placeOf(north), toSouth = placeOf(south), toMarker = placeOf(marker);
@@ -271,9 +270,7 @@ Vector3 toDirection(const Vector2& longitudeLatitude)
 //------------------------------------------------------------------------------
 Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run)
 {
-  Steps steps(run,
-    { 400.0 * static_cast<double>(body.Triangles.rows()),
-      350.0 * static_cast<double>(directions.rows()) });
+  Steps steps(run, { 0.7, 0.3 }); // locator, places
   const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
   const SphereLocator locator(body.SpherePositions, triangles, steps.next());
   Points result(directions.rows(), 3);
@@ -313,8 +310,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
   {
     lines.push_back({ false, i * spacing, {} });
   }
-  const auto count = static_cast<double>(lines.size());
-  Steps steps(run, { 200.0 * static_cast<double>(body.Triangles.rows()), 3e5 * count });
+  Steps steps(run, { 0.8, 0.2 }); // locator, lines
   const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
   const SphereLocator locator(body.SpherePositions, triangles, steps.next());
   const double step = 0.01 * radiusOf(body.Positions);
@@ -349,7 +345,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
           found.push_back(b);
         }
       };
-      constexpr int pieces = 90, mostHalvings = 8;
+      constexpr int pieces = 90, maximumHalvings = 8;
       Vector3 before = at(first);
       if (before.allFinite())
       {
@@ -360,7 +356,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
         const double from = first + (last - first) * (i - 1) / pieces,
                      to = first + (last - first) * i / pieces;
         const Vector3 here = at(to);
-        fill(from, before, to, here, mostHalvings);
+        fill(from, before, to, here, maximumHalvings);
         before = here;
       }
       line.Positions.resize(static_cast<Index>(found.size()), 3);

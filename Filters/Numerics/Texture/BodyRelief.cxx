@@ -45,8 +45,8 @@ Moments momentsOf(const Mesh& body)
     area += areaVector(body.Positions, body.Triangles, r).norm();
   }
   // The volume of a sphere is 0.094 times its area to the power 1.5.
-  constexpr double least = 1e-9;
-  if (!(std::abs(moments.Volume) > least * std::pow(area, 1.5)))
+  constexpr double minimum = 1e-9;
+  if (!(std::abs(moments.Volume) > minimum * std::pow(area, 1.5)))
   {
     throw std::invalid_argument("the surface encloses no volume");
   }

@@ -38,8 +38,8 @@ double mollweideAngle(double sineOfHalf)
 {
   const double wanted = 2.0 * Pi * sineOfHalf * sineOfHalf;
   double t = std::min(std::cbrt(0.75 * wanted), 0.5 * Pi);
-  constexpr int most = 30;
-  for (int i = 0; i < most && t > 0.0; ++i)
+  constexpr int maximum = 30;
+  for (int i = 0; i < maximum && t > 0.0; ++i)
   {
     const double slope = 4.0 * std::sin(t) * std::sin(t);
     const double step = (sweep(t) - wanted) / slope;
@@ -113,8 +113,8 @@ bool fromLambert(const Vector2& place, Vector3& n)
 Complex carlsonRF(Complex x, Complex y)
 {
   Complex z = 1.0, mean, dx, dy, dz;
-  constexpr int most = 30;
-  for (int i = 0; i < most; ++i)
+  constexpr int maximum = 30;
+  for (int i = 0; i < maximum; ++i)
   {
     mean = (x + y + z) / 3.0;
     dx = 1.0 - x / mean;

@@ -278,7 +278,7 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   Vector3 toViewer = directionOf(options.ViewDirection, "ViewDirection");
   const Vector3 upward = directionOf(options.ViewUp, "ViewUp");
   const double withPoint = options.UseViewPoint ? 1.0 : 0.0;
-  Steps steps(run, { 12.0, 575.0 * withPoint, 9.0 * withPoint, 15.0, 53.0 }); // a triangle
+  Steps steps(run, { 0.15, 7.2 * withPoint, 0.1 * withPoint, 0.2, 0.65 });
   steps.next();
   const UnitBox box = unitBoxOf(points);
   Points model(points.size(), 3);

@@ -30,11 +30,8 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
   const Points& spherePositions, const SphericalTextureOptions& options, const Run& run)
 {
   check(options);
-  const auto size = static_cast<double>(spherePositions.rows());
-  // Costs: the view, for each vertex, as in chooseSphereView(); the coordinates; the seams.
-  Steps steps(run,
-    { (options.UseViewPoint ? 1310.0 : 160.0) * size, 50.0 * size,
-      options.SplitSeam ? 350.0 * size : 0.0 });
+  // View, coordinates, seams.
+  Steps steps(run, { options.UseViewPoint ? 2.4 : 0.3, 0.1, options.SplitSeam ? 0.6 : 0.0 });
   SphericalTexture texture;
   texture.Image = { options.Projection,
     chooseSphereView(points, triangles, spherePositions, options, steps.next()),

@@ -18,8 +18,6 @@ namespace conformal
 {
 namespace
 {
-constexpr double WorkOfLocator = 400.0, WorkOfPixel = 350.0; // for each triangle, for each pixel
-
 SurfacePlace placeIn(const Triangles& triangles, int triangle, const Vector3& barycentric)
 {
   return { { triangles(triangle, 0), triangles(triangle, 1), triangles(triangle, 2) },
@@ -40,7 +38,7 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
-  const Replace& replace, double pixelWork, const PixelSink& sink, const Run& run)
+  const Replace& replace, const PixelSink& sink, const Run& run)
 {
   if (grid.Width < 1 || grid.Height < 1)
   {
@@ -50,10 +48,7 @@ void paint(const MappedMesh& surface, const PixelDirection& direction, const Pix
   {
     throw std::invalid_argument("the surface has no triangles");
   }
-  Steps steps(run,
-    { 20.0 * static_cast<double>(surface.Triangles.rows()),
-      WorkOfLocator * static_cast<double>(surface.Triangles.rows()),
-      pixelWork * static_cast<double>(grid.size()) });
+  Steps steps(run, { 0.02, 0.28, 0.7 }); // triangles, locator, pixels
   steps.next();
   const Triangles triangles = turnedOutward(surface.Triangles, surface.SpherePositions);
   const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
@@ -203,8 +198,7 @@ void paintSphere(const MappedMesh& surface, const PixelDirection& direction, con
   const PixelSink& sink, const Run& run)
 {
   paint(
-    surface, direction, grid, [](const SurfacePlace& place, int&) { return place; }, WorkOfPixel,
-    sink, run);
+    surface, direction, grid, [](const SurfacePlace& place, int&) { return place; }, sink, run);
 }
 
 //------------------------------------------------------------------------------
@@ -219,20 +213,14 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Run& run)
 {
-  constexpr double pixelWork = WorkOfPixel + 700.0; // including a query
-  const auto cloudSize = static_cast<double>(cloud.size());
-  const auto numberOfFaces = static_cast<double>(cloudTriangles.rows());
-  Steps steps(run,
-    { 20.0 * cloudSize + (cloudTriangles.rows() > 0 ? 450.0 * numberOfFaces : 250.0 * cloudSize),
-      WorkOfLocator * static_cast<double>(surface.Triangles.rows()) +
-        pixelWork * static_cast<double>(grid.size()) });
+  Steps steps(run, { 0.15, 0.85 }); // tree, image
   const ClosestPlaces closest(cloud, cloudTriangles, {}, steps.next());
   unitBoxOf(surface.Positions); // throws if they are not finite
   paint(
     surface, directionsOf(image, grid), grid,
     [&](const SurfacePlace& place, int& hint)
     { return closest(positionOf(place, surface.Positions), hint).Place; },
-    pixelWork, sink, steps.next());
+    sink, steps.next());
 }
 
 //------------------------------------------------------------------------------

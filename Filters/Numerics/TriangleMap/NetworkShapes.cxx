@@ -8,27 +8,51 @@ namespace conformal
 {
 using namespace halfdisk;
 
+namespace
+{
+// Triangles are alike if their squared edges, as shares of the sum, are. Counted from the longest
+// edge, so that turned triangles have equal keys.
+struct Key
+{
+  std::int64_t First, Second;
+  bool operator==(const Key& k) const { return First == k.First && Second == k.Second; }
+};
+
+struct Hash
+{
+  std::size_t operator()(const Key& k) const
+  {
+    return static_cast<std::size_t>(k.First) * 0x9e3779b97f4a7c15u ^
+      static_cast<std::size_t>(k.Second);
+  }
+};
+
+// Key of a triangle. In flat triangles the edges determine the angles too badly: each has a key to
+// itself.
+Key keyOf(const Points& positions, const Triangles& triangles, Index r, int& longest)
+{
+  constexpr double resolution = 1e12;
+  Vector3 squares;
+  for (int k = 0; k < 3; ++k)
+  {
+    squares[k] = (positions.row(triangles(r, next(k))) - positions.row(triangles(r, previous(k))))
+                   .squaredNorm();
+  }
+  squares.maxCoeff(&longest);
+  squares /= squares.sum();
+  const double base = squares[longest], second = squares[next(longest)],
+               third = squares[previous(longest)];
+  const double height2 = base * second - 0.25 * std::pow(base + second - third, 2);
+  const bool isFlat = !(height2 > 0.0025 * base * base);
+  return isFlat ? Key{ -1 - r, 0 }
+                : Key{ std::llround(base * resolution), std::llround(second * resolution) };
+}
+}
+
 //------------------------------------------------------------------------------
 NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles, const Run& run)
   : Uses(triangles.rows())
 {
-  // Triangles have one shape if their squared edges agree as shares of the sum. Edges are counted
-  // from the longest one, so that rotated triangles agree too. Edges of flat triangles determine
-  // their angles poorly, so each has a shape of its own.
-  struct Key
-  {
-    std::int64_t First, Second;
-    bool operator==(const Key& k) const { return First == k.First && Second == k.Second; }
-  };
-  struct Hash
-  {
-    std::size_t operator()(const Key& k) const
-    {
-      return static_cast<std::size_t>(k.First) * 0x9e3779b97f4a7c15u ^
-        static_cast<std::size_t>(k.Second);
-    }
-  };
-  const double resolution = 1e12;
   std::vector<Key> keys(triangles.rows());
   const Index blockSize = 1024;
   forBlocks(run, triangles.rows(), blockSize,
@@ -36,24 +60,7 @@ NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles
     {
       for (Index r = begin; r < end; ++r)
       {
-        Vector3 squares;
-        for (int k = 0; k < 3; ++k)
-        {
-          squares[k] =
-            (positions.row(triangles(r, next(k))) - positions.row(triangles(r, previous(k))))
-              .squaredNorm();
-        }
-        int longest = 0;
-        squares.maxCoeff(&longest);
-        squares /= squares.sum();
-        const double base = squares[longest], second = squares[next(longest)],
-                     third = squares[previous(longest)];
-        const double height2 = base * second - 0.25 * std::pow(base + second - third, 2);
-        const bool isFlat = !(height2 > 0.0025 * base * base);
-        this->Uses[r].Rotation = longest;
-        keys[r] = isFlat
-          ? Key{ -1 - r, 0 }
-          : Key{ std::llround(base * resolution), std::llround(second * resolution) };
+        keys[r] = keyOf(positions, triangles, r, this->Uses[r].Rotation);
       }
     });
 

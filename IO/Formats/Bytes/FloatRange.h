@@ -24,7 +24,7 @@ template <typename Coordinate>
 void requireFloatRange(std::size_t count, Coordinate coordinate)
 {
   using Limits = std::numeric_limits<float>;
-  double largest = 0.0;
+  double maximum = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     const double size = std::abs(coordinate(i));
@@ -32,9 +32,9 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
     {
       throw std::invalid_argument("a coordinate is not finite as a 32-bit float");
     }
-    largest = std::max(largest, size);
+    maximum = std::max(maximum, size);
   }
-  if (largest > 0.0 && largest < Limits::min())
+  if (maximum > 0.0 && maximum < Limits::min())
   {
     throw std::invalid_argument("the coordinates are too small for 32-bit floats, the only type of "
                                 "the format; scale the surface");
@@ -44,7 +44,7 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
 /// Effect of rounding points to floats, in the unit of their coordinates.
 struct FloatRounding
 {
-  double LargestShift = 0.0; ///< maximum shift of a coordinate
+  double MaximumShift = 0.0; ///< maximum shift of a coordinate
   std::array<double, 3> Low = { 0.0, 0.0, 0.0 };
   std::array<double, 3> High = { 0.0, 0.0, 0.0 };
 
@@ -55,16 +55,16 @@ struct FloatRounding
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Test whether a coordinate is shifted by more than MaximumShift of the size. Otherwise points
+  /// Test whether a coordinate is shifted by more than ToleratedShift of the size. Otherwise points
   /// farther apart than twice that stay distinct. Coincident points have no shape to lose.
   bool isTooCoarse() const
   {
-    return this->size() > 0.0 && this->LargestShift > MaximumShift * this->size();
+    return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
   /// Own construction: floats shift points of a surface around the origin by 3e-8 of its size. They
   /// reach this limit at a distance of about 200 times the size from the origin.
-  static constexpr double MaximumShift = 1e-5;
+  static constexpr double ToleratedShift = 1e-5;
 };
 
 /// Measure the effect of rounding coordinates to floats.
@@ -82,7 +82,7 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
     low = i < 3 ? value : std::min(low, value);
     high = i < 3 ? value : std::max(high, value);
     const double shift = std::abs(value - static_cast<double>(static_cast<float>(value)));
-    result.LargestShift = std::max(result.LargestShift, shift);
+    result.MaximumShift = std::max(result.MaximumShift, shift);
   }
   return result;
 }
@@ -104,7 +104,7 @@ inline void requireFinePositions(const FloatRounding& rounding)
   };
   throw std::invalid_argument("the surface is too far from the origin for 32-bit floats, the only "
                               "type of the format: they shift coordinates by up to " +
-    shortText(rounding.LargestShift) + " on a surface of size " + shortText(rounding.size()) +
+    shortText(rounding.MaximumShift) + " on a surface of size " + shortText(rounding.size()) +
     "; subtract its center from the points, or write a format of doubles, such as PLY");
 }
 }

@@ -45,7 +45,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   constexpr T powers[] = { T(1e0), T(1e1), T(1e2), T(1e3), T(1e4), T(1e5), T(1e6), T(1e7), T(1e8),
     T(1e9), T(1e10) };
   constexpr int maximumPower = 10; // 5^10 < 2^24
-  constexpr std::uint64_t most = std::uint64_t(1) << std::numeric_limits<T>::digits;
+  constexpr std::uint64_t maximum = std::uint64_t(1) << std::numeric_limits<T>::digits;
   if (FLT_EVAL_METHOD != 0)
   {
     return nullptr; // products would be rounded twice
@@ -56,7 +56,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   std::uint64_t digits = 0;
   const auto takeDigits = [&]()
   {
-    for (; c != end && *c >= '0' && *c <= '9' && digits < most; ++c)
+    for (; c != end && *c >= '0' && *c <= '9' && digits < maximum; ++c)
     {
       digits = 10 * digits + static_cast<std::uint64_t>(*c - '0');
     }
@@ -72,7 +72,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
     numberOfDigits += power;
   }
   const bool goesOn = c != end && ((*c >= '0' && *c <= '9') || *c == 'e' || *c == 'E');
-  if (numberOfDigits == 0 || goesOn || digits > most || power > maximumPower)
+  if (numberOfDigits == 0 || goesOn || digits > maximum || power > maximumPower)
   {
     return nullptr;
   }

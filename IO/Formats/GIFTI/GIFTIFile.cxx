@@ -324,16 +324,17 @@ private:
 
   void setSize(NamedArray& values, const Sizes& sizes, std::size_t dimensions)
   {
-    const std::uint64_t most = std::min(MaximumGrowth * this->FileSize, this->Limits.MaximumMemory);
+    const std::uint64_t maximum =
+      std::min(MaximumGrowth * this->FileSize, this->Limits.MaximumMemory);
     this->NumberOfValues = 1;
     for (std::size_t i = 0; i < dimensions; ++i)
     {
       require(sizes[i].has_value(), "expected a size for each dimension");
-      require(*sizes[i] == 0 || this->NumberOfValues <= most / *sizes[i],
+      require(*sizes[i] == 0 || this->NumberOfValues <= maximum / *sizes[i],
         "found dimensions with more values than the file can contain");
       this->NumberOfValues *= *sizes[i];
     }
-    require(this->NumberOfValues * sizeOf(values.Type) <= most,
+    require(this->NumberOfValues * sizeOf(values.Type) <= maximum,
       "found dimensions with more values than the file can contain");
     values.Components = *sizes[0] > 0 ? this->NumberOfValues / *sizes[0] : 1;
     require(values.Components > 0, "found a dimension of size 0 after another");

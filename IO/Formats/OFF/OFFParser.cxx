@@ -261,11 +261,11 @@ private:
   // Read the rest of a line into Extras.
   void readLine(TextValues& text)
   {
-    constexpr std::size_t most = 6;
+    constexpr std::size_t maximum = 6;
     this->Extras.clear();
     while (!text.isLineEnd())
     {
-      if (this->Extras.size() == most)
+      if (this->Extras.size() == maximum)
       {
         text.endRecord();
       }

@@ -150,10 +150,10 @@ private:
   void readBinary(Records& records, std::size_t count)
   {
     const std::size_t recordBytes = this->recordBytes();
-    const std::size_t mostInBlock = std::max<std::size_t>(1, BlockBytes / recordBytes);
+    const std::size_t maximumInBlock = std::max<std::size_t>(1, BlockBytes / recordBytes);
     for (std::size_t first = 0; first < count;)
     {
-      const std::size_t block = std::min(mostInBlock, count - first);
+      const std::size_t block = std::min(maximumInBlock, count - first);
       const std::string_view bytes = this->Input.peek(block * recordBytes);
       if (bytes.size() < block * recordBytes)
       {
@@ -220,10 +220,10 @@ private:
     for (const PCDField& field : this->Header.Fields)
     {
       const std::size_t bytes = field.bytes();
-      const std::size_t mostInBlock = std::max<std::size_t>(1, BlockBytes / bytes);
+      const std::size_t maximumInBlock = std::max<std::size_t>(1, BlockBytes / bytes);
       for (std::size_t first = 0; first < count && !field.isPadding();)
       {
-        const std::size_t block = std::min(mostInBlock, count - first);
+        const std::size_t block = std::min(maximumInBlock, count - first);
         buffer.resize(block * bytes);
         decoder.read(buffer.data(), buffer.size());
         for (std::size_t c = 0; c < field.Count; ++c)

@@ -19,11 +19,11 @@ constexpr std::size_t MaximumNames =
 // First words of a line, one more than any header line may have.
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
-  constexpr std::size_t most = 6;
+  constexpr std::size_t maximum = 6;
   constexpr std::string_view blanks = " \t\v\f";
   std::vector<std::string_view> words;
   std::size_t begin = line.find_first_not_of(blanks);
-  while (begin != std::string_view::npos && words.size() < most)
+  while (begin != std::string_view::npos && words.size() < maximum)
   {
     const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
     words.push_back(line.substr(begin, end - begin));

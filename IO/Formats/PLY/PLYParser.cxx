@@ -182,11 +182,11 @@ private:
     {
       recordBytes += sizeOf(property.Type);
     }
-    const std::size_t mostInBlock = std::max<std::size_t>(1, BlockBytes / recordBytes);
+    const std::size_t maximumInBlock = std::max<std::size_t>(1, BlockBytes / recordBytes);
     std::size_t kept = 0;
     for (std::size_t done = 0; done < count;)
     {
-      const std::size_t block = std::min(mostInBlock, count - done);
+      const std::size_t block = std::min(maximumInBlock, count - done);
       const std::string_view bytes = this->Input.peek(block * recordBytes);
       if (bytes.size() < block * recordBytes)
       {

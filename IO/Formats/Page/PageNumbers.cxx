@@ -46,10 +46,10 @@ double valueOfCode(std::uint32_t code, const PageRange& range, std::uint32_t ste
 //------------------------------------------------------------------------------
 std::array<std::uint32_t, 2> octahedralCode(double x, double y, double z)
 {
-  const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
-  x /= largest; // avoids overflow of the sum
-  y /= largest;
-  z /= largest;
+  const double maximum = std::max({ std::abs(x), std::abs(y), std::abs(z) });
+  x /= maximum; // avoids overflow of the sum
+  y /= maximum;
+  z /= maximum;
   const double sum = std::abs(x) + std::abs(y) + std::abs(z);
   double u = x / sum;
   double v = y / sum;

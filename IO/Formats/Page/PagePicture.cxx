@@ -46,10 +46,10 @@ std::size_t shrunkSize(std::size_t size, double ratio)
 
 //------------------------------------------------------------------------------
 PagePicture shrunkPicture(const unsigned char* pixels, std::size_t width, std::size_t height,
-  std::size_t components, std::size_t largest)
+  std::size_t components, std::size_t maximumSize)
 {
   const double ratio =
-    std::min(1.0, static_cast<double>(largest) / static_cast<double>(std::max(width, height)));
+    std::min(1.0, static_cast<double>(maximumSize) / static_cast<double>(std::max(width, height)));
   PagePicture result;
   result.Width = shrunkSize(width, ratio);
   result.Height = shrunkSize(height, ratio);

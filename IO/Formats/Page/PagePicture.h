@@ -15,13 +15,13 @@ struct PagePicture
   std::vector<unsigned char> Pixels; ///< Height rows of Width by 3: red, green, blue
 };
 
-/// Reduce a picture evenly until neither side exceeds a limit; each new pixel is the mean over its
-/// area. A small picture keeps its size. Opacity is omitted.
-/// @param[in] pixels      rows of pixels of 3 or 4 bytes
-/// @param[in] components  3 or 4
-/// @param[in] largest     maximum number of pixels along the longer side, at least 1
+/// A picture shrunk evenly until neither side is larger than asked for; each new pixel is the mean
+/// of the area that it covers. What is small enough stays as it is. Opacity is left out.
+/// @param[in] pixels       rows of pixels of 3 or 4 bytes
+/// @param[in] components   3 or 4
+/// @param[in] maximumSize  pixels along the longer side, at least 1
 PagePicture shrunkPicture(const unsigned char* pixels, std::size_t width, std::size_t height,
-  std::size_t components, std::size_t largest);
+  std::size_t components, std::size_t maximumSize);
 }
 
 #endif

@@ -10,7 +10,8 @@ namespace conformal
 {
 namespace
 {
-constexpr std::uintmax_t LargestBuild = 32 << 20; // a larger file is not a library and is not read
+constexpr std::uintmax_t MaximumBuildSize = 32
+  << 20; // a larger file is not a library and is not read
 }
 
 //------------------------------------------------------------------------------
@@ -46,7 +47,7 @@ std::string readThreeJS(const std::string& fileName)
     fail("is no file");
   }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > LargestBuild)
+  if (error || size > MaximumBuildSize)
   {
     fail("is too large");
   }

@@ -18,13 +18,13 @@ namespace
 // Parse the words of a line as numbers: none if a word is not a number or there are too many.
 std::vector<double> numbersOf(std::string_view line)
 {
-  constexpr std::size_t most = 4;
+  constexpr std::size_t maximum = 4;
   LineWords words(line);
   std::vector<double> numbers;
   for (LineWords rest = words; !rest.next().empty(); words = rest)
   {
     double value = 0.0;
-    if (numbers.size() == most || !words.next(value))
+    if (numbers.size() == maximum || !words.next(value))
     {
       return {};
     }
@@ -35,8 +35,8 @@ std::vector<double> numbersOf(std::string_view line)
 
 bool isCount(double value)
 {
-  constexpr double most = 9007199254740992.0; // integers are exact up to this one
-  return value >= 0.0 && value <= most && value == std::floor(value);
+  constexpr double maximum = 9007199254740992.0; // integers are exact up to this one
+  return value >= 0.0 && value <= maximum && value == std::floor(value);
 }
 
 class PlateModelReader
@@ -262,11 +262,11 @@ bool looksLikePlateModel(std::string_view start)
     } while (line.find_first_not_of(" \t\v\f") == line.npos);
     return true;
   };
-  constexpr double leastVertices = 3.0;
+  constexpr double minimumVertices = 3.0;
   std::string_view line;
   const std::vector<double> counts = takeLine(line) ? numbersOf(line) : std::vector<double>();
   if (counts.empty() || counts.size() > 2 || !std::all_of(counts.begin(), counts.end(), isCount) ||
-    counts[0] < leastVertices)
+    counts[0] < minimumVertices)
   {
     return false;
   }

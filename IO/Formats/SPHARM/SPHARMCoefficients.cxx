@@ -70,10 +70,10 @@ public:
     }
     this->take(',');
     NamedArray array = makeArray("Coefficients", ScalarType::Float64, 3);
-    constexpr std::uint64_t fewestBytes = 7; // {0,0,0}
+    constexpr std::uint64_t minimumBytes = 7; // {0,0,0}
     array.Values.resize(3 * sizeof(double) *
       this->Limits.checkedCount(
-        this->Input, "coefficients", count, fewestBytes, 3 * sizeof(double)));
+        this->Input, "coefficients", count, minimumBytes, 3 * sizeof(double)));
     for (std::size_t l = 0; l <= static_cast<std::size_t>(degree); ++l)
     {
       for (std::size_t number = 0; number <= 2 * l; ++number)

@@ -226,9 +226,9 @@ private:
   template <typename T>
   void readPoints(std::uint64_t stated, ScalarType type)
   {
-    const std::uint64_t fewestBytes = this->IsBinary ? 3 * sizeof(T) : 5;
+    const std::uint64_t minimumBytes = this->IsBinary ? 3 * sizeof(T) : 5;
     const std::size_t count =
-      this->Limits.checkedCount(this->Input, "points", stated, fewestBytes, 3 * sizeof(T));
+      this->Limits.checkedCount(this->Input, "points", stated, minimumBytes, 3 * sizeof(T));
     this->Data.Points = makeArray("Points", type, 3);
     this->Data.Points.Values.reserve(count * 3 * sizeof(T));
     this->withValues(

@@ -323,6 +323,75 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
     }
   }
 }
+
+[[noreturn]] void refuse(std::size_t line, std::string_view text, const std::string& expected)
+{
+  throw NoTextCloud(line, "found " + quoted(text) + ", expected " + expected);
+}
+
+// The numbers of the lines that have one for each column.
+Rows rowsOf(const std::vector<std::string_view>& lines, char delimiter, std::size_t columns,
+  bool decimalComma)
+{
+  Rows rows;
+  for (const std::string_view text : lines)
+  {
+    std::vector<double> row;
+    for (const std::string_view word : split(text, delimiter))
+    {
+      double value = 0.0;
+      if (!readWord(word, decimalComma, value))
+      {
+        break;
+      }
+      row.push_back(value);
+    }
+    if (row.size() == columns)
+    {
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+double meanBytesOf(const std::vector<std::string_view>& lines)
+{
+  constexpr double minimum = 6.0; // "0 0 0" and a line end
+  double bytes = 0.0;
+  for (const std::string_view text : lines)
+  {
+    bytes += static_cast<double>(text.size() + 1) / static_cast<double>(lines.size());
+  }
+  return std::max(minimum, bytes);
+}
+
+// The names of the columns by their line, or by a remark before the points; empty without any.
+std::vector<std::string> statedNames(const Sample& sample, char delimiter, std::size_t columns)
+{
+  std::vector<std::string> names;
+  if (sample.NamesLine == 0)
+  {
+    for (const std::string& remark : sample.Remarks)
+    {
+      names = names.empty() ? namesFrom(remark, delimiter, columns) : names;
+      names = repeatedName(names).empty() ? names : std::vector<std::string>();
+    }
+    return names;
+  }
+  names = namesFrom(sample.Names, delimiter, columns);
+  if (names.empty())
+  {
+    refuse(sample.NamesLine, sample.Names,
+      "numbers, or names of the " + std::to_string(columns) + " columns with x, y and z");
+  }
+  const std::string repeated = repeatedName(names);
+  if (!repeated.empty())
+  {
+    throw NoTextCloud(
+      sample.NamesLine, "found two columns " + quoted(repeated) + ", expected each name once");
+  }
+  return names;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -377,8 +446,6 @@ std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout
 TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool decimalComma)
 {
   Sample sample = takeSample(start, isWhole);
-  const auto refuse = [](std::size_t line, std::string_view text, const std::string& expected)
-  { throw NoTextCloud(line, "found " + quoted(text) + ", expected " + expected); };
   TextCloudLayout layout;
   if (sample.Lines.empty() && sample.NamesLine > 0)
   {
@@ -406,54 +473,11 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
       sample.FirstLine, line, "3 to " + std::to_string(MaximumColumns) + " numbers of a point");
   }
 
-  Rows rows;
-  double bytes = 0.0;
-  for (const std::string_view text : sample.Lines)
-  {
-    bytes += static_cast<double>(text.size() + 1) / static_cast<double>(sample.Lines.size());
-    std::vector<double> row;
-    for (const std::string_view word : split(text, layout.Delimiter))
-    {
-      double value = 0.0;
-      if (!readWord(word, decimalComma, value))
-      {
-        break;
-      }
-      row.push_back(value);
-    }
-    if (row.size() == columns)
-    {
-      rows.push_back(std::move(row));
-    }
-  }
+  const Rows rows = rowsOf(sample.Lines, layout.Delimiter, columns, decimalComma);
   layout.AllLinesFit = !rows.empty() && rows.size() == sample.Lines.size();
-  layout.MeanLineBytes = std::max(6.0, bytes); // "0 0 0" and a line end
-
-  std::vector<std::string> names;
-  if (sample.NamesLine > 0)
-  {
-    layout.HasNames = true;
-    names = namesFrom(sample.Names, layout.Delimiter, columns);
-    if (names.empty())
-    {
-      refuse(sample.NamesLine, sample.Names,
-        "numbers, or names of the " + std::to_string(columns) + " columns with x, y and z");
-    }
-    const std::string repeated = repeatedName(names);
-    if (!repeated.empty())
-    {
-      throw NoTextCloud(
-        sample.NamesLine, "found two columns " + quoted(repeated) + ", expected each name once");
-    }
-  }
-  else
-  {
-    for (const std::string& remark : sample.Remarks)
-    {
-      names = names.empty() ? namesFrom(remark, layout.Delimiter, columns) : names;
-      names = repeatedName(names).empty() ? names : std::vector<std::string>();
-    }
-  }
+  layout.MeanLineBytes = meanBytesOf(sample.Lines);
+  layout.HasNames = sample.NamesLine > 0;
+  const std::vector<std::string> names = statedNames(sample, layout.Delimiter, columns);
   placeColumns(names.empty() ? namesByValues(rows, columns) : names, rows, layout);
   return layout;
 }

@@ -38,7 +38,7 @@ void expectFar(const Points& points, Index far)
   {
     ASSERT_EQ(found.contains(points.row(i)), i >= points.rows() - far) << i;
   }
-  EXPECT_EQ(found.LargestCoordinate, points.topRows(points.rows() - far).cwiseAbs().maxCoeff());
+  EXPECT_EQ(found.MaximumCoordinate, points.topRows(points.rows() - far).cwiseAbs().maxCoeff());
 }
 
 void expectNone(const Points& points)
@@ -162,7 +162,7 @@ TEST(FarPoints, AreTheSameOnAnyThreadsAndRanks)
     EXPECT_EQ(found.Count, whole.Count);
     EXPECT_EQ(found.Total, whole.Total);
     EXPECT_EQ(found.Distance, whole.Distance);
-    EXPECT_EQ(found.LargestCoordinate, whole.LargestCoordinate);
+    EXPECT_EQ(found.MaximumCoordinate, whole.MaximumCoordinate);
     EXPECT_EQ(found.QuarterOfReach, whole.QuarterOfReach);
     EXPECT_EQ(found.QuarterOfCenter, whole.QuarterOfCenter);
   };

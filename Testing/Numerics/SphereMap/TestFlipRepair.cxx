@@ -47,7 +47,7 @@ protected:
   }
 
   const conformal::Mesh Sphere = conformal::makeGeodesicSphere(16);
-  const conformal::SurfaceShapes Shapes;
+  const conformal::BoundedTriangles Shapes;
   const conformal::VertexRings Rings;
   const conformal::EdgeWeights Strings;
   std::vector<Vector3> Positions;

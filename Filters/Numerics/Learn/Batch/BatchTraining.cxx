@@ -158,6 +158,7 @@ private:
   const Triangles& Corners;
   NetworkShapes Shapes;
 };
+
 /// Levels share the time by their numbers of neurons; a fifth of each prepares the level.
 Steps stepsOf(const std::vector<int>& levels, const Run& run)
 {
@@ -169,6 +170,130 @@ Steps stepsOf(const std::vector<int>& levels, const Run& run)
   }
   return { run, shares };
 }
+
+/// Replace the network by a geodesic sphere of a frequency, with the weights interpolated.
+void refine(FittedMesh& network, int frequency, bool isFirst, const Run& run)
+{
+  Mesh finer = makeGeodesicSphere(frequency, run.part(0.0, 0.2));
+  const Run resampling = run.part(0.2, 1.0);
+  network.Positions = isFirst ? finer.Positions
+                              : resample(network.SpherePositions, network.Positions,
+                                  network.Triangles, finer.Positions, resampling);
+  network.SpherePositions = std::move(finer.Positions);
+  network.Triangles = std::move(finer.Triangles);
+}
+
+/// What a pass over the samples finds.
+struct PassResult
+{
+  conformal::Shares Shares;
+  double SumOfSquareErrors = 0.0, TypicalSquareError = 0.0;
+};
+
+/// The passes of one level, all on one lattice.
+class Level
+{
+public:
+  Level(const TrainingSamples& samples, const BatchTrainingOptions& options,
+    SampleRotation& rotation, FittedMesh& network, const Run& run)
+    : Samples(samples)
+    , Options(options)
+    , Rotation(rotation)
+    , Network(network)
+    , Neighbors(vertexNeighbors(network.Triangles, network.SpherePositions.rows()))
+    , Surface(network.Positions, network.Triangles, run)
+    , SharesOf(
+        options.ReferencePoint, network.SpherePositions, network.Positions, network.Triangles)
+  {
+  }
+
+  /// Move the network by the means of the samples of a pass, and record it.
+  /// @return typical square error before the move
+  double pass(int number, int frequency, const Run& run)
+  {
+    PassResult found = this->shareOut(run.part(0.0, 0.9));
+    if (number + 1 == this->Options.PassesPerLevel)
+    {
+      this->Masses = massesOf(found.Shares, this->Network.Triangles, this->Neighbors);
+    }
+    const int diffusions =
+      std::max(1, WidestDiffusion - number * WidestDiffusion / this->Options.PassesPerLevel);
+    for (int step = 0; step < diffusions; ++step)
+    {
+      diffuse(this->Neighbors, found.Shares, run);
+      run.report(0.9);
+    }
+    Points& positions = this->Network.Positions;
+    const Points moved = means(found.Shares, this->Neighbors, positions, run);
+
+    TrainingRecord record;
+    record.Frequency = frequency;
+    record.NeighborhoodRadius = diffusionRadius(diffusions, this->Network.Triangles.rows());
+    record.LearningRate = 1.0;
+    record.MeanSquareError =
+      found.SumOfSquareErrors / static_cast<double>(this->Rotation.totalCount());
+    record.MeanDisplacement = (moved - positions).rowwise().norm().mean();
+    this->Network.History.push_back(record);
+    positions = moved;
+    this->Surface.refit(positions, this->Network.Triangles, run);
+    return found.TypicalSquareError;
+  }
+
+  /// Masses of the triangles in the last pass; 0 without one.
+  const std::vector<double>& masses() const { return this->Masses; }
+
+private:
+  /// Share the next samples out to the corners of the triangles that they are projected on.
+  PassResult shareOut(const Run& run)
+  {
+    const Index neurons = this->Network.SpherePositions.rows();
+    this->Rotation.turn(this->Options.SamplesPerNeuron * neurons);
+    FixedPointSums sums(4 * neurons);
+    FixedPointSums errors(1);
+    TypicalSquare typical;
+    forEachFoot(
+      this->Samples, this->Surface, this->Rotation.count(),
+      [&](Index i) { return this->Rotation.id(i); },
+      [&](Index i, const Vector3& x, const FootPoint& foot)
+      {
+        errors.add(0, foot.SquareDistance);
+        typical.add(foot.SquareDistance);
+        const double weight = this->Samples.weight(this->Rotation.id(i));
+        const Vector3 corners = this->SharesOf(foot);
+        for (int k = 0; k < 3; ++k)
+        {
+          const double share = weight * corners[k];
+          const Index neuron = 4 * Index(this->Network.Triangles(foot.Triangle, k));
+          sums.add(neuron, share);
+          for (int c = 0; c < 3; ++c)
+          {
+            sums.add(neuron + 1 + c, share * x[c]);
+          }
+        }
+      },
+      run);
+    sums.reduce(this->Samples.reduce());
+    errors.reduce(this->Samples.reduce());
+    PassResult result;
+    result.Shares.resize(neurons, 4);
+    for (Index i = 0; i < result.Shares.size(); ++i)
+    {
+      result.Shares.data()[i] = sums[i];
+    }
+    result.SumOfSquareErrors = errors[0];
+    result.TypicalSquareError = typical.mean(this->Samples.reduce(), this->Rotation.totalCount());
+    return result;
+  }
+
+  const TrainingSamples& Samples;
+  const BatchTrainingOptions& Options;
+  SampleRotation& Rotation;
+  FittedMesh& Network;
+  Adjacency Neighbors;
+  TriangleTree Surface;
+  CornerShares SharesOf;
+  std::vector<double> Masses = std::vector<double>(Network.Triangles.rows(), 0.0);
+};
 }
 
 std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
@@ -181,85 +306,17 @@ std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
   Steps steps = stepsOf(levels, run);
   for (int f : levels)
   {
+    const bool isFirst = f == levels.front();
     const Run preparing = steps.next();
-    {
-      Mesh finer = makeGeodesicSphere(f, preparing.part(0.0, 0.1));
-      const Run resampling = preparing.part(0.1, 0.5);
-      result.Positions = f == levels.front() ? finer.Positions
-                                             : resample(result.SpherePositions, result.Positions,
-                                                 result.Triangles, finer.Positions, resampling);
-      result.SpherePositions = std::move(finer.Positions);
-      result.Triangles = std::move(finer.Triangles);
-    }
-    const Points& positions = result.SpherePositions;
-    const Triangles& triangles = result.Triangles;
-    const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
-    TriangleTree surface(result.Positions, triangles, preparing.part(0.5, 1.0));
-    std::vector<double> masses(triangles.rows(), 0.0);
-    const CornerShares sharesOf(options.ReferencePoint, positions, result.Positions, triangles);
-
-    const Run level = steps.next();
+    refine(result, f, isFirst, preparing.part(0.0, 0.5));
+    Level level(samples, options, rotation, result, preparing.part(0.5, 1.0));
+    const Run passing = steps.next();
     const double passes = options.PassesPerLevel;
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)
     {
-      const Run passing = level.part(pass / passes, (pass + 1) / passes);
-      rotation.turn(options.SamplesPerNeuron * positions.rows());
-      FixedPointSums sums(4 * positions.rows());
-      FixedPointSums errors(1);
-      TypicalSquare typical;
-      forEachFoot(
-        samples, surface, rotation.count(), [&](Index i) { return rotation.id(i); },
-        [&](Index i, const Vector3& x, const FootPoint& foot)
-        {
-          errors.add(0, foot.SquareDistance);
-          typical.add(foot.SquareDistance);
-          const double weight = samples.weight(rotation.id(i));
-          const Vector3 corners = sharesOf(foot);
-          for (int k = 0; k < 3; ++k)
-          {
-            const double share = weight * corners[k];
-            const Index neuron = 4 * Index(triangles(foot.Triangle, k));
-            sums.add(neuron, share);
-            for (int c = 0; c < 3; ++c)
-            {
-              sums.add(neuron + 1 + c, share * x[c]);
-            }
-          }
-        },
-        passing.part(0.0, 0.9));
-      sums.reduce(samples.reduce());
-      errors.reduce(samples.reduce());
-      const double count = static_cast<double>(rotation.totalCount());
-      Shares shares(positions.rows(), 4);
-      for (Index i = 0; i < shares.size(); ++i)
-      {
-        shares.data()[i] = sums[i];
-      }
-      if (pass + 1 == options.PassesPerLevel)
-      {
-        masses = massesOf(shares, triangles, neighbors);
-      }
-      const int diffusions =
-        std::max(1, WidestDiffusion - pass * WidestDiffusion / options.PassesPerLevel);
-      for (int step = 0; step < diffusions; ++step)
-      {
-        diffuse(neighbors, shares, run);
-        passing.report(0.9);
-      }
-      const Points moved = means(shares, neighbors, result.Positions, run);
-
-      TrainingRecord record;
-      record.Frequency = f;
-      record.NeighborhoodRadius = diffusionRadius(diffusions, triangles.rows());
-      record.LearningRate = 1.0;
-      record.MeanSquareError = errors[0] / count;
-      record.MeanDisplacement = (moved - result.Positions).rowwise().norm().mean();
-      result.History.push_back(record);
-      result.Positions = moved;
-      surface.refit(result.Positions, triangles, run);
-      typicalErrors[1] = typical.mean(samples.reduce(), rotation.totalCount());
+      typicalErrors[1] = level.pass(pass, f, passing.part(pass / passes, (pass + 1) / passes));
     }
-    if (f != levels.front() && options.PassesPerLevel > 0)
+    if (!isFirst && options.PassesPerLevel > 0)
     {
       result.NoiseToDetail = noiseToDetail(typicalErrors[0], typicalErrors[1]);
       result.Noise = std::sqrt(noiseVariance(typicalErrors[0], typicalErrors[1]));
@@ -269,7 +326,7 @@ std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
     {
       options.Observer("level " + std::to_string(f), result);
     }
-    if (goesOn && !goesOn(result, masses))
+    if (goesOn && !goesOn(result, level.masses()))
     {
       return std::nullopt;
     }

@@ -255,7 +255,7 @@ void SurfaceEquations::pull(int vertex, const Vector3& direction, double distanc
 Points SurfaceEquations::solve(
   const Points& weights, const Eigen::VectorXd& stiffness, double evenness, const Run& run)
 {
-  Steps steps(run, { 240.0, 8.0, 430.0, 40.0, 100.0, 3300.0 }); // for each vertex
+  Steps steps(run, { 0.06, 0.01, 0.1, 0.01, 0.02, 0.8 });
   const Index size = weights.rows();
   Attraction attraction(this->Neighbors);
   forBlocksReporting(steps.next(), size, BlockSize,
@@ -297,8 +297,8 @@ Points SurfaceEquations::solve(
   for (Symmetric& block : attraction.Diagonal)
   {
     // A direction that neither patterns nor stiffness hold is left as it is.
-    constexpr double smallest = 1e-12, share = 1e-5;
-    block.add(smallest + share * block.trace(), 0.0, Vector3::Zero());
+    constexpr double minimum = 1e-12, share = 1e-5;
+    block.add(minimum + share * block.trace(), 0.0, Vector3::Zero());
   }
 
   steps.next();

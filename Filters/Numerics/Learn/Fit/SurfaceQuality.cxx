@@ -89,8 +89,8 @@ Feet feetOf(
 std::vector<double> weightsOf(const Points& points, const Run& run)
 {
   constexpr double far = 2.5;
-  constexpr int few = 4, neighbors = 8, lowest = 2;
-  constexpr double atMost = 2.5; // times as much as among fewer neighbors
+  constexpr int few = 4, neighbors = 8, rank = 2;
+  constexpr double maximumRatio = 2.5; // times as much as among fewer neighbors
   const std::vector<std::uint8_t> isolated = isolatedPoints(points, far, run);
   const PointTree tree(points, run);
   const auto size = static_cast<std::size_t>(points.rows());
@@ -101,8 +101,8 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
   {
     tree.nearest(points.row(static_cast<Index>(i)), neighbors + 1, nearest);
     areas[i] = Pi *
-      std::min(
-        nearest[neighbors].SquareDistance / neighbors, atMost * nearest[few].SquareDistance / few);
+      std::min(nearest[neighbors].SquareDistance / neighbors,
+        maximumRatio * nearest[few].SquareDistance / few);
     std::transform(nearest.begin(), nearest.begin() + neighbors, around[i].begin(),
       [](const Neighbor& neighbor) { return neighbor.Id; });
   }
@@ -113,8 +113,8 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
     {
       std::transform(around[i].begin(), around[i].end(), theirs.begin(),
         [&](int neighbor) { return areas[neighbor]; });
-      std::nth_element(theirs.begin(), theirs.begin() + lowest, theirs.end());
-      weights[i] = theirs[lowest];
+      std::nth_element(theirs.begin(), theirs.begin() + rank, theirs.end());
+      weights[i] = theirs[rank];
     }
   }
   return weights;
@@ -124,9 +124,9 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
 double undersampledFraction(const Points& asked, const std::vector<double>& weights,
   const TrainingSamples& samples, const Run& run)
 {
-  constexpr double most = 50000.0, distance = 0.02;
+  constexpr double maximum = 50000.0, distance = 0.02;
   constexpr int neighbors = 8;
-  const Points cloud = selectSamples(samples, most).Positions;
+  const Points cloud = selectSamples(samples, maximum).Positions;
   if (cloud.rows() <= neighbors)
   {
     return 0.0;
@@ -161,16 +161,16 @@ double squareOffQuadric(
   const Vector3 u = normal.unitOrthogonal(), v = normal.cross(u);
   Eigen::MatrixXd terms(size, coefficients);
   Eigen::VectorXd heights(size);
-  double largest = 0.0;
+  double maximum = 0.0;
   for (Index k = 0; k < size; ++k)
   {
     const Vector3 x = Vector3(points.row(ids[static_cast<std::size_t>(k)])) - place;
     terms(k, 1) = u.dot(x);
     terms(k, 2) = v.dot(x);
     heights[k] = normal.dot(x);
-    largest = std::max({ largest, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
+    maximum = std::max({ maximum, std::abs(terms(k, 1)), std::abs(terms(k, 2)) });
   }
-  terms.middleCols(1, 2) /= largest > 0.0 ? largest : 1.0;
+  terms.middleCols(1, 2) /= maximum > 0.0 ? maximum : 1.0;
   terms.col(0).setOnes();
   terms.col(3) = terms.col(1).cwiseAbs2();
   terms.col(4) = terms.col(1).cwiseProduct(terms.col(2));
@@ -179,98 +179,139 @@ double squareOffQuadric(
   return (heights - fitted).squaredNorm() / static_cast<double>(size - coefficients);
 }
 
-// How far apart two layers of samples are, or 0 where there is one.
-double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
+// Calls body(i, ids) for each sample with enough neighbors on its side of the surface.
+class NeighborsOnSide
 {
-  constexpr int neighbors = 24;
-  constexpr double least = 0.004, mostKurtosis = 2.15, sameSide = 0.5;
-  constexpr double leastOffQuadric = 0.5; // of the offsets' variance; about 1 for layers
-  if (asked.rows() < neighbors)
+public:
+  static constexpr int Count = 24;
+
+  NeighborsOnSide(const Points& asked, const Feet& feet, double near, const Run& run)
+    : Asked(asked)
+    , Offsets(feet.Offsets)
+    , Normals(feet.Normals)
+    , Near(near)
+    , Tree(asked, run)
   {
-    return 0.0;
   }
-  const PointTree tree(asked, run);
-  struct Moments
+
+  template <typename Body>
+  void forEach(Index begin, Index end, const Body& body) const
   {
-    double Second = 0.0, SquareOfSecond = 0.0, Fourth = 0.0;
-  };
-  const Index blocks = (asked.rows() + BlockSize - 1) / BlockSize;
-  // Calls body(i, ids) for each sample with enough neighbors on its side of the surface.
-  const auto forNeighbors = [&](Index begin, Index end, const auto& body)
-  {
+    constexpr double sameSide = 0.5;
     std::vector<Neighbor> nearest;
     std::vector<int> ids;
     for (Index i = begin; i < end; ++i)
     {
-      tree.nearest(asked.row(i), neighbors, nearest);
+      this->Tree.nearest(this->Asked.row(i), Count, nearest);
       ids.clear();
       for (const Neighbor& neighbor : nearest)
       {
-        if (std::abs(feet.Offsets[neighbor.Id]) <= near &&
-          feet.Normals.row(i).dot(feet.Normals.row(neighbor.Id)) > sameSide)
+        if (std::abs(this->Offsets[neighbor.Id]) <= this->Near &&
+          this->Normals.row(i).dot(this->Normals.row(neighbor.Id)) > sameSide)
         {
           ids.push_back(neighbor.Id);
         }
       }
-      if (2 * ids.size() >= neighbors)
+      if (2 * ids.size() >= Count)
       {
         body(i, ids);
       }
     }
-  };
-  std::vector<Moments> sums(blocks);
-  forBlocks(run, asked.rows(), BlockSize,
+  }
+
+private:
+  const Points& Asked;
+  const std::vector<double>& Offsets;
+  const Points& Normals;
+  const double Near;
+  PointTree Tree;
+};
+
+// Central moments of the offsets of neighbors from the surface, summed over samples.
+struct OffsetMoments
+{
+  double Second = 0.0, SquareOfSecond = 0.0, Fourth = 0.0;
+
+  void add(const std::vector<double>& offsets)
+  {
+    const auto count = static_cast<double>(offsets.size());
+    const double mean = std::accumulate(offsets.begin(), offsets.end(), 0.0) / count;
+    double second = 0.0, fourth = 0.0;
+    for (const double offset : offsets)
+    {
+      const double square = (offset - mean) * (offset - mean);
+      second += square / count;
+      fourth += square * square / count;
+    }
+    this->Second += second;
+    this->SquareOfSecond += second * second;
+    this->Fourth += fourth;
+  }
+
+  void add(const OffsetMoments& other)
+  {
+    this->Second += other.Second;
+    this->SquareOfSecond += other.SquareOfSecond;
+    this->Fourth += other.Fourth;
+  }
+};
+
+OffsetMoments offsetMoments(
+  const NeighborsOnSide& neighbors, const Feet& feet, Index size, const Run& run)
+{
+  std::vector<OffsetMoments> sums((size + BlockSize - 1) / BlockSize);
+  forBlocks(run, size, BlockSize,
     [&](Index begin, Index end)
     {
       std::vector<double> offsets;
-      Moments& sum = sums[begin / BlockSize];
-      const auto add = [&](Index, const std::vector<int>& ids)
-      {
-        offsets.clear();
-        for (const int id : ids)
+      neighbors.forEach(begin, end,
+        [&](Index, const std::vector<int>& ids)
         {
-          offsets.push_back(feet.Offsets[id]);
-        }
-        const auto count = static_cast<double>(offsets.size());
-        const double mean = std::accumulate(offsets.begin(), offsets.end(), 0.0) / count;
-        double second = 0.0, fourth = 0.0;
-        for (const double offset : offsets)
-        {
-          const double square = (offset - mean) * (offset - mean);
-          second += square / count;
-          fourth += square * square / count;
-        }
-        sum.Second += second;
-        sum.SquareOfSecond += second * second;
-        sum.Fourth += fourth;
-      };
-      forNeighbors(begin, end, add);
+          offsets.clear();
+          for (const int id : ids)
+          {
+            offsets.push_back(feet.Offsets[id]);
+          }
+          sums[begin / BlockSize].add(offsets);
+        });
     });
-  Moments all;
-  for (const Moments& sum : sums)
+  OffsetMoments all;
+  for (const OffsetMoments& sum : sums)
   {
-    all.Second += sum.Second;
-    all.SquareOfSecond += sum.SquareOfSecond;
-    all.Fourth += sum.Fourth;
+    all.add(sum);
   }
+  return all;
+}
+
+// How far apart two layers of samples are, or 0 where there is one.
+double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
+{
+  constexpr double minimumDistance = 0.004, maximumKurtosis = 2.15;
+  constexpr double minimumOffQuadric = 0.5; // of the offsets' variance; about 1 for layers
+  if (asked.rows() < NeighborsOnSide::Count)
+  {
+    return 0.0;
+  }
+  const NeighborsOnSide neighbors(asked, feet, near, run);
+  const OffsetMoments all = offsetMoments(neighbors, feet, asked.rows(), run);
   const double apart = all.Second > 0.0 ? 2.0 * std::sqrt(all.SquareOfSecond / all.Second) : 0.0;
-  if (!(apart > least && all.Fourth < mostKurtosis * all.SquareOfSecond))
+  if (!(apart > minimumDistance && all.Fourth < maximumKurtosis * all.SquareOfSecond))
   {
     return 0.0;
   }
   // Offsets from the triangles of a coarse mesh have two values as well: at corners and within.
-  std::vector<double> squares(blocks, 0.0);
+  std::vector<double> squares((asked.rows() + BlockSize - 1) / BlockSize, 0.0);
   forBlocks(run, asked.rows(), BlockSize,
     [&](Index begin, Index end)
     {
-      forNeighbors(begin, end,
+      neighbors.forEach(begin, end,
         [&](Index i, const std::vector<int>& ids) {
           squares[begin / BlockSize] +=
             squareOffQuadric(asked, ids, asked.row(i), feet.Normals.row(i));
         });
     });
   const double offQuadric = std::accumulate(squares.begin(), squares.end(), 0.0);
-  return offQuadric > leastOffQuadric * all.Second ? apart : 0.0;
+  return offQuadric > minimumOffQuadric * all.Second ? apart : 0.0;
 }
 
 // Directions in which the surface should face at the points.

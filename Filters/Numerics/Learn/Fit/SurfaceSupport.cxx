@@ -41,12 +41,12 @@ public:
 private:
   bool goOn(const Vector3& place, const Vector3& x)
   {
-    constexpr int most = 256;     // rows have no more patterns than these within reach
+    constexpr int maximum = 256;  // rows have no more patterns than these within reach
     constexpr double reach = 2.5; // distances
     constexpr double cone = 0.7, tangential = 0.5, thickness = 0.3, asNear = 1.5;
     const Vector3 apart = place - x;
     const double distance = apart.norm();
-    this->Tree.nearest(x, most, this->Around);
+    this->Tree.nearest(x, maximum, this->Around);
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const Neighbor& neighbor : this->Around)
     {
@@ -260,11 +260,11 @@ public:
   double at(Index pattern, std::vector<Neighbor>& around) const
   {
     // On a scan line the nearest ones are all on it: more of them, until some are beside.
-    constexpr int fewest = 6, most = 6 * 4 * 4 * 2, growth = 4;
+    constexpr int minimum = 6, maximum = 6 * 4 * 4 * 2, growth = 4;
     constexpr double flattest = 0.03; // of the widths' squares
     const Vector3 place = this->Patterns.row(pattern);
     double spacing = 0.0;
-    for (int count = fewest; count <= most; count *= growth)
+    for (int count = minimum; count <= maximum; count *= growth)
     {
       this->Tree.nearest(place, count + 1, around);
       Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

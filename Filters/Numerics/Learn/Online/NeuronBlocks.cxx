@@ -87,13 +87,13 @@ int NeuronBlocks::findWinner(const Vector3& x) const
 {
   // The closest group first: it makes most others too far to look into.
   std::size_t start = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < this->GroupBounds.size(); ++g)
   {
     const double distance = this->GroupBounds[g].Weights.squareDistance(x);
-    if (distance < least)
+    if (distance < minimum)
     {
-      least = distance;
+      minimum = distance;
       start = g;
     }
   }

@@ -94,37 +94,80 @@ bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
   };
   return sorted(triangle) < sorted(than);
 }
-}
 
-LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
-  const OnlineTrainingOptions& options, const Run& run)
+/// Step 3: the projection of a pattern on the model, and its image on the network.
+class ImageOnNetwork
 {
-  const Adjacency around = vertexTriangles(network.Triangles, network.Positions.rows());
-  NeuronBlocks neurons(network.Positions, start); // step 1
-  const NetworkShapes shapes(network.Positions, network.Triangles);
-  Sampler sampler(samples, options.RandomSeed);
+public:
+  /// @param[in] neurons  with weights that may change
+  ImageOnNetwork(const Mesh& network, const NeuronBlocks& neurons, ReferencePoint reference)
+    : Network(network)
+    , Neurons(neurons)
+    , Reference(reference)
+    , Around(vertexTriangles(network.Triangles, network.Positions.rows()))
+    , Shapes(network.Positions, network.Triangles)
+  {
+  }
 
-  // Step 3: the simplex around the winner that x is projected on. Of those that share the
-  // projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
-  const auto project = [&](const Vector3& x, int winner)
+  /// Find the simplex around the winner that x is projected on. Of those that share the
+  /// projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
+  FootPoint project(const Vector3& x, int winner) const
   {
     constexpr double rounding = 4e-15; // of coordinates
     FootPoint best;
-    for (const int* r = around.begin(winner); r != around.end(winner); ++r)
+    for (const int* r = this->Around.begin(winner); r != this->Around.end(winner); ++r)
     {
-      const auto ids = network.Triangles.row(*r);
-      FootPoint foot = closestPointOfTriangle(
-        x, neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
+      const auto ids = this->Network.Triangles.row(*r);
+      FootPoint foot = closestPointOfTriangle(x, this->Neurons.weight(ids[0]),
+        this->Neurons.weight(ids[1]), this->Neurons.weight(ids[2]));
       foot.Triangle = *r;
       const double nearer = foot.SquareDistance - best.SquareDistance;
       const bool shared = std::abs(nearer) <= rounding * std::sqrt(foot.SquareDistance);
-      if (shared ? hasLowerNeurons(network.Triangles, *r, best.Triangle) : nearer < 0.0)
+      if (shared ? hasLowerNeurons(this->Network.Triangles, *r, best.Triangle) : nearer < 0.0)
       {
         best = foot;
       }
     }
     return best;
-  };
+  }
+
+  /// Return the winner, or the image of the projection, on the unit sphere.
+  Vector3 referencePoint(const FootPoint& foot, int winner) const
+  {
+    const Points& positions = this->Network.Positions;
+    if (this->Reference == ReferencePoint::Winner)
+    {
+      return positions.row(winner);
+    }
+    const auto ids = this->Network.Triangles.row(foot.Triangle);
+    Vector3 image = foot.Barycentric;
+    if (this->Reference != ReferencePoint::Affine)
+    {
+      const TriangleShape simplex(
+        this->Neurons.weight(ids[0]), this->Neurons.weight(ids[1]), this->Neurons.weight(ids[2]));
+      image = this->Shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+    }
+    Vector3 r = image[0] * Vector3(positions.row(ids[0])) +
+      image[1] * Vector3(positions.row(ids[1])) + image[2] * Vector3(positions.row(ids[2]));
+    r.normalize(); // |r| = |n_i| = 1, as the paper allows
+    return r;
+  }
+
+private:
+  const Mesh& Network;
+  const NeuronBlocks& Neurons;
+  const ReferencePoint Reference;
+  const Adjacency Around;
+  const NetworkShapes Shapes;
+};
+}
+
+LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
+  const OnlineTrainingOptions& options, const Run& run)
+{
+  NeuronBlocks neurons(network.Positions, start); // step 1
+  Sampler sampler(samples, options.RandomSeed);
+  const ImageOnNetwork image(network, neurons, options.ReferencePoint);
 
   LearnedMesh result;
   result.Triangles = network.Triangles;
@@ -158,26 +201,10 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
       }
       const Vector3 x = patterns.row(step % AtATime);
       const int winner = neurons.findWinner(x);
-      const FootPoint foot = project(x, winner);
+      const FootPoint foot = image.project(x, winner);
       record.MeanSquareError += foot.SquareDistance / options.SamplesPerEpoch;
-
-      Vector3 r = network.Positions.row(winner);
-      if (options.ReferencePoint != ReferencePoint::Winner)
-      {
-        const auto ids = network.Triangles.row(foot.Triangle);
-        Vector3 image = foot.Barycentric;
-        if (options.ReferencePoint != ReferencePoint::Affine)
-        {
-          const TriangleShape simplex(
-            neurons.weight(ids[0]), neurons.weight(ids[1]), neurons.weight(ids[2]));
-          image = shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
-        }
-        r = image[0] * Vector3(network.Positions.row(ids[0])) +
-          image[1] * Vector3(network.Positions.row(ids[1])) +
-          image[2] * Vector3(network.Positions.row(ids[2]));
-        r.normalize(); // |r| = |n_i| = 1, as the paper allows
-      }
-      neurons.update(x, r, record.LearningRate, record.NeighborhoodRadius);
+      neurons.update(
+        x, image.referencePoint(foot, winner), record.LearningRate, record.NeighborhoodRadius);
     }
     const Points after = neurons.weights();
     record.MeanDisplacement = (after - before).rowwise().norm().mean();

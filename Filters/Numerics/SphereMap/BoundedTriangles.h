@@ -1,8 +1,8 @@
 /// Bounded areas and cotangents of the triangles of a surface, for sphere maps.
 /// Own construction: bounds let needles take part in sphere maps.
 
-#ifndef ConformalSurfaceShapes_h
-#define ConformalSurfaceShapes_h
+#ifndef ConformalBoundedTriangles_h
+#define ConformalBoundedTriangles_h
 
 #include "Base/Types.h"
 #include "Sphere/SphereStar.h"
@@ -14,7 +14,7 @@ namespace conformal
 {
 /// A triangle by its squared sides, slightly rounded, so that needles and points, too, have a shape
 /// to be mapped. Areas are scaled to those of the unit sphere.
-class SurfaceShapes
+class BoundedTriangles
 {
 public:
   enum class Weight
@@ -24,8 +24,8 @@ public:
   };
 
   /// @param[in] points  kept by reference, about of size one
-  /// @param[in] weight  what to say for the area
-  SurfaceShapes(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
+  /// @param[in] weight  area that a triangle has in the energy
+  BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
 
   SourceTriangle triangle(int a, int b, int c) const;
 
@@ -43,7 +43,7 @@ private:
 /// @param[in,out] positions  #V unit vectors
 /// @param[in] counted        called after each vertex
 void relaxVertices(std::vector<Vector3>& positions, const std::vector<int>& vertices,
-  const VertexRings& rings, const SurfaceShapes& shapes, const SphereEnergy& energy, int sweeps,
+  const VertexRings& rings, const BoundedTriangles& shapes, const SphereEnergy& energy, int sweeps,
   const std::function<void()>& counted = {});
 }
 

@@ -1,4 +1,4 @@
-#include "SphereMap/SurfaceShapes.h"
+#include "SphereMap/BoundedTriangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr double MinimumArea = 1e-11;
 }
 
 //------------------------------------------------------------------------------
-SurfaceShapes::SurfaceShapes(const Points& points, const Triangles& triangles, Weight weight)
+BoundedTriangles::BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight)
   : Places(points)
   , Kind(weight)
 {
@@ -24,12 +24,12 @@ SurfaceShapes::SurfaceShapes(const Points& points, const Triangles& triangles, W
 }
 
 //------------------------------------------------------------------------------
-SourceTriangle SurfaceShapes::triangle(int a, int b, int c) const
+SourceTriangle BoundedTriangles::triangle(int a, int b, int c) const
 {
   const Vector3 p = this->Places.row(a), q = this->Places.row(b), r = this->Places.row(c);
   Vector3 squares((q - r).squaredNorm(), (r - p).squaredNorm(), (p - q).squaredNorm());
-  constexpr double roundness = 1e-8, smallest = 1e-14;
-  squares.array() += roundness * squares.sum() + smallest;
+  constexpr double roundness = 1e-8, minimum = 1e-14;
+  squares.array() += roundness * squares.sum() + minimum;
   const double sum = squares.sum();
   const double twiceArea = 0.5 * std::sqrt(sum * sum - 2.0 * squares.squaredNorm());
   SourceTriangle result;
@@ -44,7 +44,7 @@ SourceTriangle SurfaceShapes::triangle(int a, int b, int c) const
 }
 
 //------------------------------------------------------------------------------
-void SurfaceShapes::cornersOf(int v, const Ring& ring, std::vector<Corner>& corners) const
+void BoundedTriangles::cornersOf(int v, const Ring& ring, std::vector<Corner>& corners) const
 {
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
@@ -55,7 +55,7 @@ void SurfaceShapes::cornersOf(int v, const Ring& ring, std::vector<Corner>& corn
 
 //------------------------------------------------------------------------------
 void relaxVertices(std::vector<Vector3>& positions, const std::vector<int>& vertices,
-  const VertexRings& rings, const SurfaceShapes& shapes, const SphereEnergy& energy, int sweeps,
+  const VertexRings& rings, const BoundedTriangles& shapes, const SphereEnergy& energy, int sweeps,
   const std::function<void()>& counted)
 {
   std::vector<Corner> corners;
