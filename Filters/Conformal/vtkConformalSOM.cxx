@@ -141,6 +141,35 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
   return glue::GatherMesh(reduce, own);
 }
 
+// The mesh on input port 1, or else the input's own triangles if learning may start from them; an
+// empty mesh if there is neither.
+conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
+  const conformal::ConformalSOMOptions& options, const conformal::TrainingSamples& samples,
+  const conformal::CoordinateFrame& frame, glue::Processes& processes, const conformal::Run& run)
+{
+  if (start)
+  {
+    return glue::ToSharedMesh(self, start, frame, processes);
+  }
+  if (!MayStartFromMesh(options))
+  {
+    return {};
+  }
+  const bool must = options.StartingShape == conformal::StartingShape::Mesh;
+  return OwnMesh(self, input, must, samples, frame, processes, run);
+}
+
+// Give samples the normals of the input; online learning uses none.
+void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+  const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
+  glue::CloudNormals& normals)
+{
+  if (options.TrainingMode != conformal::TrainingMode::Online)
+  {
+    glue::SetNormals(input, frame, options.HullMethod, samples, normals);
+  }
+}
+
 // What the points have that their user should know.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable)
 {
@@ -285,6 +314,51 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
+// Measured shares of the time of reading, normals, mesh of the polygons, learning, errors, vertex
+// shift and output.
+std::vector<double> CostOf(bool measuresErrors)
+{
+  return { 0.01, 0.01, 0.02, 0.9, measuresErrors ? 0.02 : 0.0, 0.02, 0.01 };
+}
+
+// Learn the mesh, and warn of its faults.
+conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
+  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
+  const conformal::MappedMesh& start, const glue::Processes& processes, const conformal::Run& run)
+{
+  const bool hasStart = start.Positions.rows() > 0;
+  conformal::ConformalSOMResult result =
+    conformal::trainConformalSOM(samples, options, hasStart ? &start : nullptr, run);
+  if (processes.isFirst())
+  {
+    WarnAbout(self, result, samples);
+  }
+  return result;
+}
+
+// The output, alike on all ranks, in two steps: errors and vertex shift.
+vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
+  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
+  bool measuresErrors, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+{
+  vtkNew<vtkPolyData> surface;
+  glue::SetSurface(surface, result.Positions, result.Triangles, frame);
+  glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
+  glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+  const conformal::Run measuring = steps.next();
+  if (measuresErrors)
+  {
+    glue::AddLengths(surface->GetPointData(), "QuantizationError",
+      conformal::quantizationErrors(samples, result, measuring), frame);
+  }
+  const bool isFitted =
+    options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
+  const conformal::Run shifting = steps.next();
+  const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
+  AddFigures(surface->GetFieldData(), samples, result, shift, frame);
+  return surface;
+}
+
 using Records = std::vector<conformal::TrainingRecord>;
 
 void FillHistory(vtkTable* table, const Records& history)
@@ -365,71 +439,29 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
-      const conformal::CoordinateFrame frame = cloud.Frame;
-      const bool isFitted =
-        options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
-      // Shares of the time, measured: reading, normals and mesh of the polygons, learning, errors,
-      // the vertex shift, the output.
-      conformal::Steps steps(
-        processes.run(), { 0.01, 0.01, 0.02, 0.9, measuresErrors ? 0.02 : 0.0, 0.02, 0.01 });
+      conformal::Steps steps(processes.run(), CostOf(measuresErrors));
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       glue::CloudNormals normals;
-      if (options.TrainingMode != conformal::TrainingMode::Online &&
-        options.HullMethod != conformal::HullMethod::Distance)
-      {
-        const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
-        glue::FindNormals(input, frame, processes.reduce(), needed, normals);
-      }
-      if (normals.Known)
-      {
-        samples.setNormals(normals.View);
-      }
+      SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
         glue::WarnOfFarPoints(this, cloud.Far);
       }
-      if (samples.empty())
+      if (!samples.empty())
       {
-        return;
+        const conformal::MappedMesh mesh =
+          StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
+        const auto result = Learn(this, samples, options, mesh, processes, steps.next());
+        const auto surface =
+          SurfaceOf(result, samples, options, measuresErrors, cloud.Frame, steps);
+        steps.next();
+        glue::KeepOwnShare(surface, inPieces, processes);
+        output->ShallowCopy(surface);
+        FillHistory(history, processes.isFirst() ? result.History : Records());
       }
-      conformal::MappedMesh mesh;
-      const conformal::Run meshing = steps.next();
-      if (start)
-      {
-        mesh = glue::ToSharedMesh(this, start, frame, processes);
-      }
-      else if (MayStartFromMesh(options))
-      {
-        mesh = OwnMesh(this, input, options.StartingShape == conformal::StartingShape::Mesh,
-          samples, frame, processes, meshing);
-      }
-      const bool hasMesh = mesh.Positions.rows() > 0;
-      const conformal::ConformalSOMResult result =
-        conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
-      if (processes.isFirst())
-      {
-        WarnAbout(this, result, samples);
-      }
-      const vtkNew<vtkPolyData> surface;
-      glue::SetSurface(surface, result.Positions, result.Triangles, frame);
-      glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
-      glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
-      const conformal::Run measuring = steps.next();
-      if (measuresErrors)
-      {
-        glue::AddLengths(surface->GetPointData(), "QuantizationError",
-          conformal::quantizationErrors(samples, result, measuring), frame);
-      }
-      const conformal::Run shifting = steps.next();
-      const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
-      AddFigures(surface->GetFieldData(), samples, result, shift, frame);
-      steps.next();
-      glue::KeepOwnShare(surface, inPieces, processes);
-      output->ShallowCopy(surface);
-      FillHistory(history, processes.isFirst() ? result.History : Records());
     });
 }
 

@@ -25,6 +25,30 @@ vtkCxxSetObjectMacro(vtkGenusZeroHull, Controller, vtkMultiProcessController);
 
 namespace
 {
+conformal::GenusZeroHullOptions OptionsOf(vtkGenusZeroHull* self)
+{
+  conformal::GenusZeroHullOptions options;
+  options.Method = static_cast<conformal::HullMethod>(self->GetMethod());
+  options.Spacing = self->GetSpacing();
+  options.Offset = self->GetOffset();
+  options.Persistence = self->GetPersistence();
+  options.SmoothingPasses = self->GetSmoothingPasses();
+  return options;
+}
+
+// Estimated cost.
+struct Cost
+{
+  double Reading, Hull, Output;
+};
+
+Cost CostOf(vtkPointSet* input, const conformal::GenusZeroHullOptions& options)
+{
+  const auto size = static_cast<double>(input->GetNumberOfPoints());
+  const double hull = conformal::workOfGenusZeroHull(size, options.Spacing);
+  return { 40.0 * size, hull, 0.013 * hull };
+}
+
 // Points of the normalized frame in that of the samples.
 conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::Points points)
 {
@@ -145,45 +169,27 @@ int vtkGenusZeroHull::RequestData(
   const auto input = glue::Held(vtkPointSet::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
-  conformal::GenusZeroHullOptions options;
-  options.Method = static_cast<conformal::HullMethod>(this->Method);
-  options.Spacing = this->Spacing;
-  options.Offset = this->Offset;
-  options.Persistence = this->Persistence;
-  options.SmoothingPasses = this->SmoothingPasses;
+  const conformal::GenusZeroHullOptions options = OptionsOf(this);
   const bool inPieces = this->DistributeOutput;
-
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      // Reading, the hull, the output.
-      const auto size = static_cast<double>(input->GetNumberOfPoints());
-      const double ofHull = conformal::workOfGenusZeroHull(size, options.Spacing);
-      const double ofOutput = 0.013 * ofHull;
-      const bool winding = options.Method == conformal::HullMethod::WindingNumbers;
-      const bool mayWind = options.Method != conformal::HullMethod::Distance;
-      conformal::Steps steps(processes.run(), { 40.0 * size, ofHull, ofOutput });
+      const Cost cost = CostOf(input, options);
+      conformal::Steps steps(processes.run(), { cost.Reading, cost.Hull, cost.Output });
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
-      const conformal::CoordinateFrame frame = cloud.Frame;
       conformal::TrainingSamples samples(
         cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;
-      if (mayWind)
-      {
-        glue::FindNormals(input, frame, processes.reduce(), winding, normals);
-      }
-      if (normals.Known)
-      {
-        samples.setNormals(normals.View);
-      }
-      if (winding && !samples.empty())
-      {
-        steps.replan({ conformal::workOfHullByWindingNumbers(samples, options.Spacing), ofOutput });
-      }
+      glue::SetNormals(input, cloud.Frame, options.Method, samples, normals);
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {
+        if (options.Method == conformal::HullMethod::WindingNumbers)
+        {
+          steps.replan(
+            { conformal::workOfHullByWindingNumbers(samples, options.Spacing), cost.Output });
+        }
         hull = conformal::makeGenusZeroHull(samples, options, steps.next());
       }
       if (processes.isFirst())
@@ -194,8 +200,8 @@ int vtkGenusZeroHull::RequestData(
       if (!samples.empty())
       {
         steps.next();
-        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, frame);
-        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, frame);
+        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, cloud.Frame);
+        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, cloud.Frame);
         glue::KeepOwnShare(output, inPieces, processes);
       }
     });

@@ -24,6 +24,22 @@ vtkCxxSetObjectMacro(vtkSurfaceMismatch, Controller, vtkMultiProcessController);
 
 namespace
 {
+conformal::SurfaceMismatchOptions OptionsOf(vtkSurfaceMismatch* self)
+{
+  conformal::SurfaceMismatchOptions options;
+  options.LengthUnit = static_cast<conformal::MismatchUnit>(self->GetLengthUnit());
+  options.NumberOfSamples = self->GetNumberOfSamples();
+  options.RandomSeed = self->GetRandomSeed();
+  return options;
+}
+
+// Estimated cost of reading, measuring and the outputs.
+std::vector<double> CostOf(vtkIdType points, const conformal::SurfaceMismatchOptions& options)
+{
+  const auto size = static_cast<double>(points);
+  return { 80.0 * size, 1500.0 * size + 500.0 * options.NumberOfSamples, 10.0 * size };
+}
+
 // The input, with the distances of its points.
 void PassWithDistances(
   vtkPolyData* input, vtkPolyData* output, const std::vector<double>& distances)
@@ -109,11 +125,7 @@ int vtkSurfaceMismatch::RequestData(
   const auto reference = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
-
-  conformal::SurfaceMismatchOptions options;
-  options.LengthUnit = static_cast<conformal::MismatchUnit>(this->LengthUnit);
-  options.NumberOfSamples = this->NumberOfSamples;
-  options.RandomSeed = this->RandomSeed;
+  conformal::SurfaceMismatchOptions options = OptionsOf(this);
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
@@ -129,10 +141,8 @@ int vtkSurfaceMismatch::RequestData(
       const conformal::Reduce reduce = processes.reduce();
       const conformal::CoordinateFrame frame = glue::FrameOf({ model, reference }, reduce);
       options.CoordinateUnit = frame.Unit;
-      const auto sizes =
-        static_cast<double>(model->GetNumberOfPoints() + reference->GetNumberOfPoints());
       conformal::Steps steps(processes.run(),
-        { 80.0 * sizes, 1500.0 * sizes + 500.0 * options.NumberOfSamples, 10.0 * sizes });
+        CostOf(model->GetNumberOfPoints() + reference->GetNumberOfPoints(), options));
       steps.next();
       SharedModel shared;
       Share(model, frame, processes, reduce, shared);
