@@ -37,13 +37,13 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 /// The triangles of all processes, over the points of all, likewise.
 /// @param[in] own     ids in [0, points)
 /// @param[in] points  of this process
-/// @throws std::length_error if ids do not fit into an int
+/// @throws std::invalid_argument if ids do not fit into an int
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
   const Index before = shareOf(reduce, points).Before;
   if (before + points > std::numeric_limits<int>::max())
   {
-    throw std::length_error("the processes together have more points than an int can count");
+    throw std::invalid_argument("the processes together have more points than an int can count");
   }
   own.array() += static_cast<int>(before);
   return gatherRows(reduce, own);

@@ -92,7 +92,7 @@ void requireNear(const Points& mesh)
   }
 }
 
-std::optional<FirstSurface> firstSurfaceFromSphere(
+FirstSurface firstSurfaceFromSphere(
   const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run)
 {
   BatchTrainingOptions coarse;
@@ -102,17 +102,13 @@ std::optional<FirstSurface> firstSurfaceFromSphere(
   coarse.ReferencePoint = options.ReferencePoint;
   coarse.RandomSeed = options.RandomSeed;
   const bool anyway = options.StartingShape == StartingShape::Sphere;
-  std::optional<FittedMesh> learned = learnFromSphere(
+  FittedMesh learned = learnFromSphere(
     samples, coarse,
     [&](const LearnedMesh& mesh, const std::vector<double>& masses)
     { return anyway || !spansGapsOrLimbs(mesh, masses, samples); },
     run);
-  if (!learned)
-  {
-    return {};
-  }
   FirstSurface first;
-  static_cast<LearnedMesh&>(first) = std::move(static_cast<LearnedMesh&>(*learned));
+  static_cast<LearnedMesh&>(first) = std::move(static_cast<LearnedMesh&>(learned));
   first.Turns = TurnsFromSphere;
   first.IterationsPerTurn = IterationsFromSphere;
   first.OutlierRatio = OutlierRatioAmongStrays;

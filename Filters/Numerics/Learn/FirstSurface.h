@@ -12,7 +12,6 @@
 #include "Search/TriangleTree.h"
 
 #include <memory>
-#include <optional>
 
 namespace conformal
 {
@@ -23,10 +22,10 @@ struct FirstSurface : AdaptiveStart
 };
 
 /// Learn from the sphere on a geodesic network of a quarter of the neurons, without a fit.
-/// @return nothing as soon as a level of the network spans parts without samples or is stretched
-///         over limbs, unless options.StartingShape is Sphere
+/// @throws NumericalFailure as soon as a level of the network spans parts without samples or is
+///         stretched over limbs, unless options.StartingShape is Sphere
 /// @throws Aborted
-std::optional<FirstSurface> firstSurfaceFromSphere(
+FirstSurface firstSurfaceFromSphere(
   const TrainingSamples& samples, const ConformalSOMOptions& options, const Run& run = {});
 
 /// Make a hull of the samples (GenusZeroHull.h), as fine as the samples are dense and no finer than

@@ -346,7 +346,7 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   if (!std::isfinite(std::sqrt(farthest) * distanceUnit + distanceUnit) || square < minimumSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
-    throw std::overflow_error(std::string("the distances are too ") +
+    throw std::invalid_argument(std::string("the distances are too ") +
       (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
   }
   run.report(1.0);

@@ -65,9 +65,8 @@ struct SurfaceMismatch
 /// @param[in] referencePoints     #P by 3, at least one on all processes together
 /// @param[in] referenceTriangles  may be empty
 /// @param[in] reduce              adds up over the processes that hold the other parts
-/// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, or
-///   the reference has no extent to take a unit from
-/// @throws std::overflow_error if a figure leaves the range of doubles
+/// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, the
+///   reference has no extent to take a unit from, or a figure leaves the range of doubles
 /// @post the result depends only on the arguments of all processes, not on threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,

@@ -18,8 +18,7 @@ namespace conformal
 /// @param[in] mesh          a closed manifold, consistently oriented
 /// @param[in] subdivisions  k, at least 1
 /// @return (#V - 2) k^2 + 2 vertices and #F k^2 triangles, where the Euler number is 2
-/// @throws std::invalid_argument if k is below 1
-/// @throws std::length_error if ids do not fit into an int
+/// @throws std::invalid_argument if k is below 1, or ids do not fit into an int
 /// @throws Aborted
 Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run = {});
 
