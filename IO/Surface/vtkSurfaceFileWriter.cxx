@@ -2,7 +2,7 @@
 
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
-#include "Files/FileOutput.h"
+#include "Files/WriteFiles.h"
 #include "Glue/Checks.h"
 #include "Glue/Compatibility.h"
 #include "vtkSurfaceConversions.h"
