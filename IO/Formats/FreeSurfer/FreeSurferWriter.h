@@ -3,6 +3,7 @@
 #ifndef ConformalFreeSurferWriter_h
 #define ConformalFreeSurferWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,19 +13,19 @@ namespace conformal
 /// FreeSurfer's triangles. Points are written as floats.
 /// @throws std::invalid_argument if a polygon has more than 3 corners, or the points are too far
 /// apart, too close together or too far from the origin for floats
-/// @throws ParseError if the caller says stop
-std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run = {});
 
 /// FreeSurfer's triangles on the sphere of radius 100: "SpherePosition" are the points.
 /// @throws std::invalid_argument if it is missing or has no direction, or a polygon has more than 3
 /// corners
-/// @throws ParseError if the caller says stop
-std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {});
 
 /// FreeSurfer's curv, the new layout, of an array of 1 component. Values are written as floats.
-/// @throws ParseError if the caller says stop
+/// @throws Aborted
 std::string makeFreeSurferCurv(
-  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress = {});
+  const NamedArray& values, std::size_t numberOfPolygons, const Run& run = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalGIFTIParser_h
 #define ConformalGIFTIParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -13,13 +14,13 @@ namespace conformal
 /// type, that of intent TRIANGLE (3 integers) the triangles. Arrays of other intents are as in
 /// parseGIFTIArrays().
 SurfaceResult parseGIFTISurface(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Read the arrays of numbers, as the point arrays of a surface without points. They are named by
 /// their metadata "Name", else by their intent, as "Shape"; a second one of a name by a number
 /// behind it.
 SurfaceResult parseGIFTIArrays(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 }
 
 #endif

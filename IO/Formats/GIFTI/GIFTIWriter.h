@@ -3,6 +3,7 @@
 #ifndef ConformalGIFTIWriter_h
 #define ConformalGIFTIWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,28 +13,28 @@ namespace conformal
 /// GIFTI, compressed, all arrays of points.
 /// @param[in] structure  the metadata AnatomicalStructurePrimary, such as CortexLeft; none if empty
 /// @throws std::invalid_argument if a polygon has more than 3 corners, or there is none
-/// @throws ParseError if the caller says stop
-std::string makeGIFTISurface(const SurfaceData& surface, const std::string& structure = {},
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGIFTISurface(
+  const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
 /// The points, as floats, and the triangles, which is all that some programs take for a surface.
 /// @throws std::invalid_argument as makeGIFTISurface(), or if floats cannot hold the points
-/// @throws ParseError if the caller says stop
-std::string makeGIFTIGeometry(const SurfaceData& surface, const std::string& structure = {},
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGIFTIGeometry(
+  const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
 /// The same triangles on the sphere of radius 100: "SpherePosition" are the points, as floats.
 /// @throws std::invalid_argument as makeGIFTIGeometry(), or if there is no such array or one of its
 /// positions has no direction
-/// @throws ParseError if the caller says stop
-std::string makeGIFTISphere(const SurfaceData& surface, const std::string& structure = {},
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGIFTISphere(
+  const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
 /// The point arrays of 1 component, as floats, without the surface.
 /// @throws std::invalid_argument if there is none, or floats cannot hold the finite values of one
-/// @throws ParseError if the caller says stop
-std::string makeGIFTIShape(const SurfaceData& surface, const std::string& structure = {},
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGIFTIShape(
+  const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalGuMeshWriter_h
 #define ConformalGuMeshWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,8 +13,8 @@ namespace conformal
 /// Gu's .m: "SpherePosition" as trait sph, "Normals", "TCoords", "RGB" of the points, "RGB" of the
 /// polygons. Other arrays are left out.
 /// @throws std::invalid_argument if a "SpherePosition" has no direction
-/// @throws ParseError if the caller says stop
-std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGuMesh(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

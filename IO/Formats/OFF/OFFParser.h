@@ -3,6 +3,7 @@
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -19,8 +20,7 @@ namespace conformal
 /// (UInt8). Numbers behind the coordinates of a plain OFF's lines are colors. Colors behind a
 /// face's ids are an array of the polygons, white where there are none; a single number there is
 /// "ColorIndex" (Int32), -1 where there is none.
-SurfaceResult parseOFF(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Whether bytes from the start of a file are those of an OFF file with its keyword.
 bool looksLikeOFF(std::string_view start);

@@ -3,6 +3,7 @@
 #ifndef ConformalOFFWriter_h
 #define ConformalOFFWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -11,8 +12,8 @@ namespace conformal
 {
 /// OFF as text: "Normals", "RGB" or "RGBA", "TCoords" of the points, colors and "ColorIndex" of
 /// the polygons. Other arrays are left out.
-/// @throws ParseError if the caller says stop
-std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeOFF(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalSurfacePage_h
 #define ConformalSurfacePage_h
 
+#include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
 
@@ -43,10 +44,9 @@ const NamedArray& requirePageSurface(const SurfaceData& surface);
 /// @param[in] threeJS  a classic or CommonJS build of three.js
 /// @throws std::invalid_argument as requirePageSurface() does, and for an array that is missing and
 ///   places that are not finite
-/// @throws ParseError with Aborted if the progress callback says stop
+/// @throws Aborted
 std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
-  std::string_view threeJS, const SurfacePageOptions& options = {},
-  const ParseProgress& progress = {});
+  std::string_view threeJS, const SurfacePageOptions& options = {}, const Run& run = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalPlateModelParser_h
 #define ConformalPlateModelParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -18,7 +19,7 @@ namespace conformal
 ///
 /// Points are Float64, in the file's unit.
 SurfaceResult parsePlateModel(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Whether bytes from the start of a file are those of a plate model: counts, then rows as they
 /// say.

@@ -3,6 +3,7 @@
 #ifndef ConformalSPHARMCoefficients_h
 #define ConformalSPHARMCoefficients_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/NamedArray.h"
 #include "Bytes/ParseLimits.h"
@@ -25,7 +26,7 @@ namespace conformal
 /// @return one point array, "Coefficients" (Float64, 3 components) of N tuples: for each degree l
 ///         the orders from -l (sin) to l (cos); no points
 SurfaceResult parseSPHARMCoefficients(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Whether bytes from the start of a file are those of such coefficients.
 bool looksLikeSPHARMCoefficients(std::string_view start);
@@ -33,9 +34,8 @@ bool looksLikeSPHARMCoefficients(std::string_view start);
 /// The file of an array as parseSPHARMCoefficients() returns it. Numbers have 15 digits: those that
 /// were read with no more are written the same.
 /// @throws std::invalid_argument if there are not (L + 1)^2 tuples of 3 finite Float64
-/// @throws ParseError if the caller says stop
-std::string makeSPHARMCoefficients(
-  const NamedArray& coefficients, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeSPHARMCoefficients(const NamedArray& coefficients, const Run& run = {});
 }
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -17,7 +18,7 @@ namespace conformal
 /// binary, versions 1.0 to 5.1. Vertices and lines are passed over; the rest of the file from the
 /// first arrays on is not read.
 SurfaceResult parseSPHARMMesh(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Whether bytes from the start of a file are those of a legacy VTK file of a POLYDATA.
 bool looksLikeSPHARMMesh(std::string_view start);
@@ -30,9 +31,9 @@ std::string sphereNameOf(const std::string& path);
 /// are read back the same.
 /// @throws std::invalid_argument if there are polygons other than triangles, or, of the sphere, no
 ///         "SpherePosition" or one without a direction
-/// @throws ParseError if the caller says stop
-std::string makeSPHARMSurface(const SurfaceData& surface, const ParseProgress& progress = {});
-std::string makeSPHARMSphere(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeSPHARMSurface(const SurfaceData& surface, const Run& run = {});
+std::string makeSPHARMSphere(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

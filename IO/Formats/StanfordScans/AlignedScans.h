@@ -3,6 +3,7 @@
 #ifndef ConformalAlignedScans_h
 #define ConformalAlignedScans_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -39,8 +40,7 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// scan may be named once, and by one name only. Scans that are not there are counted and left out,
 /// if others are there and options do not say otherwise.
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
-  const AlignedScansOptions& options = {}, const ParseLimits& limits = {},
-  const ParseProgress& progress = {});
+  const AlignedScansOptions& options = {}, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Names of all scans in a list, as they stand there, up to the first line of another format. No
 /// scan is opened, and no motion is read.

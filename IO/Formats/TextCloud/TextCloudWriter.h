@@ -3,6 +3,7 @@
 #ifndef ConformalTextCloudWriter_h
 #define ConformalTextCloudWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,8 +13,8 @@ namespace conformal
 /// Points as text with names of the columns in a remark, if there are more than x, y and z. All
 /// arrays; those of several components other than "Normals" and "RGB" become several columns. A
 /// name that another column has gets "_" behind it, as often as it takes.
-/// @throws ParseError if the caller says stop
-std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeTextCloud(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef ConformalTexturedSurface_h
 #define ConformalTexturedSurface_h
 
+#include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
 
 #include <cstdint>
@@ -31,14 +32,13 @@ struct TexturedSurface
 /// size, positions count from the middle of its bounding box, and the node is translated there.
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would pass the 4 GiB of the format
-/// @throws ParseError with Aborted if the progress callback says stop
-std::string makeGLB(
-  const TexturedSurface& surface, std::string_view png, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
 
 /// The text of an OBJ file that refers to a material "surface" of the material file.
-/// @throws ParseError with Aborted if the progress callback says stop
-std::string makeOBJ(const TexturedSurface& surface, const std::string& materialFile,
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeOBJ(
+  const TexturedSurface& surface, const std::string& materialFile, const Run& run = {});
 
 /// The text of a material file whose material "surface" is the texture.
 std::string makeMTL(const std::string& textureFile);
@@ -46,9 +46,9 @@ std::string makeMTL(const std::string& textureFile);
 /// A binary PLY file with the texture coordinates at the vertices, as "texture_u" and "texture_v"
 /// with v upwards, that names the picture in a comment "TextureFile". Positions are doubles.
 /// @throws std::length_error if there are more points than a signed 32-bit id counts
-/// @throws ParseError with Aborted if the progress callback says stop
-std::string makePLY(const TexturedSurface& surface, const std::string& textureFile,
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makePLY(
+  const TexturedSurface& surface, const std::string& textureFile, const Run& run = {});
 }
 
 #endif
