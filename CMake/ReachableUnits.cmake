@@ -3,7 +3,7 @@
 # A unit is a header and its source, given by their path without an ending. The result are the units
 # that the given ones cannot do without: themselves, and what they or their needs include.
 function (conformal_find_reachable_units result)
-  set(roots Filters Filters/Numerics IO/Formats)
+  set(roots Filters IO Filters/Numerics IO/Formats)
   list(TRANSFORM roots PREPEND "${PROJECT_SOURCE_DIR}/")
   list(APPEND roots ${module_folders})
   set(reached)

@@ -55,7 +55,7 @@ Surface ToSurface(vtkPolyData* input)
   return surface;
 }
 
-// The numbers of an array of densities, divided by the largest one.
+// The numbers of an array of densities, divided by the maximum one.
 std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
 {
   if (array->GetNumberOfComponents() != 1)
@@ -106,7 +106,9 @@ std::vector<double> WeightsOfArray(
   return conformal::vertexMeans(surface, ofTriangles);
 }
 
-conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* image)
+// Give half of the points to the details of an image; an image of one color has none.
+conformal::SphereDensity WithDetails(
+  conformal::SphereDensity density, vtkPolyData* surface, vtkImageData* image)
 {
   vtkDataArray* pixels = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!pixels || image->GetNumberOfPoints() == 0 || image->GetDimensions()[2] != 1)
@@ -114,28 +116,14 @@ conformal::SphereDensity DensityOfImage(vtkPolyData* surface, vtkImageData* imag
     throw std::invalid_argument(
       "Density Image needs an image of one slice with point scalars on input port 1");
   }
-  conformal::Picture picture;
-  picture.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
-  picture.NumberOfComponents = pixels->GetNumberOfComponents();
-  picture.Values.resize(pixels->GetNumberOfValues());
-  double maximum = 0.0;
-  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
-  {
-    picture.Values[i] = pixels->GetComponent(
-      i / picture.NumberOfComponents, static_cast<int>(i % picture.NumberOfComponents));
-    maximum = std::max(maximum, std::abs(picture.Values[i]));
-  }
-  for (double& value : picture.Values)
-  {
-    value = maximum > 0.0 ? value / maximum : 0.0;
-  }
   conformal::SphereImage layout;
   layout.Projection = conformal::SphereProjection::LongitudeLatitude;
   if (surface->GetFieldData()->HasArray("TextureProjection"))
   {
     layout = glue::ToSphereImage(surface->GetFieldData());
   }
-  return conformal::pictureDensity(std::move(picture), layout);
+  return conformal::withDetails(
+    std::move(density), glue::ToPicture(image, pixels), layout, glue::SMPRun());
 }
 
 // Weights of the surface's points: 1, or by an array or the curvature.
@@ -151,16 +139,6 @@ std::vector<double> WeightsOf(
     default:
       return std::vector<double>(surface.Positions.rows(), 1.0);
   }
-}
-
-// Give half of the points to the details of an image; an image of one color has none.
-conformal::SphereDensity WithDetails(
-  conformal::SphereDensity density, vtkPolyData* input, vtkImageData* image)
-{
-  conformal::SphereDensity details = DensityOfImage(input, image);
-  return conformal::isAnywhere(details, glue::SMPRun())
-    ? conformal::equalShares({ std::move(density), std::move(details) }, glue::SMPRun())
-    : density;
 }
 }
 

@@ -38,7 +38,10 @@ vtkCxxSetObjectMacro(vtkConformalSOM, Controller, vtkMultiProcessController);
 
 namespace
 {
-conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
+// Read the properties.
+// @param[out] stages  filled by the learner with GenerateStages; must outlive the options
+conformal::ConformalSOMOptions OptionsOf(
+  vtkConformalSOM* self, std::vector<conformal::LearningStage>& stages)
 {
   conformal::ConformalSOMOptions options;
   options.MeshType = static_cast<conformal::MeshType>(self->GetMeshType());
@@ -57,6 +60,10 @@ conformal::ConformalSOMOptions OptionsOf(vtkConformalSOM* self)
   options.Online.LearningRateTimeConstant = constants[3];
   options.Fit.Iterations = self->GetFitIterations();
   options.Fit.Smoothness = self->GetSmoothness();
+  if (self->GetGenerateStages())
+  {
+    options.Observer = [&](const conformal::LearningStage& stage) { stages.push_back(stage); };
+  }
   return options;
 }
 
@@ -142,6 +149,35 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
     }
   }
   return glue::GatherMesh(reduce, own);
+}
+
+// The mesh on input port 1, or else the input's own triangles if learning may start from them; an
+// empty mesh if there is neither.
+conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
+  const conformal::ConformalSOMOptions& options, const conformal::TrainingSamples& samples,
+  const conformal::CoordinateFrame& frame, glue::Processes& processes, const conformal::Run& run)
+{
+  if (start)
+  {
+    return glue::ToSharedMesh(self, start, frame, processes);
+  }
+  if (!MayStartFromMesh(options))
+  {
+    return {};
+  }
+  const bool must = options.StartingShape == conformal::StartingShape::Mesh;
+  return OwnMesh(self, input, must, samples, frame, processes, run);
+}
+
+// Give samples the normals of the input; online learning uses none.
+void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+  const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
+  glue::CloudNormals& normals)
+{
+  if (options.TrainingMode != conformal::TrainingMode::Online)
+  {
+    glue::SetNormals(input, frame, options.HullMethod, samples, normals);
+  }
 }
 
 // What the points have that their user should know.
@@ -289,38 +325,43 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
-// Give the samples the normals of the input where a method can use them.
-void SetNormals(conformal::TrainingSamples& samples, glue::CloudNormals& normals,
-  vtkPointSet* input, const conformal::ConformalSOMOptions& options,
-  const conformal::CoordinateFrame& frame, const conformal::Reduce& reduce)
+// Learn the mesh, and warn of its faults.
+conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
+  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
+  const conformal::MappedMesh& start, const glue::Processes& processes, const conformal::Run& run)
 {
-  if (options.TrainingMode != conformal::TrainingMode::Online &&
-    options.HullMethod != conformal::HullMethod::Distance)
+  const bool hasStart = start.Positions.rows() > 0;
+  conformal::ConformalSOMResult result =
+    conformal::trainConformalSOM(samples, options, hasStart ? &start : nullptr, run);
+  if (processes.isFirst())
   {
-    const bool needed = options.HullMethod == conformal::HullMethod::WindingNumbers;
-    glue::FindNormals(input, frame, reduce, needed, normals);
+    WarnAbout(self, result, samples);
   }
-  if (normals.Known)
-  {
-    samples.setNormals(normals.View);
-  }
+  return result;
 }
 
-// Make the output surface with the arrays that learning alone gives it.
-vtkNew<vtkPolyData> SurfaceOf(
-  const conformal::ConformalSOMResult& result, const conformal::CoordinateFrame& frame)
+// The output, alike on all ranks, in two steps: errors and vertex shift.
+vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
+  const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
+  const conformal::CoordinateFrame& frame, conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
   glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
   glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+  glue::AddLengths(surface->GetPointData(), "QuantizationError",
+    conformal::quantizationErrors(samples, result, steps.next()), frame);
+  const bool isFitted =
+    options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
+  const conformal::Run shifting = steps.next();
+  const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
+  AddFigures(surface->GetFieldData(), samples, result, shift, frame);
   return surface;
 }
 
-using Records = std::vector<conformal::TrainingRecord>;
-
-void FillHistory(vtkTable* table, const Records& history)
+void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& history)
 {
+  table->Initialize();
   const auto addColumn = [&](const char* name, auto value)
   {
     vtkNew<vtkDoubleArray> column;
@@ -388,12 +429,8 @@ int vtkConformalSOM::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* history = vtkTable::GetData(outputVector, 1);
   vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector, 2);
-  conformal::ConformalSOMOptions options = OptionsOf(this);
   std::vector<conformal::LearningStage> stages;
-  if (this->GenerateStages)
-  {
-    options.Observer = [&](const conformal::LearningStage& stage) { stages.push_back(stage); };
-  }
+  const conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool inPieces = this->DistributeOutput;
   return glue::RunCore(this, this->Controller,
@@ -404,59 +441,34 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
-      const conformal::CoordinateFrame frame = cloud.Frame;
-      const bool isFitted =
-        options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
-      // Shares of the time, measured: reading, normals and mesh of the polygons, learning, errors,
-      // the vertex shift, the output.
       conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
       steps.next();
       glue::CloudNormals normals;
-      SetNormals(samples, normals, input, options, frame, processes.reduce());
+      SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
         glue::WarnOfFarPoints(this, cloud.Far);
       }
-      if (samples.empty())
+      if (!samples.empty())
       {
-        return;
+        const conformal::MappedMesh mesh =
+          StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
+        const auto result = Learn(this, samples, options, mesh, processes, steps.next());
+        const auto surface = SurfaceOf(result, samples, options, cloud.Frame, steps);
+        glue::SetStages(blocks, stages, cloud.Frame);
+        steps.next();
+        glue::KeepOwnShare(surface, inPieces, processes);
+        output->ShallowCopy(surface);
+        FillHistory(history, result.History);
+        if (!processes.isFirst())
+        {
+          FillHistory(history, {});
+          blocks->Initialize();
+        }
       }
-      conformal::MappedMesh mesh;
-      const conformal::Run meshing = steps.next();
-      if (start)
-      {
-        mesh = glue::ToSharedMesh(this, start, frame, processes);
-      }
-      else if (MayStartFromMesh(options))
-      {
-        mesh = OwnMesh(this, input, options.StartingShape == conformal::StartingShape::Mesh,
-          samples, frame, processes, meshing);
-      }
-      const bool hasMesh = mesh.Positions.rows() > 0;
-      const conformal::ConformalSOMResult result =
-        conformal::trainConformalSOM(samples, options, hasMesh ? &mesh : nullptr, steps.next());
-      if (processes.isFirst())
-      {
-        WarnAbout(this, result, samples);
-      }
-      const auto surface = SurfaceOf(result, frame);
-      glue::AddLengths(surface->GetPointData(), "QuantizationError",
-        conformal::quantizationErrors(samples, result, steps.next()), frame);
-      const conformal::Run shifting = steps.next();
-      const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
-      AddFigures(surface->GetFieldData(), samples, result, shift, frame);
-      glue::SetStages(blocks, stages, frame);
-      if (!processes.isFirst())
-      {
-        blocks->Initialize();
-      }
-      steps.next();
-      glue::KeepOwnShare(surface, inPieces, processes);
-      output->ShallowCopy(surface);
-      FillHistory(history, processes.isFirst() ? result.History : Records());
     });
 }
 

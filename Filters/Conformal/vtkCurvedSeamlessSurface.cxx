@@ -10,12 +10,12 @@
 #include "Glue/Run.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/TriangleSubdivision.h"
-#include "Mesh/VertexNormals.h"
-#include "Sphere/Resampling.h"
 #include "Surface/CurvedSeamlessSurface.h"
+#include "Surface/SampledSurface.h"
 #include "vtkCurvedSeamlessMap.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -28,9 +28,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkCurvedSeamlessSurface);
@@ -38,8 +36,6 @@ vtkCxxSetObjectMacro(vtkCurvedSeamlessSurface, Controller, vtkMultiProcessContro
 
 namespace
 {
-constexpr conformal::Index BlockSize = 4096;
-
 double PointsOfFrequency(int frequency)
 {
   return static_cast<double>(conformal::geodesicSphereSize(frequency));
@@ -61,9 +57,14 @@ int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling
     : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
 }
 
-// Directions and triangles in which the surface is wanted.
-conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal::Run& run)
+// Directions and triangles in which the surface is wanted: the network, subdivided, or a sphere.
+conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int subdivisions,
+  vtkPolyData* sphere, int frequency, const conformal::Run& run)
 {
+  if (subdivisions > 0)
+  {
+    return conformal::subdividedNetwork(surface, subdivisions, run);
+  }
   if (!sphere)
   {
     return conformal::makeGeodesicSphere(frequency, run);
@@ -77,190 +78,148 @@ conformal::Mesh DenseSphere(vtkPolyData* sphere, int frequency, const conformal:
   return dense;
 }
 
-// Directions and triangles of the network, each cut into cuts * cuts, or else of the sphere.
-conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int cuts,
-  vtkPolyData* sphere, int frequency, const conformal::Run& run)
-{
-  return cuts > 0 ? conformal::subdividedNetwork(surface, cuts, run)
-                  : DenseSphere(sphere, frequency, run);
-}
-
-// A new point array of 3 doubles.
-vtkNew<vtkDoubleArray> Vectors(const char* name, conformal::Index size)
+// A new array of 3 doubles per tuple.
+vtkNew<vtkDoubleArray> Vectors(const char* name)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(size);
   return array;
 }
 
-using VectorMap = Eigen::Map<conformal::Points>;
-
-VectorMap ViewOf(vtkDoubleArray* array)
+Eigen::Map<conformal::Points> ViewOf(vtkDoubleArray* array)
 {
-  return VectorMap(array->GetPointer(0), array->GetNumberOfTuples(), 3);
+  return { array->GetPointer(0), array->GetNumberOfTuples(), 3 };
 }
 
-// Where the surface has no normals that are continuous, those of its triangles around each point.
-void SmoothNormals(
-  const VectorMap& positions, const conformal::Triangles& triangles, VectorMap normals)
+// Triangles of the output and its arrays, a tuple for each direction. Empty on ranks that do not
+// own the surface.
+struct Samples
 {
-  const conformal::Points smooth = conformal::vertexNormals(positions, triangles);
-  for (conformal::Index i = 0; i < normals.rows(); ++i)
+  conformal::Triangles Triangles;
+  vtkNew<vtkDoubleArray> Directions = Vectors(glue::SpherePositionName()),
+                         Positions = Vectors("Points"), Normals = Vectors("Normals");
+  std::vector<unsigned char> Degenerate; // 1 per tuple
+};
+
+// Find the first rank with a surface to sample; warn and return -1 if there is none.
+int FindOwner(vtkCurvedSeamlessSurface* self, vtkPolyData* surface, vtkPolyData* directions,
+  glue::Processes& processes)
+{
+  const bool hasDirections = !directions || directions->GetNumberOfPoints() > 0;
+  const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0 && hasDirections);
+  if (owner < 0)
   {
-    if (!smooth.row(i).isZero(0.0))
-    {
-      normals.row(i) = smooth.row(i);
-    }
+    glue::WarnOfEmptyInput(self,
+      surface->GetNumberOfPoints() == 0
+        ? "the surface is empty; the output is empty"
+        : "the sphere on input port 1 is empty; the output is empty");
   }
+  return owner;
 }
 
-// Whether most of the area is wound against the normals, as where the map to the sphere mirrors.
-bool IsWoundInward(
-  const VectorMap& positions, const conformal::Triangles& triangles, const VectorMap& normals)
+// Measured shares of the time of the map; the sphere, its triangles, its directions; the surface,
+// its normals, and the output.
+std::vector<double> CostOf(conformal::DomeHeight domeHeight)
 {
-  double along = 0.0;
-  for (conformal::Index r = 0; r < triangles.rows(); ++r)
+  return { domeHeight == conformal::DomeHeight::Fitted ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9,
+    domeHeight < conformal::DomeHeight::Curvature ? 0.15 : 0.01, 0.03 };
+}
+
+// Move a mesh of directions into the output and the samples, in two steps.
+void SetDirections(Samples& samples, conformal::Mesh dense, bool isNetwork, vtkPolyData* result,
+  conformal::Steps& steps)
+{
+  steps.next();
+  samples.Triangles = std::move(dense.Triangles);
+  glue::SetTriangles(result, samples.Triangles);
+  steps.next();
+  samples.Directions->SetNumberOfTuples(dense.Positions.rows());
+  if (isNetwork)
   {
-    const int a = triangles(r, 0), b = triangles(r, 1), c = triangles(r, 2);
-    const conformal::Vector3 u = positions.row(b) - positions.row(a);
-    const conformal::Vector3 v = positions.row(c) - positions.row(a);
-    along += u.cross(v).dot(normals.row(a) + normals.row(b) + normals.row(c));
-  }
-  return along < 0.0;
-}
-
-void FillGaps(VectorMap normals, const VectorMap& directions)
-{
-  conformal::forBlocks(glue::SMPRun(), normals.rows(), BlockSize,
-    [&](conformal::Index begin, conformal::Index end)
-    {
-      for (conformal::Index i = begin; i < end; ++i)
-      {
-        if (normals.row(i).isZero(0.0))
-        {
-          normals.row(i) = directions.row(i);
-        }
-      }
-    });
-}
-
-constexpr const char* SupportName = "Supported";
-
-// Isolated points are not part of the network; then nobody knows whose numbers are whose.
-bool HasSupport(vtkPolyData* mesh, const conformal::CurvedSeamlessSurface& network)
-{
-  vtkDataArray* support = mesh->GetPointData()->GetArray(SupportName);
-  return support && support->GetNumberOfComponents() == 1 &&
-    support->GetNumberOfTuples() == network.sphere().rows();
-}
-
-// Which parts of the surface have points nearby, interpolated from the mesh.
-std::vector<double> SupportAt(
-  const VectorMap& directions, vtkPolyData* mesh, const conformal::CurvedSeamlessSurface& network)
-{
-  std::vector<double> shares(directions.rows());
-  if (shares.empty())
-  {
-    return shares;
-  }
-  vtkDataArray* support = mesh->GetPointData()->GetArray(SupportName);
-  conformal::Points values = conformal::Points::Zero(network.sphere().rows(), 3);
-  for (conformal::Index i = 0; i < values.rows(); ++i)
-  {
-    const double value = support->GetComponent(i, 0);
-    values(i, 0) = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
-  }
-  const conformal::Points fine =
-    conformal::resample(network.sphere(), values, network.triangles(), directions, glue::SMPRun());
-  for (conformal::Index i = 0; i < fine.rows(); ++i)
-  {
-    shares[i] = std::clamp(fine(i, 0), 0.0, 1.0);
-  }
-  return shares;
-}
-
-// The triangles of which a test is true.
-vtkNew<vtkUnsignedCharArray> DegenerateCells(
-  conformal::Index size, const std::function<bool(conformal::Index)>& isDegenerate)
-{
-  vtkNew<vtkUnsignedCharArray> cells;
-  cells->SetName("Degenerate");
-  cells->SetNumberOfValues(size);
-  unsigned char* degenerate = cells->GetPointer(0);
-  conformal::forBlocks(glue::SMPRun(), size, BlockSize,
-    [&](conformal::Index begin, conformal::Index end)
-    {
-      for (conformal::Index r = begin; r < end; ++r)
-      {
-        degenerate[r] = isDegenerate(r);
-      }
-    });
-  return cells;
-}
-
-// Take the directions of a dense sphere as an array of unit vectors; what is left are triangles.
-vtkNew<vtkDoubleArray> TakeDirections(conformal::Mesh& dense, bool areUnit)
-{
-  vtkNew<vtkDoubleArray> directions = Vectors(glue::SpherePositionName(), dense.Positions.rows());
-  if (areUnit)
-  {
-    ViewOf(directions) = dense.Positions; // to the bit, so that vertices are found as such
+    ViewOf(samples.Directions) = dense.Positions; // to the bit, so that vertices are found as such
   }
   else
   {
     conformal::copyUnitVectors(
-      dense.Positions, "direction", directions->GetPointer(0), glue::SMPRun());
+      dense.Positions, "direction", samples.Directions->GetPointer(0), glue::SMPRun());
   }
-  dense.Positions.resize(0, 3);
-  return directions;
 }
 
-// Positions, normals and degenerate places of a surface in given directions.
-struct DenseSurface
+// Evaluate a surface in the directions of the samples, in three steps. Orient the triangles by the
+// normals, smooth normals of domes, and fill in missing ones.
+void Evaluate(Samples& samples, const conformal::CurvedSeamlessSurface& surface,
+  bool smoothsNormals, vtkPolyData* result, conformal::Steps& steps)
 {
-  explicit DenseSurface(conformal::Index size)
-    : Positions(Vectors("Points", size))
-    , Normals(Vectors("Normals", size))
-    , Degenerate(size)
+  const conformal::Index size = samples.Directions->GetNumberOfTuples();
+  samples.Positions->SetNumberOfTuples(size);
+  samples.Normals->SetNumberOfTuples(size);
+  samples.Degenerate.resize(size);
+  conformal::SurfaceSamples values;
+  values.Positions = samples.Positions->GetPointer(0);
+  values.Normals = samples.Normals->GetPointer(0);
+  values.Degenerate = samples.Degenerate.data();
+  conformal::evaluate(surface, { samples.Directions->GetPointer(0), size }, values, steps.next());
+  steps.next();
+  const auto positions = ViewOf(samples.Positions);
+  auto normals = ViewOf(samples.Normals);
+  if (conformal::isOrientedInward(positions, samples.Triangles, normals))
   {
+    samples.Triangles.col(1).swap(samples.Triangles.col(2));
+    glue::SetTriangles(result, samples.Triangles);
   }
-
-  conformal::SurfaceSamples samples()
+  if (smoothsNormals)
   {
-    conformal::SurfaceSamples samples;
-    samples.Positions = this->Positions->GetPointer(0);
-    samples.Normals = this->Normals->GetPointer(0);
-    samples.Degenerate = this->Degenerate.data();
-    return samples;
+    conformal::smoothNormals(positions, samples.Triangles, normals);
   }
+  steps.next();
+  conformal::fillNormals(normals, ViewOf(samples.Directions), glue::SMPRun());
+}
 
-  void passTo(vtkPolyData* surface) const
+// Move positions, directions and normals into the output.
+void SetPointData(vtkPolyData* result, Samples& samples, const conformal::CoordinateFrame& frame)
+{
+  glue::LengthsFromFrame(samples.Positions->GetPointer(0), samples.Positions->GetNumberOfValues(),
+    frame, "coordinates of the result");
+  vtkNew<vtkPoints> points;
+  points->SetData(samples.Positions);
+  result->SetPoints(points);
+  result->GetPointData()->AddArray(samples.Directions);
+  result->GetPointData()->SetNormals(samples.Normals);
+}
+
+// Interpolate the support of the mesh, if the owner has it: isolated points are not part of the
+// network, and then ids of points are not ids of its vertices.
+void AddSupport(vtkPolyData* result, const Samples& samples, vtkPolyData* mesh,
+  const conformal::CurvedSeamlessSurface& network, bool isOwner, glue::Processes& processes)
+{
+  constexpr const char* name = "Supported";
+  vtkDataArray* array = isOwner ? mesh->GetPointData()->GetArray(name) : nullptr;
+  const bool hasSupport = array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() == network.sphere().rows();
+  if (processes.firstWith(hasSupport) >= 0)
   {
-    vtkNew<vtkPoints> points;
-    points->SetData(this->Positions);
-    surface->SetPoints(points);
-    surface->GetPointData()->SetNormals(this->Normals);
+    std::vector<double> copy;
+    glue::AddNumbers(result->GetPointData(), name,
+      conformal::supportAt(network,
+        hasSupport ? glue::ViewNumbers(array, copy) : conformal::NumberView(),
+        ViewOf(samples.Directions), glue::SMPRun()));
   }
+}
 
-  // Mark the triangles in degenerate patches of the map, which is cut, or at degenerate places.
-  vtkNew<vtkUnsignedCharArray> degenerateCells(const conformal::Triangles& triangles,
-    const conformal::CurvedSeamlessSurface& map, conformal::Index cuts) const
-  {
-    return DegenerateCells(triangles.rows(),
-      [&](conformal::Index r) -> bool
-      {
-        const auto ids = triangles.row(r);
-        return cuts > 0
-          ? map.degenerate()[r / (cuts * cuts)]
-          : this->Degenerate[ids[0]] | this->Degenerate[ids[1]] | this->Degenerate[ids[2]];
-      });
-  }
-
-  vtkNew<vtkDoubleArray> Positions, Normals;
-  std::vector<unsigned char> Degenerate;
-};
+// Add the marks of degenerate cells and the number of degenerate triangles of the network.
+void AddDegenerate(vtkPolyData* result, const Samples& samples,
+  const conformal::CurvedSeamlessSurface& network, int subdivisions)
+{
+  vtkNew<vtkUnsignedCharArray> cells;
+  cells->SetName("Degenerate");
+  cells->SetNumberOfValues(samples.Triangles.rows());
+  conformal::markDegenerate(network, samples.Triangles, subdivisions, samples.Degenerate,
+    cells->GetPointer(0), glue::SMPRun());
+  result->GetCellData()->AddArray(cells);
+  glue::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
+    static_cast<long long>(network.numberOfDegeneratePatches()));
+}
 
 glue::CurvedSeamlessProperties PropertiesOf(vtkCurvedSeamlessSurface* filter)
 {
@@ -338,70 +297,34 @@ int vtkCurvedSeamlessSurface::RequestData(
             subdivisions = this->Subdivisions;
   // Observers may change properties meanwhile.
   const glue::CurvedSeamlessProperties properties = PropertiesOf(this);
-  const bool fits = properties.Options.DomeHeight == conformal::DomeHeight::Fitted;
+  const conformal::DomeHeight domeHeight = properties.Options.DomeHeight;
+  const bool fits = domeHeight == conformal::DomeHeight::Fitted;
   return glue::RunCore(this, fits ? this->Controller : nullptr,
     [&](glue::Processes& processes)
     {
-      const bool takesSphere = sphere && sampling != NETWORK;
-      const int owner = processes.firstWith(
-        surface->GetNumberOfPoints() > 0 && !(takesSphere && sphere->GetNumberOfPoints() == 0));
+      const int owner =
+        FindOwner(this, surface, sampling == NETWORK ? nullptr : sphere.Get(), processes);
       if (owner < 0)
       {
-        glue::WarnOfEmptyInput(this,
-          surface->GetNumberOfPoints() == 0
-            ? "the surface is empty; the output is empty"
-            : "the sphere on input port 1 is empty; the output is empty");
         return;
       }
-      const bool domes = properties.Options.DomeHeight < conformal::DomeHeight::Curvature;
-      // Shares of the time, measured: the map; then the sphere, its triangles, its directions, the
-      // surface, its normals, and what is left.
-      conformal::Steps steps(
-        processes.run(), { fits ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9, domes ? 0.15 : 0.01, 0.03 });
+      conformal::Steps steps(processes.run(), CostOf(domeHeight));
       this->Map->Take(nullptr);
       const auto map =
         glue::BuildSurface(properties, this, surface, cloud, steps.next(), processes);
       const int cuts =
         SubdivisionsOf(map->Surface, sampling, sphere != nullptr, subdivisions, frequency);
-      // What is large is let go as soon as the output has it.
-      const conformal::Run making = steps.next();
       const bool isOwner = processes.rank() == owner;
-      conformal::Mesh dense =
-        isOwner ? DenseMesh(map->Surface, cuts, sphere, frequency, making) : conformal::Mesh();
-      steps.next();
+      const conformal::Run making = steps.next();
       const vtkNew<vtkPolyData> result;
-      glue::SetTriangles(result, dense.Triangles);
-      steps.next();
-      const auto directions = TakeDirections(dense, cuts > 0);
-      const conformal::Index size = directions->GetNumberOfTuples();
-      DenseSurface made(size);
-      conformal::evaluate(
-        map->Surface, { directions->GetPointer(0), size }, made.samples(), steps.next());
-      steps.next();
-      if (IsWoundInward(ViewOf(made.Positions), dense.Triangles, ViewOf(made.Normals)))
-      {
-        dense.Triangles.col(1).swap(dense.Triangles.col(2));
-        glue::SetTriangles(result, dense.Triangles);
-      }
-      if (domes)
-      {
-        SmoothNormals(ViewOf(made.Positions), dense.Triangles, ViewOf(made.Normals));
-      }
-      steps.next();
-      FillGaps(ViewOf(made.Normals), ViewOf(directions));
-      glue::LengthsFromFrame(
-        made.Positions->GetPointer(0), 3 * size, map->Frame, "coordinates of the result");
-
-      result->GetPointData()->AddArray(directions);
-      made.passTo(result);
-      if (processes.firstWith(isOwner && HasSupport(surface, map->Surface)) >= 0)
-      {
-        glue::AddNumbers(result->GetPointData(), SupportName,
-          SupportAt(ViewOf(directions), surface, map->Surface));
-      }
-      result->GetCellData()->AddArray(made.degenerateCells(dense.Triangles, map->Surface, cuts));
-      glue::AddNumber(result->GetFieldData(), "NumberOfDegeneratePatches",
-        static_cast<long long>(map->Surface.numberOfDegeneratePatches()));
+      Samples samples;
+      SetDirections(samples,
+        isOwner ? DenseMesh(map->Surface, cuts, sphere, frequency, making) : conformal::Mesh(),
+        cuts > 0, result, steps);
+      Evaluate(samples, map->Surface, domeHeight < conformal::DomeHeight::Curvature, result, steps);
+      SetPointData(result, samples, map->Frame);
+      AddSupport(result, samples, surface, map->Surface, isOwner, processes);
+      AddDegenerate(result, samples, map->Surface, cuts);
       output->ShallowCopy(result);
       this->Map->Take(map);
     });

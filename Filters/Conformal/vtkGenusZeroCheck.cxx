@@ -66,6 +66,38 @@ void AddLines(vtkFieldData* data, const char* name, const std::vector<std::strin
   }
   data->AddArray(array);
 }
+
+std::vector<vtkIdType> IdsOf(const std::vector<int>& ids)
+{
+  return { ids.begin(), ids.end() };
+}
+
+// Add the report as field data.
+// @param[in] cellIds  cell of each triangle
+void AddReport(vtkFieldData* data, const conformal::GenusZeroReport& report,
+  const std::vector<vtkIdType>& cellIds)
+{
+  AddCount(data, "IsGenusZero", report.isGenusZero());
+  AddCount(data, "EulerNumber", report.EulerNumber);
+  AddCount(data, "NumberOfBoundaryLoops", report.NumberOfBoundaryLoops);
+  AddCount(data, "NumberOfComponents", report.NumberOfComponents);
+  AddCount(data, "IsInsideOut", report.InsideOut);
+  AddCount(
+    data, "NumberOfNonFinitePoints", static_cast<conformal::Index>(report.NonFinitePoints.size()));
+  AddFaults(data, "NumberOfBoundaryEdges", "BoundaryEdges", report.BoundaryEdges);
+  AddFaults(data, "NumberOfNonManifoldEdges", "NonManifoldEdges", report.NonManifoldEdges);
+  AddFaults(data, "NumberOfInconsistentEdges", "InconsistentEdges", report.InconsistentEdges);
+  AddFaults(
+    data, "NumberOfNonManifoldVertices", "NonManifoldVertices", IdsOf(report.NonManifoldVertices));
+  AddFaults(data, "NumberOfIsolatedPoints", "IsolatedPoints", IdsOf(report.IsolatedPoints));
+  std::vector<vtkIdType> degenerate;
+  for (int r : report.DegenerateTriangles)
+  {
+    degenerate.push_back(cellIds[r]);
+  }
+  AddFaults(data, "NumberOfDegenerateTriangles", "DegenerateTriangles", degenerate);
+  AddLines(data, "GenusZeroReport", conformal::describe(report));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -91,29 +123,7 @@ int vtkGenusZeroCheck::RequestData(
         conformal::checkGenusZero(triangles, points.rows(), points, steps.next());
 
       output->ShallowCopy(input);
-      vtkFieldData* data = output->GetFieldData();
-      AddCount(data, "IsGenusZero", report.isGenusZero());
-      AddCount(data, "EulerNumber", report.EulerNumber);
-      AddCount(data, "NumberOfBoundaryLoops", report.NumberOfBoundaryLoops);
-      AddCount(data, "NumberOfComponents", report.NumberOfComponents);
-      AddCount(data, "IsInsideOut", report.InsideOut);
-      AddCount(data, "NumberOfNonFinitePoints",
-        static_cast<conformal::Index>(report.NonFinitePoints.size()));
-      AddFaults(data, "NumberOfBoundaryEdges", "BoundaryEdges", report.BoundaryEdges);
-      AddFaults(data, "NumberOfNonManifoldEdges", "NonManifoldEdges", report.NonManifoldEdges);
-      AddFaults(data, "NumberOfInconsistentEdges", "InconsistentEdges", report.InconsistentEdges);
-      const auto ids = [](const std::vector<int>& from)
-      { return std::vector<vtkIdType>(from.begin(), from.end()); };
-      AddFaults(data, "NumberOfNonManifoldVertices", "NonManifoldVertices",
-        ids(report.NonManifoldVertices));
-      AddFaults(data, "NumberOfIsolatedPoints", "IsolatedPoints", ids(report.IsolatedPoints));
-      std::vector<vtkIdType> degenerate;
-      for (int r : report.DegenerateTriangles)
-      {
-        degenerate.push_back(cellIds[r]);
-      }
-      AddFaults(data, "NumberOfDegenerateTriangles", "DegenerateTriangles", degenerate);
-      AddLines(data, "GenusZeroReport", conformal::describe(report));
+      AddReport(output->GetFieldData(), report, cellIds);
     });
 }
 

@@ -25,6 +25,17 @@ vtkCxxSetObjectMacro(vtkGenusZeroHull, Controller, vtkMultiProcessController);
 
 namespace
 {
+conformal::GenusZeroHullOptions OptionsOf(vtkGenusZeroHull* self)
+{
+  conformal::GenusZeroHullOptions options;
+  options.Method = static_cast<conformal::HullMethod>(self->GetMethod());
+  options.Spacing = self->GetSpacing();
+  options.Offset = self->GetOffset();
+  options.Persistence = self->GetPersistence();
+  options.SmoothingPasses = self->GetSmoothingPasses();
+  return options;
+}
+
 // Points of the normalized frame in that of the samples.
 conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::Points points)
 {
@@ -145,34 +156,18 @@ int vtkGenusZeroHull::RequestData(
   const auto input = glue::Held(vtkPointSet::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
 
-  conformal::GenusZeroHullOptions options;
-  options.Method = static_cast<conformal::HullMethod>(this->Method);
-  options.Spacing = this->Spacing;
-  options.Offset = this->Offset;
-  options.Persistence = this->Persistence;
-  options.SmoothingPasses = this->SmoothingPasses;
+  const conformal::GenusZeroHullOptions options = OptionsOf(this);
   const bool inPieces = this->DistributeOutput;
-
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      const bool winding = options.Method == conformal::HullMethod::WindingNumbers;
-      const bool mayWind = options.Method != conformal::HullMethod::Distance;
       conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 }); // samples, hull, output
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
-      const conformal::CoordinateFrame frame = cloud.Frame;
       conformal::TrainingSamples samples(
         cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;
-      if (mayWind)
-      {
-        glue::FindNormals(input, frame, processes.reduce(), winding, normals);
-      }
-      if (normals.Known)
-      {
-        samples.setNormals(normals.View);
-      }
+      glue::SetNormals(input, cloud.Frame, options.Method, samples, normals);
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {
@@ -186,8 +181,8 @@ int vtkGenusZeroHull::RequestData(
       if (!samples.empty())
       {
         steps.next();
-        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, frame);
-        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, frame);
+        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, cloud.Frame);
+        AddFigures(output->GetFieldData(), samples, hull, cloud.Far, cloud.Frame);
         glue::KeepOwnShare(output, inPieces, processes);
       }
     });

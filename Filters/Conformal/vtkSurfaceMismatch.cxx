@@ -24,6 +24,15 @@ vtkCxxSetObjectMacro(vtkSurfaceMismatch, Controller, vtkMultiProcessController);
 
 namespace
 {
+conformal::SurfaceMismatchOptions OptionsOf(vtkSurfaceMismatch* self)
+{
+  conformal::SurfaceMismatchOptions options;
+  options.LengthUnit = static_cast<conformal::MismatchUnit>(self->GetLengthUnit());
+  options.NumberOfSamples = self->GetNumberOfSamples();
+  options.RandomSeed = self->GetRandomSeed();
+  return options;
+}
+
 // The input, with the distances of its points.
 void PassWithDistances(
   vtkPolyData* input, vtkPolyData* output, const std::vector<double>& distances)
@@ -109,11 +118,7 @@ int vtkSurfaceMismatch::RequestData(
   const auto reference = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* referenceOutput = vtkPolyData::GetData(outputVector, 1);
-
-  conformal::SurfaceMismatchOptions options;
-  options.LengthUnit = static_cast<conformal::MismatchUnit>(this->LengthUnit);
-  options.NumberOfSamples = this->NumberOfSamples;
-  options.RandomSeed = this->RandomSeed;
+  conformal::SurfaceMismatchOptions options = OptionsOf(this);
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {

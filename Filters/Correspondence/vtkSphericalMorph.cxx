@@ -61,6 +61,15 @@ struct vtkSphericalMorph::Common
 
 namespace
 {
+conformal::ConsistentRemeshOptions RemeshOptionsOf(vtkSphericalMorph* self)
+{
+  conformal::ConsistentRemeshOptions options;
+  options.MeshType = static_cast<conformal::RemeshMeshType>(self->GetMeshType());
+  options.Frequency = self->GetFrequency();
+  options.NumberOfPoints = self->GetNumberOfPoints();
+  return options;
+}
+
 // Weights of the surfaces, of sum 1: those given, or those of a morph factor.
 std::vector<double> SharesOf(std::vector<double> weights, double factor, std::size_t size)
 {
@@ -93,6 +102,14 @@ std::vector<double> SharesOf(std::vector<double> weights, double factor, std::si
     weight /= sum;
   }
   return weights;
+}
+
+void SetTime(vtkPolyData* output, bool isTimed, double time)
+{
+  if (isTimed)
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
 }
 
 // Shares of the surfaces and the mesh that they have in common, unless it is kept, and of the
@@ -197,10 +214,7 @@ int vtkSphericalMorph::RequestData(
   const double factor = this->FactorOf(outputVector->GetInformationObject(0));
   const bool isTimed = this->GenerateTimeSteps;
   const std::vector<double> weights = this->Weights;
-  conformal::ConsistentRemeshOptions remesh;
-  remesh.MeshType = static_cast<conformal::RemeshMeshType>(this->MeshType);
-  remesh.Frequency = this->Frequency;
-  remesh.NumberOfPoints = this->NumberOfPoints;
+  const conformal::ConsistentRemeshOptions remesh = RemeshOptionsOf(this);
   conformal::SphericalMorphOptions options;
   options.Path = static_cast<conformal::MorphPath>(this->Path);
   return glue::RunCore(this,
@@ -231,10 +245,7 @@ int vtkSphericalMorph::RequestData(
       glue::AddVectors(result->GetPointData(), glue::SpherePositionName(), meshes.Sphere.Positions);
       glue::AddNumbers(result->GetFieldData(), "MorphWeights", shares);
       output->ShallowCopy(result);
-      if (isTimed)
-      {
-        output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), factor);
-      }
+      SetTime(output, isTimed, factor);
       this->Kept = common;
     });
 }

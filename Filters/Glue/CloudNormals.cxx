@@ -1,5 +1,6 @@
 #include "Glue/CloudNormals.h"
 
+#include "Cloud/TrainingSamples.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -60,5 +61,21 @@ void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   points = points.array().isFinite().select(points, 0.0);
   normals.Copy = conformal::vertexNormals(points, triangles);
   normals.View = normals.Copy;
+}
+
+//------------------------------------------------------------------------------
+void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+  conformal::HullMethod method, conformal::TrainingSamples& samples, CloudNormals& normals)
+{
+  if (method == conformal::HullMethod::Distance)
+  {
+    return;
+  }
+  const bool needed = method == conformal::HullMethod::WindingNumbers;
+  FindNormals(input, frame, samples.reduce(), needed, normals);
+  if (normals.Known)
+  {
+    samples.setNormals(normals.View);
+  }
 }
 }

@@ -197,6 +197,21 @@ conformal::PixelSink PixelPainter(
 }
 
 //------------------------------------------------------------------------------
+conformal::Picture ToPicture(vtkImageData* image, vtkDataArray* pixels)
+{
+  conformal::Picture picture;
+  picture.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
+  picture.NumberOfComponents = pixels->GetNumberOfComponents();
+  picture.Values.resize(pixels->GetNumberOfValues());
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+  {
+    picture.Values[i] = pixels->GetComponent(
+      i / picture.NumberOfComponents, static_cast<int>(i % picture.NumberOfComponents));
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
 vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image)
 {
   vtkNew<vtkUnsignedCharArray> holes;

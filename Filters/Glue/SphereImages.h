@@ -2,6 +2,7 @@
 #ifndef GlueSphereImages_h
 #define GlueSphereImages_h
 
+#include "Texture/PictureDensity.h"        // for Picture
 #include "Texture/SphereProjection.h"      // for SphereImage
 #include "Texture/SphericalTextureImage.h" // for PixelSink
 
@@ -36,6 +37,10 @@ void SetImageInformation(
 
 /// Give the image as announced pixels of the name, type and components of an array.
 vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like);
+
+/// Copy the pixels of an image of one slice.
+/// @param[in] pixels  point array of the image
+conformal::Picture ToPicture(vtkImageData* image, vtkDataArray* pixels);
 
 /// Make the array "OutsideSurface" of an image, a mark for each pixel that shows no surface.
 vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);

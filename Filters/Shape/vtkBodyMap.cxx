@@ -156,9 +156,14 @@ void AddPoles(vtkPolyData* output, const conformal::BodyCoordinates& coordinates
   AddPoint(output->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
 }
 
+// Set the points of the optional places.
 void SetPlaces(vtkPolyData* output, vtkPolyData* places, const conformal::MappedMesh& body,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
+  if (!places)
+  {
+    return;
+  }
   glue::RequireCellIds(places);
   const conformal::Points points = conformal::placeOnBody(body, DirectionsOf(places), run);
   if (!points.allFinite())
@@ -260,11 +265,7 @@ int vtkBodyMap::RequestData(
       AddPoles(result, coordinates, frame);
       const std::vector<conformal::GraticuleLine> lines =
         conformal::makeGraticule(body, spacing, steps.next());
-      const conformal::Run placing = steps.next();
-      if (places)
-      {
-        SetPlaces(placed, places, body, frame, placing);
-      }
+      SetPlaces(placed, places, body, frame, steps.next());
       SetGraticule(graticule, lines, frame);
       graticule->GetFieldData()->PassData(surface->GetFieldData()); // as VTK does before a run
       output->ShallowCopy(result);

@@ -326,6 +326,19 @@ void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob
     AddRebuilt(output->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));
   }
 }
+
+void SetRebuiltSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob& job,
+  const conformal::Columns& rebuilt, const FittedHarmonics& fit, const conformal::Run& run)
+{
+  if (job.Frequency > 0)
+  {
+    SetGeodesicSurface(output, job, fit.Aligned, fit.Frame, run);
+  }
+  else
+  {
+    SetInputSurface(output, input, job, rebuilt, fit);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -416,15 +429,7 @@ int vtkSurfaceHarmonics::RequestData(
       const conformal::Columns rebuilt = conformal::evaluateHarmonics(
         conformal::upToDegree(fit.Coefficients, job.Kept), fit.Mesh.SpherePositions, steps.next());
       const vtkNew<vtkPolyData> result;
-      const conformal::Run sampling = steps.next();
-      if (job.Frequency > 0)
-      {
-        SetGeodesicSurface(result, job, fit.Aligned, fit.Frame, sampling);
-      }
-      else
-      {
-        SetInputSurface(result, surface, job, rebuilt, fit);
-      }
+      SetRebuiltSurface(result, surface, job, rebuilt, fit, steps.next());
       steps.next();
       vtkFieldData* data = result->GetFieldData();
       glue::AddLengths(data, "RootMeanSquareDistance",

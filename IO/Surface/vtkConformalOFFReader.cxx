@@ -13,10 +13,10 @@ int vtkConformalOFFReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkConformalOFFReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkConformalOFFReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
-  return conformal::parseOFF(input, {}, progress);
+  return conformal::parseOFF(input, {}, run);
 }
 
 //------------------------------------------------------------------------------

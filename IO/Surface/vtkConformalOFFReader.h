@@ -49,7 +49,7 @@ protected:
   ~vtkConformalOFFReader() override = default;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
 
 private:
   vtkConformalOFFReader(const vtkConformalOFFReader&) = delete;

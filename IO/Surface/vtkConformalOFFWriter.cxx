@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkConformalOFFWriter);
 
 //------------------------------------------------------------------------------
-void vtkConformalOFFWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkConformalOFFWriter::WriteFiles(const conformal::Run& run)
 {
   this->WriteSurface(
-    [&](const conformal::SurfaceData& surface) { return conformal::makeOFF(surface, progress); });
+    [&](const conformal::SurfaceData& surface) { return conformal::makeOFF(surface, run); });
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,7 @@ protected:
   vtkConformalOFFWriter() = default;
   ~vtkConformalOFFWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkConformalOFFWriter(const vtkConformalOFFWriter&) = delete;

@@ -17,8 +17,8 @@ int vtkConformalPLYReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkConformalPLYReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece& piece, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkConformalPLYReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run)
 {
   if (!std::isfinite(this->MaximumEdgeLength))
   {
@@ -27,7 +27,7 @@ conformal::SurfaceResult vtkConformalPLYReader::Parse(conformal::ByteReader& inp
   conformal::PLYOptions options;
   options.MaximumEdgeLength = this->MaximumEdgeLength;
   options.Piece = piece;
-  return conformal::parsePLY(input, options, {}, progress);
+  return conformal::parsePLY(input, options, {}, run);
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkConformalPLYWriter);
 
 //------------------------------------------------------------------------------
-void vtkConformalPLYWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkConformalPLYWriter::WriteFiles(const conformal::Run& run)
 {
   this->WriteSurface(
-    [&](const conformal::SurfaceData& surface) { return conformal::makePLY(surface, progress); });
+    [&](const conformal::SurfaceData& surface) { return conformal::makePLY(surface, run); });
 }
 
 //------------------------------------------------------------------------------

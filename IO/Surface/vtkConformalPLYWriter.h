@@ -33,7 +33,7 @@ protected:
   vtkConformalPLYWriter() = default;
   ~vtkConformalPLYWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkConformalPLYWriter(const vtkConformalPLYWriter&) = delete;

@@ -23,13 +23,13 @@ int vtkFreeSurferReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkFreeSurferReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkFreeSurferReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
   // Observers of the progress may set others.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string curvatureName = this->CurvatureFileName ? this->CurvatureFileName : "";
-  conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, progress);
+  conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, run);
   conformal::addSphere(result, sphereName,
     [](conformal::ByteReader& sphere) { return conformal::parseFreeSurferSurface(sphere); });
   conformal::addPointArrays(result, curvatureName,

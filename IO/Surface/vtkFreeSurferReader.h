@@ -66,7 +66,7 @@ protected:
   ~vtkFreeSurferReader() override;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
   std::vector<std::string> FilesReadToo() override;
 
 private:

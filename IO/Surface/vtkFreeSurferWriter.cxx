@@ -24,7 +24,7 @@ const conformal::NamedArray& Find(const conformal::SurfaceData& surface, const s
 }
 
 //------------------------------------------------------------------------------
-void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkFreeSurferWriter::WriteFiles(const conformal::Run& run)
 {
   const int content = this->Content; // observers of the progress may set others
   const std::string name = this->ArrayName;
@@ -34,13 +34,13 @@ void vtkFreeSurferWriter::WriteFiles(const std::function<bool(double)>& progress
       if (content == CURVATURE)
       {
         return conformal::makeFreeSurferCurv(
-          Find(surface, name), conformal::numberOfPolygons(surface), progress);
+          Find(surface, name), conformal::numberOfPolygons(surface), run);
       }
       if (content == SPHERE)
       {
-        return conformal::makeFreeSurferSphere(surface, progress);
+        return conformal::makeFreeSurferSphere(surface, run);
       }
-      return conformal::makeFreeSurferSurface(surface, progress);
+      return conformal::makeFreeSurferSurface(surface, run);
     });
 }
 

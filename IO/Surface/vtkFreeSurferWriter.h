@@ -61,7 +61,7 @@ protected:
   vtkFreeSurferWriter() = default;
   ~vtkFreeSurferWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkFreeSurferWriter(const vtkFreeSurferWriter&) = delete;

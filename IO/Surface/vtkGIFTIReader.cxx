@@ -24,13 +24,13 @@ int vtkGIFTIReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkGIFTIReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkGIFTIReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
   // Observers of the progress may set others.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string shapeName = this->ShapeFileName ? this->ShapeFileName : "";
-  conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, progress);
+  conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, run);
   conformal::addSphere(result, sphereName,
     [](conformal::ByteReader& sphere) { return conformal::parseGIFTISurface(sphere); });
   conformal::addPointArrays(result, shapeName,

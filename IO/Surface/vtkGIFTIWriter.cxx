@@ -7,7 +7,7 @@
 vtkStandardNewMacro(vtkGIFTIWriter);
 
 //------------------------------------------------------------------------------
-void vtkGIFTIWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkGIFTIWriter::WriteFiles(const conformal::Run& run)
 {
   const int content = this->Content; // observers of the progress may set others
   const std::string structure = this->AnatomicalStructure;
@@ -17,13 +17,13 @@ void vtkGIFTIWriter::WriteFiles(const std::function<bool(double)>& progress)
       switch (content)
       {
         case GEOMETRY:
-          return conformal::makeGIFTIGeometry(surface, structure, progress);
+          return conformal::makeGIFTIGeometry(surface, structure, run);
         case SPHERE:
-          return conformal::makeGIFTISphere(surface, structure, progress);
+          return conformal::makeGIFTISphere(surface, structure, run);
         case SHAPE:
-          return conformal::makeGIFTIShape(surface, structure, progress);
+          return conformal::makeGIFTIShape(surface, structure, run);
         default:
-          return conformal::makeGIFTISurface(surface, structure, progress);
+          return conformal::makeGIFTISurface(surface, structure, run);
       }
     });
 }

@@ -71,7 +71,7 @@ protected:
   vtkGIFTIWriter() = default;
   ~vtkGIFTIWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkGIFTIWriter(const vtkGIFTIWriter&) = delete;

@@ -13,10 +13,10 @@ int vtkGuMeshReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkGuMeshReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkGuMeshReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
-  return conformal::parseGuMesh(input, {}, progress);
+  return conformal::parseGuMesh(input, {}, run);
 }
 
 //------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ protected:
   ~vtkGuMeshReader() override = default;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
 
 private:
   vtkGuMeshReader(const vtkGuMeshReader&) = delete;

@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkGuMeshWriter);
 
 //------------------------------------------------------------------------------
-void vtkGuMeshWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkGuMeshWriter::WriteFiles(const conformal::Run& run)
 {
-  this->WriteSurface([&](const conformal::SurfaceData& surface)
-    { return conformal::makeGuMesh(surface, progress); });
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makeGuMesh(surface, run); });
 }
 
 //------------------------------------------------------------------------------

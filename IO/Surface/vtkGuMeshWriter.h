@@ -35,7 +35,7 @@ protected:
   vtkGuMeshWriter() = default;
   ~vtkGuMeshWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkGuMeshWriter(const vtkGuMeshWriter&) = delete;

@@ -14,10 +14,10 @@ int vtkPCDReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkPCDReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece& piece, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkPCDReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run)
 {
-  return conformal::parsePCD(input, piece, {}, progress);
+  return conformal::parsePCD(input, piece, {}, run);
 }
 
 //------------------------------------------------------------------------------

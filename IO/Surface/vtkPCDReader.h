@@ -46,7 +46,7 @@ protected:
 
   bool CutsFiles() const override { return true; }
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
 
 private:
   vtkPCDReader(const vtkPCDReader&) = delete;

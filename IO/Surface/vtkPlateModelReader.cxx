@@ -13,10 +13,10 @@ int vtkPlateModelReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkPlateModelReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkPlateModelReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
-  return conformal::parsePlateModel(input, {}, progress);
+  return conformal::parsePlateModel(input, {}, run);
 }
 
 //------------------------------------------------------------------------------

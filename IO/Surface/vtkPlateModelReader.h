@@ -46,7 +46,7 @@ protected:
   ~vtkPlateModelReader() override = default;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
 
 private:
   vtkPlateModelReader(const vtkPlateModelReader&) = delete;

@@ -1,10 +1,10 @@
 #include "vtkSPHARMCoefficientReader.h"
 
 #include "Bytes/ByteReader.h"
-#include "Glue/Compatibility.h"
+#include "Glue/FileErrors.h"
 #include "Glue/HarmonicTables.h"
+#include "Glue/Run.h"
 #include "SPHARM/SPHARMCoefficients.h"
-#include "vtkSurfaceConversions.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -14,7 +14,6 @@
 #include "vtkTable.h"
 
 #include <exception>
-#include <functional>
 #include <string>
 
 vtkStandardNewMacro(vtkSPHARMCoefficientReader);
@@ -29,12 +28,11 @@ void RequireOk(const conformal::ParseStatus& status)
   }
 }
 
-void ReadTable(
-  const std::string& name, vtkTable* output, const std::function<bool(double)>& progress)
+void ReadTable(const std::string& name, vtkTable* output, const conformal::Run& run)
 {
   conformal::ByteReader input;
   RequireOk(conformal::openFile(name, input));
-  const conformal::SurfaceResult result = conformal::parseSPHARMCoefficients(input, {}, progress);
+  const conformal::SurfaceResult result = conformal::parseSPHARMCoefficients(input, {}, run);
   RequireOk(result.Status);
   using Tuples = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   const conformal::NamedArray& read = result.Data.PointArrays.front();
@@ -85,18 +83,13 @@ int vtkSPHARMCoefficientReader::RequestData(
   const std::string name = this->FileName; // observers of the progress may set another
   try
   {
-    ReadTable(name, output,
-      [this](double fraction)
-      {
-        this->UpdateProgress(fraction);
-        return !glue::IsAbortWanted(this);
-      });
+    ReadTable(name, output, glue::RunOf(this));
     this->SetErrorCode(vtkErrorCode::NoError);
     return 1;
   }
   catch (const conformal::ParseError& error)
   {
-    this->SetErrorCode(vtkSurfaceConversions::ErrorCodeOf(error.status().Code));
+    this->SetErrorCode(glue::ErrorCodeOf(error.status().Code));
     if (error.status().Code == conformal::ParseCode::Aborted)
     {
       return 1;

@@ -19,7 +19,7 @@ int vtkSPHARMCoefficientWriter::FillInputPortInformation(int, vtkInformation* in
 }
 
 //------------------------------------------------------------------------------
-void vtkSPHARMCoefficientWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkSPHARMCoefficientWriter::WriteFiles(const conformal::Run& run)
 {
   const std::string path = this->FileName; // observers of the progress may set another
   const conformal::Points coordinates =
@@ -30,7 +30,7 @@ void vtkSPHARMCoefficientWriter::WriteFiles(const std::function<bool(double)>& p
   {
     conformal::append(array, coordinates.row(i).data());
   }
-  const std::string text = conformal::makeSPHARMCoefficients(array, progress);
+  const std::string text = conformal::makeSPHARMCoefficients(array, run);
   this->WriteTogether({ { path, text } });
 }
 

@@ -32,7 +32,7 @@ protected:
   ~vtkSPHARMCoefficientWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkSPHARMCoefficientWriter(const vtkSPHARMCoefficientWriter&) = delete;

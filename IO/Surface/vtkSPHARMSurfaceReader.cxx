@@ -35,12 +35,12 @@ int vtkSPHARMSurfaceReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
   const std::string sphere =
     this->SphereFileName ? this->SphereFileName : SphereBeside(this->FileName);
-  conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, progress);
+  conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, run);
   conformal::addSphere(
     result, sphere, [](conformal::ByteReader& file) { return conformal::parseSPHARMMesh(file); });
   return result;

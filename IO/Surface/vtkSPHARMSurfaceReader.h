@@ -52,7 +52,7 @@ protected:
   ~vtkSPHARMSurfaceReader() override;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
   std::vector<std::string> FilesReadToo() override;
 
 private:

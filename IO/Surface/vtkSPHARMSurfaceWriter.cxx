@@ -1,7 +1,7 @@
 #include "vtkSPHARMSurfaceWriter.h"
 
+#include "Glue/SurfaceConversions.h"
 #include "SPHARM/SPHARMMesh.h"
-#include "vtkSurfaceConversions.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -11,15 +11,13 @@
 vtkStandardNewMacro(vtkSPHARMSurfaceWriter);
 
 //------------------------------------------------------------------------------
-void vtkSPHARMSurfaceWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkSPHARMSurfaceWriter::WriteFiles(const conformal::Run& run)
 {
   const std::string path = this->FileName; // observers of the progress may set another
   const conformal::SurfaceData surface =
-    vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0)));
-  const auto half = [&](double begin)
-  { return [=](double done) { return progress(begin + 0.5 * done); }; };
-  const std::string sphere = conformal::makeSPHARMSphere(surface, half(0.0));
-  const std::string own = conformal::makeSPHARMSurface(surface, half(0.5));
+    glue::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0)));
+  const std::string sphere = conformal::makeSPHARMSphere(surface, run.part(0.0, 0.5));
+  const std::string own = conformal::makeSPHARMSurface(surface, run.part(0.5, 1.0));
   this->WriteTogether({ { conformal::sphereNameOf(path), sphere }, { path, own } });
 }
 

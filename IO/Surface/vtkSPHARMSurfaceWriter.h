@@ -38,7 +38,7 @@ protected:
   vtkSPHARMSurfaceWriter() = default;
   ~vtkSPHARMSurfaceWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkSPHARMSurfaceWriter(const vtkSPHARMSurfaceWriter&) = delete;

@@ -16,16 +16,16 @@ int vtkStanfordScansReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkStanfordScansReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece&, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkStanfordScansReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
   conformal::AlignedScansOptions options;
   options.InvertRotation = this->InvertRotation;
   options.AllowExternalFiles = this->AllowExternalFiles;
   options.RequireAllScans = this->RequireAllScans;
   const auto folder = std::filesystem::u8path(this->FileName).parent_path();
-  return conformal::parseAlignedScans(input,
-    conformal::openScansIn(folder.u8string(), this->AllowExternalFiles), options, {}, progress);
+  return conformal::parseAlignedScans(
+    input, conformal::openScansIn(folder.u8string(), this->AllowExternalFiles), options, {}, run);
 }
 
 //------------------------------------------------------------------------------

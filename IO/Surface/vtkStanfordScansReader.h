@@ -76,7 +76,7 @@ protected:
   ~vtkStanfordScansReader() override = default;
 
   conformal::SurfaceResult Parse(conformal::ByteReader& input, const conformal::FilePiece& piece,
-    const std::function<bool(double)>& progress) override;
+    const conformal::Run& run) override;
   std::vector<std::string> FilesReadToo() override;
 
 private:

@@ -3,15 +3,11 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
-#include "Glue/Compatibility.h"
-#include "vtkSurfaceConversions.h"
+#include "Glue/FileErrors.h"
+#include "Glue/Run.h"
+#include "Glue/SurfaceConversions.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCommunicator.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -20,146 +16,17 @@
 #include "vtkMultiProcessController.h"
 #include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace
 {
-int VTKTypeOf(conformal::ScalarType type)
-{
-  switch (type)
-  {
-    case conformal::ScalarType::Int8:
-      return VTK_SIGNED_CHAR;
-    case conformal::ScalarType::UInt8:
-      return VTK_UNSIGNED_CHAR;
-    case conformal::ScalarType::Int16:
-      return VTK_SHORT;
-    case conformal::ScalarType::UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case conformal::ScalarType::Int32:
-      return VTK_INT;
-    case conformal::ScalarType::UInt32:
-      return VTK_UNSIGNED_INT;
-    case conformal::ScalarType::Float32:
-      return VTK_FLOAT;
-    case conformal::ScalarType::Int64:
-      return VTK_TYPE_INT64;
-    case conformal::ScalarType::UInt64:
-      return VTK_TYPE_UINT64;
-    case conformal::ScalarType::Float64:
-      break;
-  }
-  return VTK_DOUBLE;
-}
-
-// The arrays take over the parser's memory.
-vtkSmartPointer<vtkDataArray> ToArray(conformal::NamedArray& values)
-{
-  auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VTKTypeOf(values.Type)));
-  array->SetName(values.Name.c_str());
-  array->SetNumberOfComponents(static_cast<int>(values.Components));
-  if (const std::size_t count = values.numberOfTuples() * values.Components)
-  {
-    array->SetVoidArray(values.Values.release(), static_cast<vtkIdType>(count), 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  }
-  return array;
-}
-
-vtkSmartPointer<vtkTypeInt64Array> ToArray(conformal::OwnedArray<std::int64_t>& values)
-{
-  auto array = vtkSmartPointer<vtkTypeInt64Array>::New();
-  const auto count = static_cast<vtkIdType>(values.size());
-  array->SetArray(reinterpret_cast<vtkTypeInt64*>(values.release()), count, 0,
-    vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  return array;
-}
-
-// Arrays in a row. vtkFieldData::AddArray compares the name of each with those of all before it,
-// which takes a minute for 60,000; no two of a parser's arrays have the same.
-class ArrayList : public vtkDataSetAttributes
-{
-public:
-  static ArrayList* New() { VTK_STANDARD_NEW_BODY(ArrayList); }
-  vtkTypeMacro(ArrayList, vtkDataSetAttributes);
-
-  int Append(vtkAbstractArray* array)
-  {
-    const int index = this->NumberOfActiveArrays++;
-    this->SetArray(index, array);
-    return index;
-  }
-};
-
-// A single column may have a name of VTK's; only whole ones become what VTK means.
-void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes* data)
-{
-  vtkNew<ArrayList> list;
-  list->AllocateArrays(static_cast<int>(arrays.size()));
-  for (conformal::NamedArray& values : arrays)
-  {
-    const bool isBytes = values.Type == conformal::ScalarType::UInt8;
-    const int index = list->Append(ToArray(values));
-    if (values.Name == "Normals" && values.Components == 3)
-    {
-      list->SetActiveAttribute(index, vtkDataSetAttributes::NORMALS);
-    }
-    else if (values.Name == "TCoords" && values.Components == 2)
-    {
-      list->SetActiveAttribute(index, vtkDataSetAttributes::TCOORDS);
-    }
-    else if (isBytes && values.Name == (values.Components == 4 ? "RGBA" : "RGB"))
-    {
-      list->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
-    }
-  }
-  // A data set looks for an array of ghosts whenever one is added: once is enough.
-  vtkNew<vtkCallbackCommand> quiet;
-  quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  quiet->AbortFlagOnExecuteOn();
-  const unsigned long tag = data->AddObserver(vtkCommand::ModifiedEvent, quiet, 1.0F);
-  data->ShallowCopy(list);
-  data->RemoveObserver(tag);
-  data->Modified();
-}
-
-// Ids of 4 bytes where they suffice: for a large cloud they would else be most of its memory.
-template <typename Ids>
-vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
-{
-  const auto countUp = [](vtkIdType end)
-  {
-    auto numbers = vtkSmartPointer<Ids>::New();
-    numbers->SetNumberOfValues(end);
-    std::iota(numbers->GetPointer(0), numbers->GetPointer(0) + end, 0);
-    return numbers;
-  };
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(countUp(count + 1), countUp(count));
-  return cells;
-}
-
-vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
-{
-  return count < std::numeric_limits<vtkTypeInt32>::max()
-    ? VertexOfEachPoint<vtkTypeInt32Array>(count)
-    : VertexOfEachPoint<vtkTypeInt64Array>(count);
-}
-
 conformal::FilePiece PieceOf(vtkInformation* info)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -167,24 +34,6 @@ conformal::FilePiece PieceOf(vtkInformation* info)
   const int count = info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
   return { static_cast<std::uint64_t>(std::max(number, 0)),
     static_cast<std::uint64_t>(std::max(count, 1)) };
-}
-
-void Fill(vtkPolyData* output, conformal::SurfaceData& data)
-{
-  const bool isCloud = data.PolygonIds.size() == 0;
-  vtkNew<vtkPoints> points;
-  points->SetData(ToArray(data.Points));
-  output->SetPoints(points);
-  AddArrays(data.PointArrays, output->GetPointData());
-  if (isCloud)
-  {
-    output->SetVerts(VertexOfEachPoint(points->GetNumberOfPoints()));
-    return;
-  }
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(ToArray(data.PolygonOffsets), ToArray(data.PolygonIds));
-  output->SetPolys(polygons);
-  AddArrays(data.PolygonArrays, output->GetCellData());
 }
 }
 
@@ -281,12 +130,7 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(const std::string& file
   {
     try
     {
-      result = this->Parse(input, piece,
-        [this](double fraction)
-        {
-          this->UpdateProgress(fraction);
-          return !glue::IsAbortWanted(this);
-        });
+      result = this->Parse(input, piece, glue::RunOf(this));
     }
     catch (const std::invalid_argument& e)
     {
@@ -295,9 +139,9 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(const std::string& file
   }
   if (result.Status.ok())
   {
-    result.Status = conformal::statusOf([&]() { Fill(output, result.Data); });
+    result.Status = conformal::statusOf([&]() { glue::SetSurfaceData(output, result.Data); });
   }
-  return { vtkSurfaceConversions::ErrorCodeOf(result.Status.Code),
+  return { glue::ErrorCodeOf(result.Status.Code),
     result.Status.Code == conformal::ParseCode::Aborted, fileName + ": " + result.Status.text() };
 }
 

@@ -35,7 +35,6 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkNew.h"             // for ReadFileNames
 
-#include <functional>  // for progress
 #include <string>      // for messages
 #include <string_view> // for the start of a file
 #include <vector>      // for names of files
@@ -46,6 +45,7 @@ class vtkStringArray;
 namespace conformal
 {
 class ByteReader;
+class Run;
 struct FilePiece;
 struct SurfaceData;
 struct SurfaceResult;
@@ -100,8 +100,8 @@ protected:
   // Read the opened file. Throws std::invalid_argument for a property that makes no sense.
   // Observers of the progress may set properties, also names: what is read after a report is a
   // copy.
-  virtual conformal::SurfaceResult Parse(conformal::ByteReader& input,
-    const conformal::FilePiece& piece, const std::function<bool(double)>& progress) = 0;
+  virtual conformal::SurfaceResult Parse(
+    conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run) = 0;
 
   // Names of files that are read with FileName, which is set; empty ones are left out.
   virtual std::vector<std::string> FilesReadToo() { return {}; }

@@ -1,11 +1,11 @@
 #include "vtkSurfaceFileWriter.h"
 
-#include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
-#include "Files/FileOutput.h"
+#include "Files/WriteFiles.h"
 #include "Glue/Checks.h"
-#include "Glue/Compatibility.h"
-#include "vtkSurfaceConversions.h"
+#include "Glue/FileErrors.h"
+#include "Glue/Run.h"
+#include "Glue/SurfaceConversions.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -18,22 +18,6 @@
 namespace
 {
 using NamedBytes = std::vector<std::pair<std::string, std::string_view>>;
-
-unsigned long ErrorCodeOf(conformal::WriteCode code)
-{
-  switch (code)
-  {
-    case conformal::WriteCode::Ok:
-      return vtkErrorCode::NoError;
-    case conformal::WriteCode::InvalidName:
-      return vtkErrorCode::UserError;
-    case conformal::WriteCode::OutOfDiskSpace:
-      return vtkErrorCode::OutOfDiskSpaceError;
-    case conformal::WriteCode::CannotOpen:
-      break;
-  }
-  return vtkErrorCode::CannotOpenFileError;
-}
 
 // The files beside a surface that is new which are there, and so perhaps not this writer's.
 std::string ForeignFiles(const NamedBytes& files)
@@ -100,26 +84,21 @@ void vtkSurfaceFileWriter::WriteData()
   {
     if (!this->FileName || !this->FileName[0])
     {
-      throw vtkSurfaceConversions::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
+      throw glue::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
     glue::RequireConsistentInputs(this);
     if (auto* surface = vtkPolyData::SafeDownCast(this->GetInput(0)))
     {
       glue::RequireCellIds(surface);
     }
-    this->WriteFiles(
-      [this](double fraction)
-      {
-        this->UpdateProgress(fraction);
-        return !glue::IsAbortWanted(this);
-      });
+    this->WriteFiles(glue::RunOf(this));
     this->SetErrorCode(vtkErrorCode::NoError);
   }
-  catch (const conformal::ParseError&) // asked to abort: nothing was written
+  catch (const conformal::Aborted&) // asked to abort: nothing was written
   {
     this->SetErrorCode(AbortedError);
   }
-  catch (const vtkSurfaceConversions::WriteError& e)
+  catch (const glue::WriteError& e)
   {
     this->SetErrorCode(e.Code);
     vtkErrorMacro(<< e.what());
@@ -143,7 +122,7 @@ void vtkSurfaceFileWriter::WriteTogether(const NamedBytes& files)
   const conformal::WriteStatus status = conformal::writeFiles(files);
   if (!status.ok())
   {
-    throw vtkSurfaceConversions::WriteError(ErrorCodeOf(status.Code), status.Message);
+    throw glue::WriteError(glue::ErrorCodeOf(status.Code), status.Message);
   }
   if (!foreign.empty())
   {
@@ -157,8 +136,7 @@ void vtkSurfaceFileWriter::WriteSurface(
   const std::function<std::string(const conformal::SurfaceData&)>& make)
 {
   const std::string path = this->FileName; // observers of the progress may set another
-  const std::string bytes =
-    make(vtkSurfaceConversions::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
+  const std::string bytes = make(glue::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
   this->WriteTogether({ { path, bytes } });
 }
 

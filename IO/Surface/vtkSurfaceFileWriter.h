@@ -41,7 +41,7 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkWriter.h"
 
-#include <functional>  // for progress
+#include <functional>  // for WriteSurface
 #include <string>      // for the bytes of a file
 #include <string_view> // for the bytes of several files
 #include <utility>     // for their names
@@ -49,6 +49,7 @@
 
 namespace conformal
 {
+class Run;
 struct SurfaceData;
 }
 
@@ -88,7 +89,7 @@ protected:
   void WriteData() override;
 
   // Write everything; the file's name is set. Exceptions become errors.
-  virtual void WriteFiles(const std::function<bool(double)>& progress) = 0;
+  virtual void WriteFiles(const conformal::Run& run) = 0;
 
   // Write files all and whole, or none. The last is that of FileName, those before it are named
   // after it: a warning names those that were there, and are replaced, though the last was not.

@@ -2,11 +2,12 @@
 
 #include "Base/CoordinateFrame.h"
 #include "Bytes/SurfaceWalk.h"
+#include "Glue/FileErrors.h"
+#include "Glue/SurfaceConversions.h"
 #include "Page/PagePicture.h"
 #include "Page/SurfacePage.h"
 #include "Page/ThreeJS.h"
 #include "Texture/SphereViewChoice.h"
-#include "vtkSurfaceConversions.h"
 
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
@@ -24,7 +25,7 @@ vtkStandardNewMacro(vtkSurfacePageWriter);
 
 namespace
 {
-using vtkSurfaceConversions::WriteError;
+using glue::WriteError;
 
 // Empty without a picture.
 std::string ToJPEG(vtkImageData* picture, int maximumSize, int quality)
@@ -33,7 +34,7 @@ std::string ToJPEG(vtkImageData* picture, int maximumSize, int quality)
   {
     return {};
   }
-  vtkUnsignedCharArray* pixels = vtkSurfaceConversions::PixelsOf(picture);
+  vtkUnsignedCharArray* pixels = glue::PixelsOf(picture);
   const int* size = picture->GetDimensions();
   const conformal::PagePicture shrunk =
     conformal::shrunkPicture(pixels->GetPointer(0), static_cast<std::size_t>(size[0]),
@@ -132,11 +133,11 @@ int vtkSurfacePageWriter::FillInputPortInformation(int port, vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfacePageWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkSurfacePageWriter::WriteFiles(const conformal::Run& run)
 {
   const std::string name = this->FileName; // observers of the progress may set another
-  const conformal::SurfaceData surface = vtkSurfaceConversions::ToSurfaceData(
-    vtkSurfaceConversions::OnlyTriangles(vtkPolyData::SafeDownCast(this->GetInput(0))));
+  const conformal::SurfaceData surface =
+    glue::ToSurfaceData(glue::OnlyTriangles(vtkPolyData::SafeDownCast(this->GetInput(0))));
   conformal::SurfacePageOptions options;
   options.Title = std::filesystem::u8path(name).stem().u8string();
   options.ColorArrayName = this->ColorArrayName;
@@ -148,7 +149,7 @@ void vtkSurfacePageWriter::WriteFiles(const std::function<bool(double)>& progres
     : nullptr;
   const std::string jpeg = ToJPEG(picture, this->MaximumTextureSize, this->TextureQuality);
   const std::string page = conformal::makeSurfacePage(
-    surface, jpeg, conformal::readThreeJS(this->ThreeJSFileName), options, progress);
+    surface, jpeg, conformal::readThreeJS(this->ThreeJSFileName), options, run);
   this->WriteTogether({ { name, page } });
 }
 

@@ -134,7 +134,7 @@ protected:
   ~vtkSurfacePageWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkSurfacePageWriter(const vtkSurfacePageWriter&) = delete;

@@ -17,14 +17,14 @@ int vtkTextCloudReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-conformal::SurfaceResult vtkTextCloudReader::Parse(conformal::ByteReader& input,
-  const conformal::FilePiece& piece, const std::function<bool(double)>& progress)
+conformal::SurfaceResult vtkTextCloudReader::Parse(
+  conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run)
 {
   conformal::TextCloudOptions options;
   options.DecimalComma = this->DecimalComma;
   options.SkipMalformedLines = this->SkipMalformedLines;
   options.Piece = piece;
-  return conformal::parseTextCloud(input, options, {}, progress);
+  return conformal::parseTextCloud(input, options, {}, run);
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,10 @@
 vtkStandardNewMacro(vtkTextCloudWriter);
 
 //------------------------------------------------------------------------------
-void vtkTextCloudWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkTextCloudWriter::WriteFiles(const conformal::Run& run)
 {
-  this->WriteSurface([&](const conformal::SurfaceData& surface)
-    { return conformal::makeTextCloud(surface, progress); });
+  this->WriteSurface(
+    [&](const conformal::SurfaceData& surface) { return conformal::makeTextCloud(surface, run); });
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ protected:
   vtkTextCloudWriter() = default;
   ~vtkTextCloudWriter() override = default;
 
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkTextCloudWriter(const vtkTextCloudWriter&) = delete;

@@ -1,7 +1,8 @@
 #include "vtkTexturedSurfaceWriter.h"
 
+#include "Glue/FileErrors.h"
+#include "Glue/SurfaceConversions.h"
 #include "Textured/TexturedSurface.h"
-#include "vtkSurfaceConversions.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -27,9 +28,9 @@ vtkStandardNewMacro(vtkTexturedSurfaceWriter);
 
 namespace
 {
-using vtkSurfaceConversions::OnlyTriangles;
-using vtkSurfaceConversions::PixelsOf;
-using vtkSurfaceConversions::WriteError;
+using glue::OnlyTriangles;
+using glue::PixelsOf;
+using glue::WriteError;
 
 void Require(bool condition, const char* message)
 {
@@ -161,7 +162,7 @@ int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& progress)
+void vtkTexturedSurfaceWriter::WriteFiles(const conformal::Run& run)
 {
   const std::string name = this->FileName; // observers of the progress may set another
   const std::filesystem::path path = std::filesystem::u8path(name);
@@ -181,7 +182,7 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   {
     Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
       "MetersPerUnit is not a finite number above 0");
-    const std::string glb = conformal::makeGLB(surface, png, progress);
+    const std::string glb = conformal::makeGLB(surface, png, run);
     this->WriteTogether({ { name, glb } });
     return;
   }
@@ -189,11 +190,11 @@ void vtkTexturedSurfaceWriter::WriteFiles(const std::function<bool(double)>& pro
   const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
   if (extension == ".ply")
   {
-    const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), progress);
+    const std::string ply = conformal::makePLY(surface, texture.filename().u8string(), run);
     this->WriteTogether({ { texture.u8string(), png }, { name, ply } });
     return;
   }
-  const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), progress);
+  const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), run);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
   this->WriteTogether({ { texture.u8string(), png }, { material.u8string(), mtl }, { name, obj } });
 }

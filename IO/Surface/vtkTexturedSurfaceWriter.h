@@ -83,7 +83,7 @@ protected:
   ~vtkTexturedSurfaceWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteFiles(const std::function<bool(double)>& progress) override;
+  void WriteFiles(const conformal::Run& run) override;
 
 private:
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;

@@ -1,5 +1,5 @@
-# A room of IO/Formats holds one file format and includes itself, Bytes and what the table allows; no
-# two units (a header and its source) include each other, not even through others.
+# A room of IO/Formats holds one file format and includes itself, Bytes, what the table allows, and of
+# the core its execution context; no two units (a header and its source) include each other, not even through others.
 cmake_minimum_required(VERSION 3.18)
 
 set(rooms Bytes Text Files PLY OFF PCD GuMesh FreeSurfer GIFTI PlateModel TextCloud SPHARM StanfordScans Textured Page)
@@ -13,6 +13,9 @@ list(APPEND below_StanfordScans PLY) # the scans are PLY files
 foreach (room IN ITEMS GIFTI Page Textured)
   list(APPEND below_${room} Text) # base64, JSON
 endforeach ()
+
+# All may include the execution context of the core.
+set(lent_headers Base/Run.h)
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 check_rooms("${SOURCE_DIR}/IO/Formats")

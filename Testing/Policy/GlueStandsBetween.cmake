@@ -1,15 +1,20 @@
-# The glue includes the core, VTK and itself, never a class of this project, and no two of its units include
-# each other. No class includes another that includes it.
+# The glue includes the core, VTK and itself, that of IO the formats too; never a class of this project. No two
+# of its units include each other. No class includes another that includes it.
 cmake_minimum_required(VERSION 3.18)
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")
 
 file(GLOB files "${SOURCE_DIR}/Filters/Glue/*.h" "${SOURCE_DIR}/Filters/Glue/*.cxx"
+  "${SOURCE_DIR}/IO/Glue/*.h" "${SOURCE_DIR}/IO/Glue/*.cxx"
   "${SOURCE_DIR}/Filters/*/vtk*.h" "${SOURCE_DIR}/Filters/*/vtk*.cxx"
   "${SOURCE_DIR}/IO/Surface/*.h" "${SOURCE_DIR}/IO/Surface/*.cxx")
 set(units)
 foreach (file IN LISTS files)
   get_filename_component(unit "${file}" NAME_WE)
   get_filename_component(folder "${file}" DIRECTORY)
+  set(roots Filters Filters/Numerics)
+  if (folder STREQUAL "${SOURCE_DIR}/IO/Glue")
+    list(APPEND roots IO IO/Formats)
+  endif ()
   get_filename_component(folder "${folder}" NAME)
   list(APPEND units "${unit}")
   file(STRINGS "${file}" includes REGEX "^#include \"")
@@ -22,9 +27,16 @@ foreach (file IN LISTS files)
     endif ()
     if (folder STREQUAL "Glue" AND class)
       message(SEND_ERROR "${file} includes the class ${header}")
-    elseif (folder STREQUAL "Glue" AND NOT header MATCHES "^vtk" AND NOT EXISTS "${SOURCE_DIR}/Filters/${header}"
-        AND NOT EXISTS "${SOURCE_DIR}/Filters/Numerics/${header}")
-      message(SEND_ERROR "${file} includes ${header}, which is neither of the glue nor of the core nor of VTK")
+    elseif (folder STREQUAL "Glue" AND NOT header MATCHES "^vtk")
+      set(is_allowed OFF)
+      foreach (root IN LISTS roots)
+        if (EXISTS "${SOURCE_DIR}/${root}/${header}")
+          set(is_allowed ON)
+        endif ()
+      endforeach ()
+      if (NOT is_allowed)
+        message(SEND_ERROR "${file} includes ${header}, which is neither of the glue nor of what it stands on")
+      endif ()
     endif ()
     if ((class OR header MATCHES "^Glue/") AND NOT needed STREQUAL unit)
       list(APPEND needs_${unit} "${needed}")

@@ -204,6 +204,7 @@ class TestOverlays(unittest.TestCase):
             file.write("<Overlay />")
         with self.assertRaisesRegex(proxies.WrongOverlay, "Gone.xml: there is no class vtkGone"):
             proxies.overlays_of(CLASSES, self.folder)
+        self.assertNotIn("vtkGone", proxies.overlays_of(CLASSES, self.folder, ["vtkGone"]))
 
     def test_what_it_adds(self):
         made = self.made("""

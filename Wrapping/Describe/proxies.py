@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""proxies.py OVERLAYS FILE: write ParaView's proxies of all classes into one file of XML.
+"""proxies.py OVERLAYS FILE [CLASS...]: write ParaView's proxies of all classes into one file of XML. Overlays
+of the named classes are left out, as these are not built.
 
 A proxy follows from the class (describe.py). What no header holds, how the panel shows a property, stands in
 OVERLAYS/Name.xml; a class without such needs has none:
@@ -518,19 +519,19 @@ def file_name(animateable=None, writes=False):
 ## File ---------------------------------------------------------------------------------
 
 
-def overlays_of(described, folder):
-    """Read the overlays of all classes."""
+def overlays_of(described, folder, left_out=()):
+    """Read the overlays of all classes but those left out."""
     for path in glob.glob(os.path.join(folder, "*.xml")):
         name = os.path.splitext(os.path.basename(path))[0]
-        if "vtk" + name not in described:
+        if "vtk" + name not in {*described, *left_out}:
             raise WrongOverlay(f"{path}: there is no class vtk{name} that makes objects for a pipeline")
     return {name: Overlay(class_, folder) for name, class_ in described.items()}
 
 
-def proxies(described, folder):
+def proxies(described, folder, left_out=()):
     """Make the element of all proxies."""
     root = ElementTree.Element("ServerManagerConfiguration")
-    overlays = overlays_of(described, folder)
+    overlays = overlays_of(described, folder, left_out)
     words = Words(overlays)
     for overlay in overlays.values():
         proxy = Proxy(overlay, words)
@@ -541,10 +542,10 @@ def proxies(described, folder):
     return root
 
 
-def main(folder, path):
+def main(folder, path, *left_out):
     """Write the file."""
     try:
-        text = ElementTree.tostring(proxies(classes(), folder), encoding="unicode") + "\n"
+        text = ElementTree.tostring(proxies(classes(), folder, left_out), encoding="unicode") + "\n"
     except (Undescribed, WrongOverlay) as error:
         sys.exit(str(error))
     with open(path, "w", encoding="utf-8") as file:

@@ -34,17 +34,16 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// Concatenate the triangles of all ranks in rank order, on every rank. Vertex ids are shifted so
-/// that they count the points of all ranks.
+/// The triangles of all processes, over the points of all, likewise.
 /// @param[in] own     ids in [0, points)
-/// @param[in] points  number of points of this rank
-/// @throws std::length_error if ids do not fit into an int
+/// @param[in] points  of this process
+/// @throws std::invalid_argument if ids do not fit into an int
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
   const Index before = shareOf(reduce, points).Before;
   if (before + points > std::numeric_limits<int>::max())
   {
-    throw std::length_error("the processes together have more points than an int can count");
+    throw std::invalid_argument("the processes together have more points than an int can count");
   }
   own.array() += static_cast<int>(before);
   return gatherRows(reduce, own);

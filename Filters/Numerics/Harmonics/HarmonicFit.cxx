@@ -211,7 +211,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   moments += grid.analyze(samples.Counted.asDiagonal() * samples.Values, degree, run.unwatched());
   if (!moments.allFinite())
   {
-    throw std::overflow_error("values are too large for their harmonics");
+    throw std::invalid_argument("values are too large for their harmonics");
   }
   ConjugateGradientsOptions options;
   options.NumberOfSteps = MaximumNumberOfSteps;

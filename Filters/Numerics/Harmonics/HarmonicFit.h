@@ -32,7 +32,7 @@ namespace conformal
 /// @throws std::invalid_argument if the surface is open or has no area, or if the map does not
 /// cover
 ///         the sphere once
-/// @throws std::overflow_error if sums of values leave the range of doubles
+/// @throws std::invalid_argument if sums of values leave the range of doubles
 /// @throws NumericalFailure if the steps do not come to an end
 /// @throws Aborted
 Columns fitHarmonics(

@@ -361,7 +361,7 @@ FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin)
   const double nodes = (steps.array() + 2.0 * margin).prod();
   if (!(nodes <= static_cast<double>(MaximumNumberOfNodes)))
   {
-    throw std::length_error("a grid of spacing " + std::to_string(spacing) +
+    throw std::invalid_argument("a grid of spacing " + std::to_string(spacing) +
       " times the largest radius would have " + std::to_string(std::llround(nodes)) +
       " nodes around these points; the limit is " + std::to_string(MaximumNumberOfNodes) +
       ", and the smallest spacing possible here " +

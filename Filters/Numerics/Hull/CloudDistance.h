@@ -15,7 +15,8 @@
 namespace conformal
 {
 /// A grid around the samples, `margin` nodes wider than their bounding box on each side.
-/// @throws std::length_error if it would have more than MaximumNumberOfNodes; says which spacing
+/// @throws std::invalid_argument if it would have more than MaximumNumberOfNodes; says which
+/// spacing
 ///   would do
 FreudenthalGrid gridAround(
   const TrainingSamples& samples, double spacing, int margin, const Run& run = {});

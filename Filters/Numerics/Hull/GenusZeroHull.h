@@ -118,7 +118,7 @@ double cutFraction(const GenusZeroHullResult& hull);
 ///
 /// @param[in] samples  at least one; of any rank, though only a cloud of rank 3 has an inside
 /// @throws std::invalid_argument if there are no samples or an option is out of range
-/// @throws std::length_error if the grid would have more than MaximumNumberOfNodes
+/// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes
 ///   (CloudDistance.h)
 /// @post the result depends only on the arguments, not on threads
 GenusZeroHullResult makeGenusZeroHull(

@@ -44,7 +44,7 @@ struct IndicatorSolid
 ///
 /// @param[in] samples  of rank 3
 /// @return no solid if there are too few points
-/// @throws std::length_error if the grid would have more than MaximumNumberOfNodes
+/// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on threads or ranks
 IndicatorSolid solidByWindingNumbers(

@@ -93,7 +93,7 @@ void requireNear(const Points& mesh)
   }
 }
 
-std::optional<FirstSurface> firstSurfaceFromSphere(const TrainingSamples& samples,
+FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run)
 {
   BatchTrainingOptions coarse;
@@ -104,17 +104,13 @@ std::optional<FirstSurface> firstSurfaceFromSphere(const TrainingSamples& sample
   coarse.RandomSeed = options.RandomSeed;
   coarse.Observer = observer;
   const bool anyway = options.StartingShape == StartingShape::Sphere;
-  std::optional<FittedMesh> learned = learnFromSphere(
+  FittedMesh learned = learnFromSphere(
     samples, coarse,
     [&](const LearnedMesh& mesh, const std::vector<double>& masses)
     { return anyway || !spansGapsOrLimbs(mesh, masses, samples); },
     run);
-  if (!learned)
-  {
-    return {};
-  }
   FirstSurface first;
-  static_cast<LearnedMesh&>(first) = std::move(static_cast<LearnedMesh&>(*learned));
+  static_cast<LearnedMesh&>(first) = std::move(static_cast<LearnedMesh&>(learned));
   first.Turns = TurnsFromSphere;
   first.IterationsPerTurn = IterationsFromSphere;
   first.OutlierRatio = OutlierRatioAmongStrays;

@@ -13,7 +13,6 @@
 #include "Search/TriangleTree.h"
 
 #include <memory>
-#include <optional>
 
 namespace conformal
 {
@@ -24,11 +23,11 @@ struct FirstSurface : AdaptiveStart
 };
 
 /// Learn from the sphere on a geodesic network of a quarter of the neurons, without a fit.
-/// @return nothing as soon as a level of the network spans parts without samples or is stretched
-///         over limbs, unless options.StartingShape is Sphere
+/// @throws NumericalFailure as soon as a level of the network spans parts without samples or is
+///         stretched over limbs, unless options.StartingShape is Sphere
 /// @param[in] observer  called after each level; may be empty
 /// @throws Aborted
-std::optional<FirstSurface> firstSurfaceFromSphere(const TrainingSamples& samples,
+FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});
 
 /// Make a hull of the samples (GenusZeroHull.h), as fine as the samples are dense and no finer than

@@ -1,5 +1,6 @@
 #include "Learn/StartSearch.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Learn/Batch/BatchTraining.h"
 #include "Learn/FirstSurface.h"
@@ -242,11 +243,7 @@ private:
       case Start::OwnMesh:
         return this->learnFromOwnMesh(run);
       case Start::Sphere:
-      {
-        const std::optional<FirstSurface> learned = firstSurfaceFromSphere(
-          this->Samples, this->Options, this->observerFor(this->Samples, run), first);
-        return learned ? std::optional(this->finish(this->Samples, *learned, rest)) : std::nullopt;
-      }
+        return this->learnFromSphere(first, rest);
       case Start::Hull:
         return this->learnFromHull(this->Options.HullMethod, run);
       case Start::OtherHull:
@@ -273,6 +270,22 @@ private:
     result.Quality = evaluateSurface(this->Samples, result.Positions, result.Triangles,
       result.Noise, run.part(1.0 - ShareOfQuality, 1.0));
     return result;
+  }
+
+  /// Return nothing where the sphere is no shape to start from.
+  std::optional<ConformalSOMResult> learnFromSphere(const Run& first, const Run& rest) const
+  {
+    FirstSurface surface;
+    try
+    {
+      surface = firstSurfaceFromSphere(
+        this->Samples, this->Options, this->observerFor(this->Samples, first), first);
+    }
+    catch (const NumericalFailure&)
+    {
+      return {};
+    }
+    return this->finish(this->Samples, surface, rest);
   }
 
   ConformalSOMResult learnFromHull(HullMethod method, const Run& run)

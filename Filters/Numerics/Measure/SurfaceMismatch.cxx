@@ -289,7 +289,7 @@ void requireSquares(const SurfaceMismatch& result, double square, double maximum
   if (!std::isfinite(maximumDistance) || square < minimumSquare ||
     !std::isfinite(result.MeanSquarePointToVertex + result.MeanSquareSurfaceToPoint))
   {
-    throw std::overflow_error(std::string("the distances are too ") +
+    throw std::invalid_argument(std::string("the distances are too ") +
       (square < minimumSquare ? "small" : "large") + " to be squared; use another LengthUnit");
   }
 }

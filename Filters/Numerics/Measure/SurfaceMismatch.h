@@ -47,31 +47,29 @@ struct SurfaceMismatch
 };
 
 /// Measure the mismatch error E_mis = 1 / #P sum_x dist(x, M)^2 of a model M, \cite Liou2008
-/// section 4.1. Also measure the reverse distances, since a model may pass through all data and yet
-/// span gaps.
+/// section 4.1, and what it cannot see: a model may pass through all data and yet span gaps.
 ///
-/// The nearest vertex is one used by triangles. If the reference has no triangles, distances to it
-/// are distances to its nearest point. Every reference point counts as data, even without a
-/// triangle. Maxima from the model are taken over its samples and vertices, so HausdorffDistance is
-/// a lower bound of the exact distance.
+/// The nearest vertex is sought among those used by triangles. Where the reference has no
+/// triangles, the distance to it is that to its nearest point. Every reference point counts as
+/// data, also those of no triangle. From the model's side maxima are taken over its samples and
+/// vertices, so that HausdorffDistance is a lower bound of the exact distance.
 ///
-/// Implementation note: samples step evenly through the area. A low-discrepancy sequence places
-/// them in each triangle, with much less noise than independent samples.
+/// Implementation note: samples step evenly through the area and fill each triangle by a sequence
+/// of low discrepancy, which leaves much less noise than independent ones.
 ///
-/// Each rank has a part of the reference and the whole model. The figures describe the
-/// concatenation of the parts and are equal on all ranks. They equal those of one process with all
-/// parts bit by bit. Points of a reference without triangles stay distributed; a reference with
-/// triangles is gathered on all ranks.
+/// Of several processes each has a part of the reference and all have all of the model. What the
+/// parts are, one after the other, is measured: the figures are the same on all processes, to the
+/// bit those of one process that has all. Points of a reference without triangles stay where they
+/// are; one with triangles is gathered on all processes.
 ///
 /// @param[in] modelPoints         #V by 3
 /// @param[in] modelTriangles      #F by 3, at least one
-/// @param[in] referencePoints     #P by 3, at least one on all ranks together
+/// @param[in] referencePoints     #P by 3, at least one on all processes together
 /// @param[in] referenceTriangles  may be empty
-/// @param[in] reduce              sums over the ranks that hold the other parts
-/// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, or the
-///   reference has no extent to define the unit
-/// @throws std::overflow_error if a figure exceeds the range of doubles
-/// @post the result depends only on the arguments of all ranks, not on threads
+/// @param[in] reduce              adds up over the processes that hold the other parts
+/// @throws std::invalid_argument if there is nothing to measure, a coordinate is not finite, the
+///   reference has no extent to take a unit from, or a figure leaves the range of doubles
+/// @post the result depends only on the arguments of all processes, not on threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
   const Triangles& referenceTriangles, const SurfaceMismatchOptions& options = {},

@@ -202,7 +202,7 @@ void requireIds(const Triangles& triangles, Index numberOfVertices)
   if (triangles.size() > 0 &&
     (triangles.minCoeff() < 0 || triangles.maxCoeff() >= numberOfVertices))
   {
-    throw std::out_of_range(
+    throw std::invalid_argument(
       "a triangle refers to a vertex outside [0, " + std::to_string(numberOfVertices) + ")");
   }
 }

@@ -56,7 +56,7 @@ struct GenusZeroReport
 /// @param[in] triangles         #F by 3 vertex ids
 /// @param[in] numberOfVertices  #V, including isolated vertices
 /// @param[in] points            #V by 3, or empty
-/// @throws std::out_of_range if an id is not in [0, #V)
+/// @throws std::invalid_argument if an id is not in [0, #V)
 GenusZeroReport checkGenusZero(const Triangles& triangles, Index numberOfVertices,
   const PointView& points = {}, const Run& run = {});
 

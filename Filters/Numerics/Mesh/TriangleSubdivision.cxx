@@ -105,7 +105,7 @@ Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run)
   const double size = static_cast<double>(mesh.Triangles.rows()) * k * k;
   if (size > std::numeric_limits<int>::max())
   {
-    throw std::length_error(
+    throw std::invalid_argument(
       "the mesh would have more triangles than fit into an int; use fewer subdivisions");
   }
   const Triangles neighbors = triangleNeighbors(mesh.Triangles, mesh.Positions.rows(), run);

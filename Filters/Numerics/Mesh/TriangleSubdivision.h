@@ -9,18 +9,17 @@
 
 namespace conformal
 {
-/// Cut every triangle into k x k triangles by k equal steps along each edge. Both triangles of an
-/// edge share the points on it.
+/// Cut every triangle into k x k, by k equal steps along each edge. Points on an edge are those of
+/// both its triangles.
 ///
-/// The order of the points is: the #V vertices, then k - 1 points on each edge, then the points
-/// inside triangles. Points on an edge are counted from its vertex of smaller id. The parts of
-/// triangle r start at triangle r k^2.
+/// The #V vertices come first, as they are. Then the k - 1 points on each edge, counted from its
+/// vertex of lower id, then those inside the triangles. Triangle r is cut into the triangles from
+/// r k^2 on.
 ///
 /// @param[in] mesh          a closed manifold, consistently oriented
 /// @param[in] subdivisions  k, at least 1
-/// @return #F k^2 triangles; (#V - 2) k^2 + 2 vertices if the Euler number is 2
-/// @throws std::invalid_argument if k is below 1
-/// @throws std::length_error if ids do not fit into an int
+/// @return (#V - 2) k^2 + 2 vertices and #F k^2 triangles, where the Euler number is 2
+/// @throws std::invalid_argument if k is below 1, or ids do not fit into an int
 /// @throws Aborted
 Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run = {});
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -38,6 +39,14 @@ double change(
   }
   return std::sqrt(squares) / (2.0 * step);
 }
+
+bool hasOneColor(const Picture& picture)
+{
+  const auto components = static_cast<std::size_t>(std::max(1, picture.NumberOfComponents));
+  return picture.Values.size() <= components ||
+    std::equal(picture.Values.begin() + static_cast<std::ptrdiff_t>(components),
+      picture.Values.end(), picture.Values.begin());
+}
 }
 
 //------------------------------------------------------------------------------
@@ -63,5 +72,27 @@ SphereDensity pictureDensity(Picture picture, const SphereImage& image)
   density.At = [kept, image, step](const Vector3& direction)
   { return change(*kept, image, direction, step); };
   return density;
+}
+
+//------------------------------------------------------------------------------
+SphereDensity withDetails(
+  SphereDensity density, Picture picture, const SphereImage& image, const Run& run)
+{
+  double largest = 0.0;
+  for (const double value : picture.Values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  for (double& value : picture.Values)
+  {
+    value = largest > 0.0 ? value / largest : 0.0;
+  }
+  const bool isPlain = hasOneColor(picture); // rounding errors are no details
+  SphereDensity details = pictureDensity(std::move(picture), image);
+  if (isPlain || !isAnywhere(details, run))
+  {
+    return density;
+  }
+  return equalShares({ std::move(density), std::move(details) }, run);
 }
 }

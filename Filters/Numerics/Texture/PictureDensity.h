@@ -28,6 +28,13 @@ struct Picture
 /// @param[in] picture  kept as long as the density
 /// @throws std::invalid_argument if it has no pixels, or not the right number of finite values
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
+
+/// Give half of the points to a picture's details. Values are divided by the largest magnitude, so
+/// that they may be of any unit. A picture of one color has no details and changes nothing.
+/// @param[in] density  of the other half
+/// @throws std::invalid_argument as pictureDensity() does
+SphereDensity withDetails(
+  SphereDensity density, Picture picture, const SphereImage& image, const Run& run = {});
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "Bytes/ParseStatus.h"
 
+#include "Base/Run.h"
+
 #include <new>
 
 namespace conformal
@@ -12,15 +14,6 @@ std::string ParseStatus::text() const
     return "line " + std::to_string(this->Line) + ": " + this->Message;
   }
   return "byte " + std::to_string(this->Offset) + ": " + this->Message;
-}
-
-//------------------------------------------------------------------------------
-void report(const ParseProgress& progress, double fraction)
-{
-  if (progress && !progress(fraction))
-  {
-    throw ParseError({ ParseCode::Aborted, 0, 0, "aborted" });
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,6 +39,10 @@ ParseStatus statusOf(const std::function<void()>& parse)
   catch (const ParseError& e)
   {
     return e.status();
+  }
+  catch (const Aborted& e)
+  {
+    return { ParseCode::Aborted, 0, 0, e.what() };
   }
   catch (const std::bad_alloc&)
   {

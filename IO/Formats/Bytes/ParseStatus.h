@@ -21,7 +21,7 @@ enum class ParseCode
   PrematureEnd,     ///< the file ends before its promised data
   Malformed,        ///< the file violates the rules of its format
   OutOfMemory,
-  Aborted ///< the caller's progress callback said stop
+  Aborted ///< the progress callback of the run returned false
 };
 
 /// Outcome of a parse. Line counts from 1; it is 0 in binary data.
@@ -53,18 +53,10 @@ private:
   ParseStatus Status;
 };
 
-/// Called with the fraction done, in [0, 1], never falling, from the calling thread. Returns
-/// whether to go on.
-using ParseProgress = std::function<bool(double)>;
-
-/// Call the callback if there is one.
-/// @throws ParseError with Aborted if it says stop
-void report(const ParseProgress& progress, double fraction);
-
 /// Quote text of a file for a message: short and printable.
 std::string quoted(std::string_view text);
 
-/// Run a parser; what it throws becomes the status.
+/// Run a parser and return its status: a ParseError's, OutOfMemory, or Aborted.
 ParseStatus statusOf(const std::function<void()>& parse);
 }
 

@@ -3,6 +3,7 @@
 #ifndef ConformalProgressReport_h
 #define ConformalProgressReport_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 
 #include <cstdint>
@@ -12,14 +13,14 @@ namespace conformal
 class ProgressReport
 {
 public:
-  ProgressReport(const ByteReader& input, const ParseProgress& progress)
+  ProgressReport(const ByteReader& input, const conformal::Run& run)
     : Input(input)
-    , Progress(progress)
+    , Run(run)
   {
   }
 
   /// Call often: reports at every hundredth of the input.
-  /// @throws ParseError if the caller says stop
+  /// @throws Aborted
   void tick()
   {
     const std::uint64_t offset = this->Input.offset();
@@ -29,15 +30,12 @@ public:
     }
     const std::uint64_t size = this->Input.size();
     this->NextReport = offset + size / 100 + 1;
-    if (this->Progress && !this->Progress(static_cast<double>(offset) / size))
-    {
-      this->Input.fail(ParseCode::Aborted, "aborted");
-    }
+    this->Run.report(static_cast<double>(offset) / static_cast<double>(size));
   }
 
 private:
   const ByteReader& Input;
-  const ParseProgress& Progress;
+  const conformal::Run& Run;
   std::uint64_t NextReport = 0;
 };
 }

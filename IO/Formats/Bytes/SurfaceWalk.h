@@ -3,6 +3,7 @@
 #ifndef ConformalSurfaceWalk_h
 #define ConformalSurfaceWalk_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteOrder.h"
 #include "Bytes/NumberText.h"
 #include "Bytes/SurfaceData.h"
@@ -116,10 +117,9 @@ inline std::size_t numberOfPolygons(const SurfaceData& surface)
 
 /// Call use(index) for each point, then use of the polygons with their index, ids and number of
 /// ids.
-/// @throws ParseError if the caller says stop
+/// @throws Aborted
 template <typename UsePoint, typename UsePolygon>
-void walk(const SurfaceData& surface, const ParseProgress& progress, UsePoint usePoint,
-  UsePolygon usePolygon)
+void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePolygon usePolygon)
 {
   const std::size_t points = surface.Points.numberOfTuples();
   const std::size_t polygons = numberOfPolygons(surface);
@@ -128,7 +128,7 @@ void walk(const SurfaceData& surface, const ParseProgress& progress, UsePoint us
   {
     if (i % step == 0)
     {
-      report(progress, static_cast<double>(i) / (points + polygons));
+      run.report(static_cast<double>(i) / (points + polygons));
     }
     if (i < points)
     {

@@ -33,12 +33,11 @@ std::uint32_t magicOf(std::string_view start)
 class FreeSurferReader
 {
 public:
-  FreeSurferReader(
-    ByteReader& input, const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+  FreeSurferReader(ByteReader& input, const ParseLimits& limits, const Run& run, SurfaceData& data)
     : Input(input)
     , Limits(limits)
     , Data(data)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Values(input, isLittleEndianMachine())
   {
     input.beginBinary();
@@ -205,19 +204,17 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseFreeSurferSurface(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseFreeSurferSurface(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
-    [&](SurfaceData& data) { FreeSurferReader(input, limits, progress, data).readSurface(); });
+    [&](SurfaceData& data) { FreeSurferReader(input, limits, run, data).readSurface(); });
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseFreeSurferCurv(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseFreeSurferCurv(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
-    [&](SurfaceData& data) { FreeSurferReader(input, limits, progress, data).readCurv(); });
+    [&](SurfaceData& data) { FreeSurferReader(input, limits, run, data).readCurv(); });
 }
 
 //------------------------------------------------------------------------------

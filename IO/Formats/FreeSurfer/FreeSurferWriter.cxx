@@ -11,8 +11,7 @@ namespace
 {
 // Write triangles with the points of the surface or with others.
 template <typename Coordinate>
-std::string makeFreeSurfer(
-  const SurfaceData& surface, Coordinate coordinate, const ParseProgress& progress)
+std::string makeFreeSurfer(const SurfaceData& surface, Coordinate coordinate, const Run& run)
 {
   requireTriangles(surface);
   const std::size_t size = 3 * surface.Points.numberOfTuples();
@@ -23,7 +22,7 @@ std::string makeFreeSurfer(
   appendBytes(bytes, static_cast<std::int32_t>(surface.Points.numberOfTuples()), true);
   appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons(surface)), true);
   walk(
-    surface, progress,
+    surface, run,
     [&](std::size_t point)
     {
       for (std::size_t c = 0; c < 3; ++c)
@@ -43,25 +42,25 @@ std::string makeFreeSurfer(
 }
 
 //------------------------------------------------------------------------------
-std::string makeFreeSurferSurface(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run)
 {
   return makeFreeSurfer(
-    surface, [&](std::size_t i) { return valueOf(surface.Points, i); }, progress);
+    surface, [&](std::size_t i) { return valueOf(surface.Points, i); }, run);
 }
 
 //------------------------------------------------------------------------------
-std::string makeFreeSurferSphere(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run)
 {
   const CorticalSphere sphere(surface);
   return makeFreeSurfer(
-    surface, [&](std::size_t i) { return sphere.coordinate(i); }, progress);
+    surface, [&](std::size_t i) { return sphere.coordinate(i); }, run);
 }
 
 //------------------------------------------------------------------------------
 std::string makeFreeSurferCurv(
-  const NamedArray& values, std::size_t numberOfPolygons, const ParseProgress& progress)
+  const NamedArray& values, std::size_t numberOfPolygons, const Run& run)
 {
-  report(progress, 0.0);
+  run.report(0.0);
   std::string bytes = "\xFF\xFF\xFF";
   appendBytes(bytes, static_cast<std::int32_t>(values.numberOfTuples()), true);
   appendBytes(bytes, static_cast<std::int32_t>(numberOfPolygons), true);

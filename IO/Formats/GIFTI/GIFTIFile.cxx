@@ -409,9 +409,9 @@ private:
 class GIFTIReader
 {
 public:
-  GIFTIReader(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+  GIFTIReader(ByteReader& input, const ParseLimits& limits, const Run& run)
     : Input(input)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Handler(input.size(), limits)
     , Parser(XML_ParserCreate(nullptr), XML_ParserFree)
   {
@@ -537,9 +537,8 @@ bool looksLikeGIFTI(std::string_view start)
 }
 
 //------------------------------------------------------------------------------
-std::vector<GIFTIArray> readGIFTIFile(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+std::vector<GIFTIArray> readGIFTIFile(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
-  return GIFTIReader(input, limits, progress).read();
+  return GIFTIReader(input, limits, run).read();
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/NamedArray.h"
 #include "Bytes/ParseLimits.h"
@@ -25,8 +26,7 @@ bool looksLikeGIFTI(std::string_view start);
 /// Read all arrays: ASCII, Base64Binary and GZipBase64Binary, in any order of bytes and of indices.
 /// Custom entities and arrays in external files are rejected.
 /// @throws ParseError
-std::vector<GIFTIArray> readGIFTIFile(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress);
+std::vector<GIFTIArray> readGIFTIFile(ByteReader& input, const ParseLimits& limits, const Run& run);
 }
 
 #endif

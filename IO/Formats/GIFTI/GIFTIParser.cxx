@@ -90,13 +90,12 @@ void addTriangles(const ByteReader& input, const NamedArray& triangles, SurfaceD
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseGIFTISurface(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseGIFTISurface(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
     [&](SurfaceData& data)
     {
-      std::vector<GIFTIArray> arrays = readGIFTIFile(input, limits, progress);
+      std::vector<GIFTIArray> arrays = readGIFTIFile(input, limits, run);
       data.Points = std::move(find(input, arrays, "POINTSET").Values);
       const NamedArray& triangles = find(input, arrays, "TRIANGLE").Values;
       if (!isFloating(data.Points.Type) || data.Points.Components != 3 ||
@@ -128,13 +127,12 @@ SurfaceResult parseGIFTISurface(
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseGIFTIArrays(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseGIFTIArrays(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
     [&](SurfaceData& data)
     {
-      for (GIFTIArray& array : readGIFTIFile(input, limits, progress))
+      for (GIFTIArray& array : readGIFTIFile(input, limits, run))
       {
         if (!isOf(array, "POINTSET") && !isOf(array, "TRIANGLE"))
         {

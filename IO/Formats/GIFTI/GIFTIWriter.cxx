@@ -129,7 +129,7 @@ FileArray named(const NamedArray& array, const char* intent)
   return { array, intent, metaData({ { "Name", array.Name } }) };
 }
 
-void appendArray(std::string& text, const FileArray& file, const ParseProgress& progress)
+void appendArray(std::string& text, const FileArray& file, const Run& run)
 {
   const NamedArray& array = file.Values;
   const std::string_view bytes(
@@ -142,11 +142,11 @@ void appendArray(std::string& text, const FileArray& file, const ParseProgress& 
     " Encoding=\"GZipBase64Binary\" Endian=\"" +
     (isLittleEndianMachine() ? "LittleEndian" : "BigEndian") +
     "\" ExternalFileName=\"\" ExternalFileOffset=\"\">\n" + file.MetaData + "\n<Data>" +
-    encodeBinaryText(bytes, true, progress) + "</Data>\n</DataArray>\n";
+    encodeBinaryText(bytes, true, run) + "</Data>\n</DataArray>\n";
 }
 
-std::string makeFile(const std::string& fileMetaData, const std::vector<FileArray>& arrays,
-  const ParseProgress& progress)
+std::string makeFile(
+  const std::string& fileMetaData, const std::vector<FileArray>& arrays, const Run& run)
 {
   std::string text =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -164,12 +164,10 @@ std::string makeFile(const std::string& fileMetaData, const std::vector<FileArra
   for (const FileArray& array : arrays)
   {
     const auto size = static_cast<double>(array.Values.Values.size());
-    const ParseProgress adding = [&](double part)
-    { return !progress || progress((done + part * size) / all); };
-    appendArray(text, array, adding);
+    appendArray(text, array, run.part(done / all, (done + size) / all));
     done += size;
   }
-  report(progress, 1.0);
+  run.report(1.0);
   return text + "</GIFTI>\n";
 }
 
@@ -196,7 +194,7 @@ NamedArray trianglesOf(const SurfaceData& surface)
 // Write only the points, as floats, and the triangles.
 template <typename Coordinate>
 std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, const char* type,
-  const std::string& structure, const ParseProgress& progress)
+  const std::string& structure, const Run& run)
 {
   const NamedArray triangles = trianglesOf(surface);
   const std::size_t size = 3 * surface.Points.numberOfTuples();
@@ -215,7 +213,7 @@ std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, 
         metaData({ { "Name", points.Name }, { "AnatomicalStructurePrimary", structure },
           { "GeometricType", type } }) },
       named(triangles, "TRIANGLE") },
-    progress);
+    run);
 }
 
 // Return the numbers of an array as floats, as programs expect in a shape file.
@@ -240,7 +238,7 @@ NamedArray asFloats(const NamedArray& array)
 
 //------------------------------------------------------------------------------
 std::string makeGIFTISurface(
-  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+  const SurfaceData& surface, const std::string& structure, const Run& run)
 {
   const NamedArray triangles = trianglesOf(surface);
   std::vector<FileArray> arrays = {
@@ -253,30 +251,29 @@ std::string makeGIFTISurface(
     const bool isShape = array.Components == 1 && isFloating(array.Type);
     arrays.push_back(named(array, isShape ? "SHAPE" : "NONE"));
   }
-  return makeFile(metaData({}), arrays, progress);
+  return makeFile(metaData({}), arrays, run);
 }
 
 //------------------------------------------------------------------------------
 std::string makeGIFTIGeometry(
-  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+  const SurfaceData& surface, const std::string& structure, const Run& run)
 {
   return makePlainSurface(
     surface, [&](std::size_t i) { return valueOf(surface.Points, i); }, "Anatomical", structure,
-    progress);
+    run);
 }
 
 //------------------------------------------------------------------------------
 std::string makeGIFTISphere(
-  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+  const SurfaceData& surface, const std::string& structure, const Run& run)
 {
   const CorticalSphere sphere(surface);
   return makePlainSurface(
-    surface, [&](std::size_t i) { return sphere.coordinate(i); }, "Spherical", structure, progress);
+    surface, [&](std::size_t i) { return sphere.coordinate(i); }, "Spherical", structure, run);
 }
 
 //------------------------------------------------------------------------------
-std::string makeGIFTIShape(
-  const SurfaceData& surface, const std::string& structure, const ParseProgress& progress)
+std::string makeGIFTIShape(const SurfaceData& surface, const std::string& structure, const Run& run)
 {
   std::vector<NamedArray> shapes;
   for (const NamedArray& array : surface.PointArrays)
@@ -295,6 +292,6 @@ std::string makeGIFTIShape(
   {
     arrays.push_back(named(shape, "SHAPE"));
   }
-  return makeFile(metaData({ { "AnatomicalStructurePrimary", structure } }), arrays, progress);
+  return makeFile(metaData({ { "AnatomicalStructurePrimary", structure } }), arrays, run);
 }
 }

@@ -42,11 +42,11 @@ bool takeTrait(std::string_view& text, std::string_view& key, std::string_view& 
 class GuMeshReader
 {
 public:
-  GuMeshReader(ByteReader& input, const ParseProgress& progress, SurfaceData& data)
+  GuMeshReader(ByteReader& input, const Run& run, SurfaceData& data)
     : Input(input)
     , Data(data)
     , Lines(input)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Colors(input)
     , PolygonColors(input)
   {
@@ -326,9 +326,9 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseGuMesh(ByteReader& input, const ParseLimits&, const ParseProgress& progress)
+SurfaceResult parseGuMesh(ByteReader& input, const ParseLimits&, const Run& run)
 {
-  return parseSurface([&](SurfaceData& data) { GuMeshReader(input, progress, data).read(); });
+  return parseSurface([&](SurfaceData& data) { GuMeshReader(input, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #ifndef ConformalGuMeshParser_h
 #define ConformalGuMeshParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -23,8 +24,7 @@ namespace conformal
 /// All traits but sph may be missing at some vertices: the value is 0 there, or white. Trait rgb of
 /// faces becomes an array of the polygons. Other traits, and lines "Edge" and "Corner", are
 /// skipped.
-SurfaceResult parseGuMesh(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+SurfaceResult parseGuMesh(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are those of such a mesh: a vertex comes first.
 bool looksLikeGuMesh(std::string_view start);

@@ -26,7 +26,7 @@ std::string inBraces(const std::string& traits)
 }
 
 //------------------------------------------------------------------------------
-std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeGuMesh(const SurfaceData& surface, const Run& run)
 {
   const NamedArray* sphere = findSpherePositions(surface);
   const NamedArray* normals = findArray(surface.PointArrays, "Normals", 3, isFloating);
@@ -35,7 +35,7 @@ std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress
   const NamedArray* polygonColors = findArray(surface.PolygonArrays, "RGB", 3, isByte);
   std::string text;
   walk(
-    surface, progress,
+    surface, run,
     [&](std::size_t point)
     {
       text += "Vertex " + std::to_string(point + 1);

@@ -3,6 +3,7 @@
 #ifndef ConformalGuMeshWriter_h
 #define ConformalGuMeshWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,8 +13,8 @@ namespace conformal
 /// Write "SpherePosition" as trait sph, "Normals", "TCoords" and "RGB" of the points, and "RGB" of
 /// the polygons. Other arrays are omitted.
 /// @throws std::invalid_argument if a "SpherePosition" has no direction
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeGuMesh(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGuMesh(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

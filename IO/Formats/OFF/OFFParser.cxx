@@ -50,12 +50,11 @@ OFFKeyword keywordOf(std::string_view word)
 class OFFReader
 {
 public:
-  OFFReader(
-    ByteReader& input, const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+  OFFReader(ByteReader& input, const ParseLimits& limits, const Run& run, SurfaceData& data)
     : Input(input)
     , Limits(limits)
     , Data(data)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Colors(input)
     , PolygonColors(input)
   {
@@ -386,9 +385,9 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
-  return parseSurface([&](SurfaceData& data) { OFFReader(input, limits, progress, data).read(); });
+  return parseSurface([&](SurfaceData& data) { OFFReader(input, limits, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -19,8 +20,7 @@ namespace conformal
 ///
 /// Colors after the ids of a face become an array of the polygons, white for a face without color.
 /// A single number becomes "ColorIndex" (Int32), -1 for a face without it.
-SurfaceResult parseOFF(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are those of an OFF file with its keyword.
 bool looksLikeOFF(std::string_view start);

@@ -5,7 +5,7 @@
 namespace conformal
 {
 //------------------------------------------------------------------------------
-std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeOFF(const SurfaceData& surface, const Run& run)
 {
   const NamedArray* normals = findArray(surface.PointArrays, "Normals", 3, isFloating);
   const NamedArray* tcoords = findArray(surface.PointArrays, "TCoords", 2, isFloating);
@@ -17,7 +17,7 @@ std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress)
     "OFF\n" + std::to_string(surface.Points.numberOfTuples()) + " " +
     std::to_string(numberOfPolygons(surface)) + " 0\n";
   walk(
-    surface, progress,
+    surface, run,
     [&](std::size_t point)
     {
       std::string line;

@@ -3,6 +3,7 @@
 #ifndef ConformalOFFWriter_h
 #define ConformalOFFWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -11,8 +12,8 @@ namespace conformal
 {
 /// Write OFF as text: "Normals", "RGB" or "RGBA", and "TCoords" of the points, colors and
 /// "ColorIndex" of the polygons. Other arrays are omitted.
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeOFF(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeOFF(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

@@ -22,13 +22,13 @@ constexpr std::size_t BlockBytes = std::size_t(1) << 17; // bytes of records cop
 class PCDReader
 {
 public:
-  PCDReader(ByteReader& input, const FilePiece& piece, const ParseLimits& limits,
-    const ParseProgress& progress, SurfaceData& data)
+  PCDReader(ByteReader& input, const FilePiece& piece, const ParseLimits& limits, const Run& run,
+    SurfaceData& data)
     : Input(input)
     , Piece(piece)
     , Limits(limits)
     , Data(data)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Header(readPCDHeader(input))
   {
   }
@@ -289,10 +289,10 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece, const ParseLimits& limits,
-  const ParseProgress& progress)
+SurfaceResult parsePCD(
+  ByteReader& input, const FilePiece& piece, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
-    [&](SurfaceData& data) { PCDReader(input, piece, limits, progress, data).read(); });
+    [&](SurfaceData& data) { PCDReader(input, piece, limits, run, data).read(); });
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalPCDParser_h
 #define ConformalPCDParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/ParseLimits.h"
@@ -19,7 +20,7 @@ namespace conformal
 ///
 /// @param[in] piece  of an uncompressed binary file; other files cannot be divided
 SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece = {},
-  const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  const ParseLimits& limits = {}, const Run& run = {});
 }
 
 #endif

@@ -23,13 +23,13 @@ class BodyReader
 {
 public:
   BodyReader(ByteReader& input, const PLYHeader& header, const PLYOptions& options,
-    const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+    const ParseLimits& limits, const Run& run, SurfaceData& data)
     : Input(input)
     , Header(header)
     , Options(options)
     , Limits(limits)
     , Data(data)
-    , Progress(input, progress)
+    , Progress(input, run)
   {
   }
 
@@ -455,14 +455,14 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options, const ParseLimits& limits,
-  const ParseProgress& progress)
+SurfaceResult parsePLY(
+  ByteReader& input, const PLYOptions& options, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
     [&](SurfaceData& data)
     {
       const PLYHeader header = readPLYHeader(input);
-      BodyReader(input, header, options, limits, progress, data).read();
+      BodyReader(input, header, options, limits, run, data).read();
     });
 }
 }

@@ -3,6 +3,7 @@
 #ifndef ConformalPLYParser_h
 #define ConformalPLYParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/ParseLimits.h"
@@ -43,7 +44,7 @@ struct PLYOptions
 /// A point that is not finite is dropped from a cloud and is an error in a mesh. Bytes after the
 /// last element, from the first that is not a blank, are counted but not read.
 SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options = {},
-  const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  const ParseLimits& limits = {}, const Run& run = {});
 }
 
 #endif

@@ -101,7 +101,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::string makePLY(const SurfaceData& surface, const ParseProgress& progress)
+std::string makePLY(const SurfaceData& surface, const Run& run)
 {
   PLYProperties points;
   points.add(surface.Points);
@@ -131,7 +131,7 @@ std::string makePLY(const SurfaceData& surface, const ParseProgress& progress)
   }
   bytes += "end_header\n";
   walk(
-    surface, progress, [&](std::size_t point) { points.append(bytes, point); },
+    surface, run, [&](std::size_t point) { points.append(bytes, point); },
     [&](std::size_t polygon, const std::int64_t* ids, std::size_t count)
     {
       if (isShort)

@@ -3,6 +3,7 @@
 #ifndef ConformalPLYWriter_h
 #define ConformalPLYWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -11,8 +12,8 @@ namespace conformal
 {
 /// Write binary little-endian PLY with all arrays of points and polygons. 8-byte integers become
 /// doubles, a blank in a name becomes an underscore.
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makePLY(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makePLY(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

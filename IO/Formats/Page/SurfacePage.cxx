@@ -20,13 +20,6 @@ namespace
 {
 using Codes = std::vector<std::uint32_t>;
 
-// Return the part of a run from begin to end.
-ParseProgress partOf(const ParseProgress& progress, double begin, double end)
-{
-  return [&progress, begin, end](double fraction)
-  { return !progress || progress(begin + (end - begin) * fraction); };
-}
-
 template <std::size_t Size>
 std::string jsonNumbers(const std::array<double, Size>& values)
 {
@@ -352,9 +345,9 @@ const NamedArray& requirePageSurface(const SurfaceData& surface)
 
 //------------------------------------------------------------------------------
 std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
-  std::string_view threeJS, const SurfacePageOptions& options, const ParseProgress& progress)
+  std::string_view threeJS, const SurfacePageOptions& options, const Run& run)
 {
-  report(progress, 0.0);
+  run.report(0.0);
   const NamedArray& sphere = requirePageSurface(surface);
   const NamedArray* texCoords = findArray(surface.PointArrays, "TCoords", 2, isFloating);
   if (!jpeg.empty() && !texCoords)
@@ -365,12 +358,12 @@ std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
   const int first = firstShown(arrays, options.ColorArrayName, !jpeg.empty());
 
   PageBuilder builder(surface, sphere);
-  report(progress, 0.1);
+  run.report(0.1);
   builder.addPlaces("bounds", surface.Points, "coordinate");
   builder.addSphere();
-  report(progress, 0.15);
+  run.report(0.15);
   builder.addTriangles();
-  report(progress, 0.25);
+  run.report(0.25);
   if (!jpeg.empty())
   {
     builder.addPlaces("textureBounds", *texCoords, "texture coordinate");
@@ -380,7 +373,7 @@ std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
   for (const NamedArray* array : arrays)
   {
     list += (list.empty() ? "" : ",") + builder.addArray(*array);
-    report(progress, 0.3);
+    run.report(0.3);
   }
   builder.add("arrays", "[" + list + "]");
   builder.add("first", std::to_string(first));
@@ -389,10 +382,10 @@ std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
 
   builder.Description += "}";
   const std::string title = htmlText(options.Title);
-  const std::string data = encodeBinaryText(builder.Bytes, true, partOf(progress, 0.3, 0.8));
-  const std::string library = encodeBinaryText(threeJS, true, partOf(progress, 0.8, 0.95));
+  const std::string data = encodeBinaryText(builder.Bytes, true, run.part(0.3, 0.8));
+  const std::string library = encodeBinaryText(threeJS, true, run.part(0.8, 0.95));
   const std::string picture = encodeBinaryText(jpeg, false);
-  report(progress, 1.0);
+  run.report(1.0);
   return filled(PageHTML,
     { { "title", title }, { "style", PageCSS }, { "description", builder.Description },
       { "data", data }, { "picture", picture }, { "three", library }, { "program", PageScript } });

@@ -3,6 +3,7 @@
 #ifndef ConformalSurfacePage_h
 #define ConformalSurfacePage_h
 
+#include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
 #include "Bytes/SurfaceData.h"
 
@@ -22,8 +23,7 @@ struct SurfacePageOptions
   /// Initial directions to the right, up, and towards the viewer: rows of unit length, in the
   /// coordinates of the surface.
   std::array<double, 9> SurfaceAxes = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  std::array<double, 9> SphereAxes = { 1, 0, 0, 0, 1, 0, 0, 0,
-    1 }; ///< initial directions for the sphere
+  std::array<double, 9> SphereAxes = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; ///< likewise of the sphere
 };
 
 /// Return the sphere positions of a surface that a page can show.
@@ -45,10 +45,9 @@ const NamedArray& requirePageSurface(const SurfaceData& surface);
 /// @param[in] threeJS  a classic or CommonJS build of three.js
 /// @throws std::invalid_argument as requirePageSurface(), and for a missing array and positions
 ///   that are not finite
-/// @throws ParseError with Aborted if the progress callback returns false
+/// @throws Aborted
 std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
-  std::string_view threeJS, const SurfacePageOptions& options = {},
-  const ParseProgress& progress = {});
+  std::string_view threeJS, const SurfacePageOptions& options = {}, const Run& run = {});
 }
 
 #endif

@@ -42,13 +42,12 @@ bool isCount(double value)
 class PlateModelReader
 {
 public:
-  PlateModelReader(
-    ByteReader& input, const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+  PlateModelReader(ByteReader& input, const ParseLimits& limits, const Run& run, SurfaceData& data)
     : Input(input)
     , Limits(limits)
     , Data(data)
     , Lines(input)
-    , Progress(input, progress)
+    , Progress(input, run)
   {
   }
 
@@ -237,11 +236,10 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parsePlateModel(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parsePlateModel(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
-    [&](SurfaceData& data) { PlateModelReader(input, limits, progress, data).read(); });
+    [&](SurfaceData& data) { PlateModelReader(input, limits, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------

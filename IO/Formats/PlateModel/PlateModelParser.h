@@ -3,6 +3,7 @@
 #ifndef ConformalPlateModelParser_h
 #define ConformalPlateModelParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -18,7 +19,7 @@ namespace conformal
 ///
 /// Points are Float64, in the unit of the file.
 SurfaceResult parsePlateModel(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are those of a plate model: counts, then rows that match
 /// them.

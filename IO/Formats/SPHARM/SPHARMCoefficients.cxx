@@ -43,10 +43,10 @@ HarmonicPlace placeOf(std::size_t degree, std::size_t number)
 class CoefficientReader
 {
 public:
-  CoefficientReader(ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+  CoefficientReader(ByteReader& input, const ParseLimits& limits, const Run& run)
     : Input(input)
     , Limits(limits)
-    , Progress(input, progress)
+    , Progress(input, run)
   {
   }
 
@@ -170,11 +170,10 @@ void appendCoefficient(std::string& text, double value)
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseSPHARMCoefficients(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseSPHARMCoefficients(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
   return parseSurface([&](SurfaceData& data)
-    { data.PointArrays.push_back(CoefficientReader(input, limits, progress).read()); });
+    { data.PointArrays.push_back(CoefficientReader(input, limits, run).read()); });
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +209,7 @@ bool looksLikeSPHARMCoefficients(std::string_view start)
 }
 
 //------------------------------------------------------------------------------
-std::string makeSPHARMCoefficients(const NamedArray& coefficients, const ParseProgress& progress)
+std::string makeSPHARMCoefficients(const NamedArray& coefficients, const Run& run)
 {
   const bool isRight = coefficients.Type == ScalarType::Float64 && coefficients.Components == 3;
   const std::int64_t degree = isRight ? degreeOf(coefficients.numberOfTuples()) : -1;
@@ -221,7 +220,7 @@ std::string makeSPHARMCoefficients(const NamedArray& coefficients, const ParsePr
   std::string text = "{ " + std::to_string(coefficients.numberOfTuples()) + ",";
   for (std::size_t l = 0; l <= static_cast<std::size_t>(degree); ++l)
   {
-    report(progress, static_cast<double>(l * l) / coefficients.numberOfTuples());
+    run.report(static_cast<double>(l * l) / coefficients.numberOfTuples());
     for (std::size_t number = 0; number <= 2 * l; ++number)
     {
       const HarmonicPlace place = placeOf(l, number);

@@ -3,6 +3,7 @@
 #ifndef ConformalSPHARMCoefficients_h
 #define ConformalSPHARMCoefficients_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/NamedArray.h"
 #include "Bytes/ParseLimits.h"
@@ -26,7 +27,7 @@ namespace conformal
 /// @return one point array, "Coefficients" (Float64, 3 components) of N tuples: for each degree l
 ///   the orders from -l (sin) to l (cos); no points
 SurfaceResult parseSPHARMCoefficients(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are those of such coefficients.
 bool looksLikeSPHARMCoefficients(std::string_view start);
@@ -34,9 +35,8 @@ bool looksLikeSPHARMCoefficients(std::string_view start);
 /// Write the array of parseSPHARMCoefficients() to a file. Numbers have 15 digits, so that numbers
 /// read with at most 15 digits are written unchanged.
 /// @throws std::invalid_argument if there are not (L + 1)^2 tuples of 3 finite Float64
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeSPHARMCoefficients(
-  const NamedArray& coefficients, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeSPHARMCoefficients(const NamedArray& coefficients, const Run& run = {});
 }
 
 #endif

@@ -40,11 +40,10 @@ struct MeshHeader
 class MeshReader
 {
 public:
-  MeshReader(
-    ByteReader& input, const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+  MeshReader(ByteReader& input, const ParseLimits& limits, const Run& run, SurfaceData& data)
     : Input(input)
     , Limits(limits)
-    , Progress(input, progress)
+    , Progress(input, run)
     , Data(data)
   {
   }
@@ -396,8 +395,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::string makeMesh(const SurfaceData& surface, const NamedArray& points, const char* title,
-  const ParseProgress& progress)
+std::string makeMesh(
+  const SurfaceData& surface, const NamedArray& points, const char* title, const Run& run)
 {
   requireTriangles(surface);
   const bool isFloat = points.Type == ScalarType::Float32;
@@ -406,7 +405,7 @@ std::string makeMesh(const SurfaceData& surface, const NamedArray& points, const
     (isFloat ? " float\n" : " double\n");
   const std::size_t polygons = numberOfPolygons(surface);
   walk(
-    surface, progress,
+    surface, run,
     [&](std::size_t point)
     {
       for (std::size_t c = 0; c < 3; ++c)
@@ -436,10 +435,9 @@ std::string makeMesh(const SurfaceData& surface, const NamedArray& points, const
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseSPHARMMesh(
-  ByteReader& input, const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseSPHARMMesh(ByteReader& input, const ParseLimits& limits, const Run& run)
 {
-  return parseSurface([&](SurfaceData& data) { MeshReader(input, limits, progress, data).read(); });
+  return parseSurface([&](SurfaceData& data) { MeshReader(input, limits, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------
@@ -465,13 +463,13 @@ std::string sphereNameOf(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-std::string makeSPHARMSurface(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeSPHARMSurface(const SurfaceData& surface, const Run& run)
 {
-  return makeMesh(surface, surface.Points, "surface", progress);
+  return makeMesh(surface, surface.Points, "surface", run);
 }
 
 //------------------------------------------------------------------------------
-std::string makeSPHARMSphere(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeSPHARMSphere(const SurfaceData& surface, const Run& run)
 {
   const NamedArray* sphere = findSpherePositions(surface);
   if (!sphere)
@@ -486,6 +484,6 @@ std::string makeSPHARMSphere(const SurfaceData& surface, const ParseProgress& pr
     append(unit, n.data());
   }
   makeUnitVectors(unit);
-  return makeMesh(surface, unit, "sphere", progress);
+  return makeMesh(surface, unit, "sphere", run);
 }
 }

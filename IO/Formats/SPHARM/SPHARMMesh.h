@@ -4,6 +4,7 @@
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -17,7 +18,7 @@ namespace conformal
 /// binary, versions 1.0 to 5.1. Vertices and lines are skipped; the file is not read beyond the
 /// first arrays.
 SurfaceResult parseSPHARMMesh(
-  ByteReader& input, const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are those of a legacy VTK file of a POLYDATA.
 bool looksLikeSPHARMMesh(std::string_view start);
@@ -30,9 +31,9 @@ std::string sphereNameOf(const std::string& path);
 /// Numbers are read back unchanged.
 /// @throws std::invalid_argument if there are polygons other than triangles. For the sphere, also
 ///   without "SpherePosition" or with one that has no direction.
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeSPHARMSurface(const SurfaceData& surface, const ParseProgress& progress = {});
-std::string makeSPHARMSphere(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeSPHARMSurface(const SurfaceData& surface, const Run& run = {});
+std::string makeSPHARMSphere(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

@@ -86,12 +86,12 @@ class AlignedScansReader
 {
 public:
   AlignedScansReader(ByteReader& input, const OpenScan& open, const AlignedScansOptions& options,
-    const ParseLimits& limits, const ParseProgress& progress, SurfaceData& data)
+    const ParseLimits& limits, const conformal::Run& run, SurfaceData& data)
     : Input(input)
     , Open(open)
     , Options(options)
     , Limits(limits)
-    , Progress(progress)
+    , Run(run)
     , Data(data)
     , Lines(input)
   {
@@ -103,7 +103,7 @@ public:
     this->Data.Points = makeArray("Points", ScalarType::Float64, 3);
     while (this->Lines.next())
     {
-      this->report();
+      this->Run.report(this->fraction());
       LineWords words(this->Lines.text());
       const std::string_view keyword = words.next();
       if (isMesh(keyword))
@@ -168,8 +168,12 @@ private:
         this->Lines.failExpecting("each scan once; another line has the same file");
       }
       result = parsePLY(scan.Input, {}, this->Limits,
-        this->Progress ? [this](double) { return this->Progress(this->fraction()); }
-                       : ParseProgress());
+        this->Run.watchedBy(
+          [this](double)
+          {
+            this->Run.report(this->fraction());
+            return true;
+          }));
     }
     if (!result.Status.ok())
     {
@@ -246,19 +250,11 @@ private:
     return static_cast<double>(this->Input.offset()) / static_cast<double>(this->Input.size());
   }
 
-  void report()
-  {
-    if (this->Progress && !this->Progress(this->fraction()))
-    {
-      this->Input.fail(ParseCode::Aborted, "aborted");
-    }
-  }
-
   ByteReader& Input;
   const OpenScan& Open;
   const AlignedScansOptions& Options;
   const ParseLimits& Limits;
-  const ParseProgress& Progress;
+  const conformal::Run& Run;
   SurfaceData& Data;
   LineReader Lines;
   std::set<std::string> Files; ///< identities of the scans read
@@ -270,10 +266,10 @@ private:
 
 //------------------------------------------------------------------------------
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
-  const AlignedScansOptions& options, const ParseLimits& limits, const ParseProgress& progress)
+  const AlignedScansOptions& options, const ParseLimits& limits, const Run& run)
 {
-  return parseSurface([&](SurfaceData& data)
-    { AlignedScansReader(input, open, options, limits, progress, data).read(); });
+  return parseSurface(
+    [&](SurfaceData& data) { AlignedScansReader(input, open, options, limits, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------

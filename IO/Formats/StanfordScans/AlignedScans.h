@@ -3,6 +3,7 @@
 #ifndef ConformalAlignedScans_h
 #define ConformalAlignedScans_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
@@ -40,8 +41,7 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// scans have by name, type and number of components are kept. A scan may occur once, and by one
 /// name only. Missing scans are counted and omitted if other scans exist and options permit it.
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
-  const AlignedScansOptions& options = {}, const ParseLimits& limits = {},
-  const ParseProgress& progress = {});
+  const AlignedScansOptions& options = {}, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Return the names of all scans in a list, verbatim, up to the first line of another format. No
 /// scan is opened, and no motion is parsed.

@@ -12,7 +12,7 @@ namespace conformal
 namespace
 {
 // Compress piece by piece, so that the run can be aborted.
-std::string deflated(std::string_view bytes, const ParseProgress& progress)
+std::string deflated(std::string_view bytes, const Run& run)
 {
   constexpr std::size_t piece = 1 << 18;
   z_stream stream = {};
@@ -25,7 +25,7 @@ std::string deflated(std::string_view bytes, const ParseProgress& progress)
   std::size_t begin = 0;
   do
   {
-    report(progress, static_cast<double>(begin) / std::max<std::size_t>(bytes.size(), 1));
+    run.report(static_cast<double>(begin) / std::max<std::size_t>(bytes.size(), 1));
     const std::size_t size = std::min(piece, bytes.size() - begin);
     stream.next_in =
       const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.substr(begin, size).data()));
@@ -46,13 +46,12 @@ std::string deflated(std::string_view bytes, const ParseProgress& progress)
 }
 
 //------------------------------------------------------------------------------
-std::string encodeBinaryText(
-  std::string_view bytes, bool isCompressed, const ParseProgress& progress)
+std::string encodeBinaryText(std::string_view bytes, bool isCompressed, const Run& run)
 {
   std::string compressed;
   if (isCompressed)
   {
-    compressed = deflated(bytes, progress);
+    compressed = deflated(bytes, run);
     bytes = compressed;
   }
   constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -3,6 +3,7 @@
 #ifndef ConformalBinaryTextEncoder_h
 #define ConformalBinaryTextEncoder_h
 
+#include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
 
 #include <string>
@@ -12,9 +13,8 @@ namespace conformal
 {
 /// Write bytes as base64 text.
 /// @param[in] isCompressed  whether to compress them first
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string encodeBinaryText(
-  std::string_view bytes, bool isCompressed, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string encodeBinaryText(std::string_view bytes, bool isCompressed, const Run& run = {});
 }
 
 #endif

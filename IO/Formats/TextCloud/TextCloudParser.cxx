@@ -22,13 +22,13 @@ class TextCloudReader
 {
 public:
   TextCloudReader(ByteReader& input, const TextCloudOptions& options, const ParseLimits& limits,
-    const ParseProgress& progress, SurfaceData& data)
+    const Run& run, SurfaceData& data)
     : Input(input)
     , Options(options)
     , Limits(limits)
     , Data(data)
     , Lines(input)
-    , Progress(input, progress)
+    , Progress(input, run)
   {
   }
 
@@ -268,11 +268,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options,
-  const ParseLimits& limits, const ParseProgress& progress)
+SurfaceResult parseTextCloud(
+  ByteReader& input, const TextCloudOptions& options, const ParseLimits& limits, const Run& run)
 {
   return parseSurface(
-    [&](SurfaceData& data) { TextCloudReader(input, options, limits, progress, data).read(); });
+    [&](SurfaceData& data) { TextCloudReader(input, options, limits, run, data).read(); });
 }
 
 //------------------------------------------------------------------------------

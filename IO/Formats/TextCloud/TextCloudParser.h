@@ -3,6 +3,7 @@
 #ifndef ConformalTextCloudParser_h
 #define ConformalTextCloudParser_h
 
+#include "Base/Run.h"
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/ParseLimits.h"
@@ -25,7 +26,7 @@ struct TextCloudOptions
 /// "Normals" and every other column; integer colors are "RGB" (UInt8). A single number on the first
 /// line is the number of points that follow (PTS); a file may have several such blocks.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
-  const ParseLimits& limits = {}, const ParseProgress& progress = {});
+  const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file are points as text, without decimal commas.
 bool looksLikeTextCloud(std::string_view start);

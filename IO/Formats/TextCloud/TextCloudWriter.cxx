@@ -47,11 +47,11 @@ std::string titleOf(const std::vector<NamedArray>& arrays)
 }
 
 //------------------------------------------------------------------------------
-std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress)
+std::string makeTextCloud(const SurfaceData& surface, const Run& run)
 {
   std::string text = surface.PointArrays.empty() ? "" : titleOf(surface.PointArrays);
   walk(
-    surface, progress,
+    surface, run,
     [&](std::size_t point)
     {
       std::string line;

@@ -3,6 +3,7 @@
 #ifndef ConformalTextCloudWriter_h
 #define ConformalTextCloudWriter_h
 
+#include "Base/Run.h"
 #include "Bytes/SurfaceData.h"
 
 #include <string>
@@ -12,8 +13,8 @@ namespace conformal
 /// Write points as text, with names of the columns in a comment if there are columns beside x, y
 /// and z. All arrays are written. Arrays of several components other than "Normals" and "RGB"
 /// become several columns. Repeated names are made unique by appending "_".
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeTextCloud(const SurfaceData& surface, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeTextCloud(const SurfaceData& surface, const Run& run = {});
 }
 
 #endif

@@ -28,12 +28,12 @@ constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
 
 // Call body for all i below count and report progress from begin to end.
 template <typename Body>
-void forEach(std::size_t count, const ParseProgress& progress, double begin, double end, Body body)
+void forEach(std::size_t count, const Run& run, double begin, double end, Body body)
 {
   constexpr std::size_t chunk = 100000;
   for (std::size_t first = 0; first < count; first += chunk)
   {
-    report(progress, begin + (end - begin) * static_cast<double>(first) / count);
+    run.report(begin + (end - begin) * static_cast<double>(first) / count);
     const std::size_t last = std::min(count, first + chunk);
     for (std::size_t i = first; i < last; ++i)
     {
@@ -216,8 +216,7 @@ void appendLine(std::string& text, const char* keyword, const T* values, std::si
 }
 
 //------------------------------------------------------------------------------
-std::string makeGLB(
-  const TexturedSurface& surface, std::string_view png, const ParseProgress& progress)
+std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run)
 {
   requireFloatRange(surface.Positions.size(), [&](std::size_t i) { return surface.Positions[i]; });
   const std::array<double, 3> origin = originOf(surface.Positions);
@@ -231,11 +230,11 @@ std::string makeGLB(
   bytes.reserve(count * (hasNormals ? 32 : 20) + surface.Corners.size() * 4 + png.size() + 3);
   const auto appendFloats = [&](const std::vector<float>& values, double begin, double end)
   {
-    forEach(values.size(), progress, begin, end,
-      [&](std::size_t i) { appendBytes(bytes, values[i], false); });
+    forEach(
+      values.size(), run, begin, end, [&](std::size_t i) { appendBytes(bytes, values[i], false); });
   };
 
-  forEach(surface.Positions.size(), progress, 0.0, 0.3,
+  forEach(surface.Positions.size(), run, 0.0, 0.3,
     [&](std::size_t i) { appendBytes(bytes, static_cast<float>(coordinate(i)), false); });
   const int positions = builder.addAccessor(builder.addView(0, ArrayBuffer), Float, "VEC3", count,
     boundsOf(surface.Positions.size(), coordinate));
@@ -249,7 +248,7 @@ std::string makeGLB(
     attributes += ",\"NORMAL\":" + std::to_string(normals);
   }
   const std::size_t texCoordsBegin = bytes.size();
-  forEach(surface.TexCoords.size(), progress, 0.5, 0.7,
+  forEach(surface.TexCoords.size(), run, 0.5, 0.7,
     [&](std::size_t i)
     {
       const float value = surface.TexCoords[i];
@@ -260,7 +259,7 @@ std::string makeGLB(
   attributes += ",\"TEXCOORD_0\":" + std::to_string(texCoords);
 
   const std::size_t cornersBegin = bytes.size();
-  forEach(surface.Corners.size(), progress, 0.7, 0.9,
+  forEach(surface.Corners.size(), run, 0.7, 0.9,
     [&](std::size_t i) { appendBytes(bytes, surface.Corners[i], false); });
   const int corners = builder.addAccessor(builder.addView(cornersBegin, ElementArrayBuffer),
     UnsignedInt, "SCALAR", surface.Corners.size());
@@ -268,27 +267,26 @@ std::string makeGLB(
   const std::size_t imageBegin = bytes.size();
   bytes += png;
   const int image = builder.addView(imageBegin, 0);
-  report(progress, 1.0);
+  run.report(1.0);
   return builder.file(attributes, corners, image, surface, placement);
 }
 
 //------------------------------------------------------------------------------
-std::string makeOBJ(
-  const TexturedSurface& surface, const std::string& materialFile, const ParseProgress& progress)
+std::string makeOBJ(const TexturedSurface& surface, const std::string& materialFile, const Run& run)
 {
   const std::size_t count = surface.Positions.size() / 3;
   const bool hasNormals = !surface.Normals.empty();
   std::string text = "mtllib " + materialFile + "\nusemtl surface\n";
-  forEach(count, progress, 0.0, 0.3,
+  forEach(count, run, 0.0, 0.3,
     [&](std::size_t i) { appendLine(text, "v", &surface.Positions[3 * i], 3); });
-  forEach(count, progress, 0.3, 0.5,
+  forEach(count, run, 0.3, 0.5,
     [&](std::size_t i) { appendLine(text, "vt", &surface.TexCoords[2 * i], 2); });
   if (hasNormals)
   {
-    forEach(count, progress, 0.5, 0.7,
+    forEach(count, run, 0.5, 0.7,
       [&](std::size_t i) { appendLine(text, "vn", &surface.Normals[3 * i], 3); });
   }
-  forEach(surface.Corners.size(), progress, 0.7, 1.0,
+  forEach(surface.Corners.size(), run, 0.7, 1.0,
     [&](std::size_t i)
     {
       const std::string id = std::to_string(surface.Corners[i] + std::uint64_t(1));
@@ -305,8 +303,7 @@ std::string makeMTL(const std::string& textureFile)
 }
 
 //------------------------------------------------------------------------------
-std::string makePLY(
-  const TexturedSurface& surface, const std::string& textureFile, const ParseProgress& progress)
+std::string makePLY(const TexturedSurface& surface, const std::string& textureFile, const Run& run)
 {
   const std::size_t count = surface.Positions.size() / 3;
   const std::size_t triangles = surface.Corners.size() / 3;
@@ -322,7 +319,7 @@ std::string makePLY(
     "property float texture_u\nproperty float texture_v\nelement face " +
     std::to_string(triangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
   bytes.reserve(bytes.size() + count * (hasNormals ? 44 : 32) + triangles * 13);
-  forEach(count, progress, 0.0, 0.6,
+  forEach(count, run, 0.0, 0.6,
     [&](std::size_t i)
     {
       std::for_each_n(
@@ -331,7 +328,7 @@ std::string makePLY(
         [&](float v) { appendBytes(bytes, v, false); });
       std::for_each_n(&surface.TexCoords[2 * i], 2, [&](float v) { appendBytes(bytes, v, false); });
     });
-  forEach(triangles, progress, 0.6, 1.0,
+  forEach(triangles, run, 0.6, 1.0,
     [&](std::size_t i)
     {
       bytes += static_cast<char>(3);

@@ -3,6 +3,7 @@
 #ifndef ConformalTexturedSurface_h
 #define ConformalTexturedSurface_h
 
+#include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
 
 #include <cstdint>
@@ -32,14 +33,13 @@ struct TexturedSurface
 /// center of the bounding box. The node is then translated there.
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would exceed the 4 GiB of the format
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeGLB(
-  const TexturedSurface& surface, std::string_view png, const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
 
 /// Write the text of an OBJ file that refers to a material "surface" of the material file.
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makeOBJ(const TexturedSurface& surface, const std::string& materialFile,
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makeOBJ(
+  const TexturedSurface& surface, const std::string& materialFile, const Run& run = {});
 
 /// Write the text of a material file whose material "surface" is the texture.
 std::string makeMTL(const std::string& textureFile);
@@ -47,9 +47,9 @@ std::string makeMTL(const std::string& textureFile);
 /// Write a binary PLY file with the texture coordinates at the vertices, as "texture_u" and
 /// "texture_v" with v upward. A comment "TextureFile" names the picture. Positions are doubles.
 /// @throws std::length_error if there are more points than a signed 32-bit id can count
-/// @throws ParseError with Aborted if the progress callback returns false
-std::string makePLY(const TexturedSurface& surface, const std::string& textureFile,
-  const ParseProgress& progress = {});
+/// @throws Aborted
+std::string makePLY(
+  const TexturedSurface& surface, const std::string& textureFile, const Run& run = {});
 }
 
 #endif

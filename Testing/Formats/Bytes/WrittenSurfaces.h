@@ -220,7 +220,8 @@ inline SurfaceData surfaceWithAQuad()
 template <typename Make>
 void ExpectStopsWhenAsked(Make make)
 {
-  EXPECT_THROW(make(tetrahedron(false), [](double) { return false; }), conformal::ParseError);
+  const conformal::Run stop({}, [](double) { return false; });
+  EXPECT_THROW(make(tetrahedron(false), stop), conformal::Aborted);
 }
 }
 

@@ -153,9 +153,9 @@ TEST(GIFTIWriter, StopsWhenAsked)
   SurfaceData data = tetrahedron(false);
   data.PointArrays.push_back(spherePositions());
   data.PointArrays.push_back(randomArray<float>("Curvature", ScalarType::Float32, 1, 4, 1));
-  const auto stop = [](double) { return false; };
-  EXPECT_THROW(conformal::makeGIFTISphere(data, {}, stop), conformal::ParseError);
-  EXPECT_THROW(conformal::makeGIFTIShape(data, {}, stop), conformal::ParseError);
+  const conformal::Run stop({}, [](double) { return false; });
+  EXPECT_THROW(conformal::makeGIFTISphere(data, {}, stop), conformal::Aborted);
+  EXPECT_THROW(conformal::makeGIFTIShape(data, {}, stop), conformal::Aborted);
 }
 
 // Compressing takes seconds for millions of points: it is told to stop, and tells how far it is.
@@ -165,12 +165,13 @@ TEST(GIFTIWriter, ReportsWhileItCompresses)
   const std::string_view bytes(
     reinterpret_cast<const char*>(noise.Values.data()), noise.Values.size());
   std::vector<double> reports;
-  const auto listen = [&](double part)
-  {
-    reports.push_back(part);
-    return true;
-  };
-  const std::string text = conformal::encodeBinaryText(bytes, true, listen);
+  const conformal::Run watched({},
+    [&](double part)
+    {
+      reports.push_back(part);
+      return true;
+    });
+  const std::string text = conformal::encodeBinaryText(bytes, true, watched);
   EXPECT_GE(reports.size(), 8U);
   EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
   conformal::BinaryTextDecoder decoder(bytes.size(), true);
@@ -178,8 +179,8 @@ TEST(GIFTIWriter, ReportsWhileItCompresses)
   const auto decoded = decoder.take();
   ASSERT_EQ(decoded.size(), bytes.size());
   EXPECT_TRUE(std::equal(decoded.data(), decoded.data() + decoded.size(), noise.Values.data()));
-  const auto stop = [](double part) { return part < 0.5; };
-  EXPECT_THROW(conformal::encodeBinaryText(bytes, true, stop), conformal::ParseError);
+  const conformal::Run stop({}, [](double part) { return part < 0.5; });
+  EXPECT_THROW(conformal::encodeBinaryText(bytes, true, stop), conformal::Aborted);
 }
 
 TEST(GIFTIWriter, RefusesWhatCouldNotBeReadBack)

@@ -28,10 +28,10 @@ using samples::values;
 namespace
 {
 conformal::SurfaceResult parsePLY(std::string_view bytes, const conformal::PLYOptions& options = {},
-  const conformal::ParseLimits& limits = {}, const conformal::ParseProgress& progress = {})
+  const conformal::ParseLimits& limits = {}, const conformal::Run& run = {})
 {
   conformal::ByteReader input(bytes);
-  return conformal::parsePLY(input, options, limits, progress);
+  return conformal::parsePLY(input, options, limits, run);
 }
 
 void ExpectTetrahedron(const conformal::SurfaceResult& result)
@@ -549,20 +549,21 @@ TEST(PLYParser, ReportsProgressAndStops)
   const std::string file = cloudOf(XYZ, 10000, body);
   double last = 0.0;
   int calls = 0;
-  const auto watch = [&](double fraction)
-  {
-    EXPECT_GE(fraction, last);
-    EXPECT_LE(fraction, 1.0);
-    last = fraction;
-    return ++calls < 20;
-  };
-  const conformal::SurfaceResult result = parsePLY(file, {}, {}, watch);
+  const conformal::Run watched({},
+    [&](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      EXPECT_LE(fraction, 1.0);
+      last = fraction;
+      return ++calls < 20;
+    });
+  const conformal::SurfaceResult result = parsePLY(file, {}, {}, watched);
   EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
   EXPECT_EQ(calls, 20);
   EXPECT_EQ(result.Data.Points.Values.size(), 0u);
   calls = -1000;
   last = 0.0;
-  EXPECT_TRUE(parsePLY(file, {}, {}, watch).Status.ok());
+  EXPECT_TRUE(parsePLY(file, {}, {}, watched).Status.ok());
   EXPECT_GT(last, 0.9);
 }
 

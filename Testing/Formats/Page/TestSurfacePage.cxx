@@ -483,15 +483,16 @@ TEST(SurfacePage, CoordinatesMayBeOfAnySize)
 TEST(SurfacePage, StopsWhenAskedAndTellsProgressThatNeverFalls)
 {
   const SurfaceData data = ellipsoid(20, 20);
-  EXPECT_THROW(conformal::makeSurfacePage(data, "", Three, {}, [](double) { return false; }),
-    conformal::ParseError);
+  const conformal::Run stop({}, [](double) { return false; });
+  EXPECT_THROW(conformal::makeSurfacePage(data, "", Three, {}, stop), conformal::Aborted);
   std::vector<double> told;
-  conformal::makeSurfacePage(data, "", Three, {},
+  const conformal::Run watched({},
     [&](double fraction)
     {
       told.push_back(fraction);
       return true;
     });
+  conformal::makeSurfacePage(data, "", Three, {}, watched);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.front(), 0.0);
   EXPECT_EQ(told.back(), 1.0);

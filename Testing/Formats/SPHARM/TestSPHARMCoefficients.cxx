@@ -17,10 +17,10 @@ using samples::values;
 
 namespace
 {
-SurfaceResult parse(std::string_view bytes, const conformal::ParseProgress& progress = {})
+SurfaceResult parse(std::string_view bytes, const conformal::Run& run = {})
 {
   conformal::ByteReader input(bytes);
-  return conformal::parseSPHARMCoefficients(input, {}, progress);
+  return conformal::parseSPHARMCoefficients(input, {}, run);
 }
 
 void ExpectSample(const std::string& bytes)
@@ -144,12 +144,13 @@ TEST(SPHARMCoefficients, BadFilesAreRefusedWithTheirLine)
 
 TEST(SPHARMCoefficients, ReadingAndWritingStopWhenAsked)
 {
-  const SurfaceResult result = parse(samples::SPHARMCoefficients(), [](double) { return false; });
+  const conformal::Run stop({}, [](double) { return false; });
+  const conformal::Run stopHalfWay({}, [](double done) { return done < 0.5; });
+  const SurfaceResult result = parse(samples::SPHARMCoefficients(), stop);
   EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
   const SurfaceResult whole = parse(samples::SPHARMCoefficientFiles()[1]);
-  EXPECT_THROW(conformal::makeSPHARMCoefficients(
-                 whole.Data.PointArrays.front(), [](double done) { return done < 0.5; }),
-    conformal::ParseError);
+  EXPECT_THROW(conformal::makeSPHARMCoefficients(whole.Data.PointArrays.front(), stopHalfWay),
+    conformal::Aborted);
 }
 
 TEST(SPHARMCoefficients, WriterRefusesWhatIsNoneOrTooLarge)

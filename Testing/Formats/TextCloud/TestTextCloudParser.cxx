@@ -240,8 +240,8 @@ TEST(TextCloudParser, ReportsProgressAndStops)
   }
   int calls = 0;
   conformal::ByteReader input{ std::string_view(bytes) };
-  const SurfaceResult result =
-    conformal::parseTextCloud(input, {}, {}, [&](double) { return ++calls < 20; });
+  const SurfaceResult result = conformal::parseTextCloud(
+    input, {}, {}, conformal::Run({}, [&](double) { return ++calls < 20; }));
   EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
   EXPECT_EQ(calls, 20);
   EXPECT_EQ(result.Data.Points.Values.size(), 0u);

@@ -219,8 +219,8 @@ TEST(TexturedSurface, GLBSaysItsNameAndUnit)
 
 TEST(TexturedSurface, StopsWhenAsked)
 {
-  const auto stop = [](double) { return false; };
-  EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::ParseError);
-  EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::ParseError);
-  EXPECT_THROW(conformal::makePLY(triangle(), "", stop), conformal::ParseError);
+  const conformal::Run stop({}, [](double) { return false; });
+  EXPECT_THROW(conformal::makeGLB(triangle(), "", stop), conformal::Aborted);
+  EXPECT_THROW(conformal::makeOBJ(triangle(), "", stop), conformal::Aborted);
+  EXPECT_THROW(conformal::makePLY(triangle(), "", stop), conformal::Aborted);
 }

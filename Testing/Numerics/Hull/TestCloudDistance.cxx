@@ -66,7 +66,7 @@ TEST(CloudDistance, GridHoldsTheSamplesWithAMargin)
   EXPECT_GE(least, 3.0);
   EXPECT_LT(least, 3.6);
   EXPECT_LE(most, -3.0);
-  EXPECT_THROW(gridAround(samples, 1e-4, 3), std::length_error);
+  EXPECT_THROW(gridAround(samples, 1e-4, 3), std::invalid_argument);
 }
 
 // Exact up to one spacing and never too small; beyond, close to it.

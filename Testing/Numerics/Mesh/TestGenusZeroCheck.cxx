@@ -255,8 +255,8 @@ TEST(GenusZeroCheck, NothingIsNoSphere)
 
 TEST(GenusZeroCheck, RefusesIdsOutOfRange)
 {
-  EXPECT_THROW(checkGenusZero(tetrahedron(0, 1, 2, 3), 3), std::out_of_range);
-  EXPECT_THROW(checkGenusZero(tetrahedron(0, 1, 2, -1), 3), std::out_of_range);
+  EXPECT_THROW(checkGenusZero(tetrahedron(0, 1, 2, 3), 3), std::invalid_argument);
+  EXPECT_THROW(checkGenusZero(tetrahedron(0, 1, 2, -1), 3), std::invalid_argument);
 }
 
 TEST(GenusZeroCheck, StopsWhenAsked)

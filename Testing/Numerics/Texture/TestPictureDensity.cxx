@@ -99,8 +99,32 @@ TEST(PictureDensity, OfOneColorIsZero)
   EXPECT_FALSE(conformal::isAnywhere(density));
 }
 
+TEST(PictureDensity, DetailsGetHalfOfThePointsInAnyUnit)
+{
+  const SphereImage image = imageOf(SphereProjection::LongitudeLatitude);
+  SphereDensity even =
+    pictureDensity(painted(40, 20, image, [](const Vector3&) { return 0.5; }), image);
+  even.At = [](const Vector3&) { return 1.0; };
+  const Vector3 ahead = Vector3(1.0, 0.2, 0.1).normalized(),
+                aside = Vector3(0.1, 1.0, 0.1).normalized();
+  for (const double unit : { 1e-200, 1.0, 1e200 })
+  {
+    const Picture picture = painted(40, 20, image, [=](const Vector3& n) { return unit * n[1]; });
+    const SphereDensity both = conformal::withDetails(even, picture, image);
+    const auto all = conformal::densitiesOf(both);
+    // The slope of n_y is largest where n_y is 0; the other half has density 1 everywhere.
+    EXPECT_GT(both.At(ahead), 1.5 * both.At(aside));
+    EXPECT_TRUE(std::isfinite(conformal::integralOf(both, all)));
+  }
+  const Picture plain = painted(4, 2, image, [](const Vector3&) { return 3.0; });
+  const SphereDensity kept = conformal::withDetails(even, plain, image);
+  EXPECT_EQ(kept.At(ahead), 1.0);
+  EXPECT_EQ(kept.At(aside), 1.0);
+}
+
 TEST(PictureDensity, BadPicturesAreRefused)
 {
+  EXPECT_THROW(conformal::withDetails({}, {}, {}), std::invalid_argument);
   const SphereImage image;
   EXPECT_THROW(pictureDensity({}, image), std::invalid_argument);
   EXPECT_THROW(pictureDensity({ { 2, 2 }, 1, { 1.0, 2.0, 3.0 } }, image), std::invalid_argument);

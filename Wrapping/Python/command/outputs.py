@@ -211,7 +211,7 @@ def flush(path):
 
 
 def copy_access(place, new):
-    """Give a new file owner, group and permissions of the old one, as OutputFile.cxx does for single files.
+    """Give a new file owner, group and permissions of the old one, as Files/WriteFiles.cxx does for files of our own writers.
 
     A group that cannot be kept gets no more than all other users had; setuid, setgid and sticky bits are dropped.
     """

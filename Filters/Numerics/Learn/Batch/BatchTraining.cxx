@@ -1,6 +1,7 @@
 #include "Learn/Batch/BatchTraining.h"
 
 #include "Base/FixedPointSums.h"
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -296,8 +296,8 @@ private:
 };
 }
 
-std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
-  const BatchTrainingOptions& options, const LevelTest& goesOn, const Run& run)
+FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,
+  const LevelTest& goesOn, const Run& run)
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   FittedMesh result;
@@ -328,7 +328,7 @@ std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
     }
     if (goesOn && !goesOn(result, level.masses()))
     {
-      return std::nullopt;
+      throw NumericalFailure("learning was stopped after a level of the network");
     }
   }
   return result;
@@ -338,7 +338,7 @@ FittedMesh trainBatch(
   const TrainingSamples& samples, const BatchTrainingOptions& options, const Run& run)
 {
   Steps steps(run, { 0.3, 0.68, 0.02 }); // learning, fit, support
-  FittedMesh result = *learnFromSphere(samples, options, nullptr, steps.next());
+  FittedMesh result = learnFromSphere(samples, options, nullptr, steps.next());
   const double noise = result.NoiseToDetail;
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;

@@ -11,7 +11,6 @@
 #include "Learn/Online/ReferencePoint.h"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace conformal
@@ -43,11 +42,11 @@ using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double
 /// shares over the network, narrower from pass to pass.
 ///
 /// @param[in] goesOn  called after each level; empty to learn all levels
-/// @return the mesh in the samples' unit (max radius 1), its noise estimated; nothing if goesOn
-///         returned false
+/// @return the mesh in the samples' unit (max radius 1), its noise estimated
+/// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted
-std::optional<FittedMesh> learnFromSphere(const TrainingSamples& samples,
-  const BatchTrainingOptions& options, const LevelTest& goesOn, const Run& run = {});
+FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,
+  const LevelTest& goesOn, const Run& run = {});
 
 /// Learn on all levels, then fit the vertices to the samples (LeastSquaresFit.h). Noise that the
 /// levels show makes the fit smoother.

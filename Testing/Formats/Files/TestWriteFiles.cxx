@@ -1,4 +1,4 @@
-#include "Files/FileOutput.h"
+#include "Files/WriteFiles.h"
 
 #include "../../FullDisk.h"
 #include "../../OtherUser.h"
@@ -56,7 +56,7 @@ public:
 };
 }
 
-TEST(FileOutput, WritesNewFilesAndReplacesOlderOnes)
+TEST(WriteFiles, WritesNewFilesAndReplacesOlderOnes)
 {
   const TemporaryFolder folder;
   const mode_t before = umask(027);
@@ -69,7 +69,7 @@ TEST(FileOutput, WritesNewFilesAndReplacesOlderOnes)
   EXPECT_EQ(folder.numberOfFiles(), 2u);
 }
 
-TEST(FileOutput, KeepsTheMode)
+TEST(WriteFiles, KeepsTheMode)
 {
   const TemporaryFolder folder;
   const std::string path = folder.write("a", "before");
@@ -81,7 +81,7 @@ TEST(FileOutput, KeepsTheMode)
   }
 }
 
-TEST(FileOutput, ShowsNobodyElseThePrivateFileThatIsWritten)
+TEST(WriteFiles, ShowsNobodyElseThePrivateFileThatIsWritten)
 {
   const TemporaryFolder folder;
   const std::string path = folder.write("a", "before");
@@ -107,7 +107,7 @@ TEST(FileOutput, ShowsNobodyElseThePrivateFileThatIsWritten)
   EXPECT_EQ(seen, 0600u);
 }
 
-TEST(FileOutput, KeepsAccessListsAndGivesNone)
+TEST(WriteFiles, KeepsAccessListsAndGivesNone)
 {
   // Version 2; owner rw, user 12345 r, group nothing, mask r, others nothing.
   const std::array<unsigned char, 44> list = { 2, 0, 0, 0, 1, 0, 6, 0, 0xFF, 0xFF, 0xFF, 0xFF, 2, 0,
@@ -132,7 +132,7 @@ TEST(FileOutput, KeepsAccessListsAndGivesNone)
   EXPECT_EQ(modeOf(plain), 0640u);
 }
 
-TEST(FileOutput, RefusesWhatIsNoRegularFile)
+TEST(WriteFiles, RefusesWhatIsNoRegularFile)
 {
   const TemporaryFolder folder;
   const auto refuse = [&](const std::string& name, const std::string& what)
@@ -170,7 +170,7 @@ TEST(FileOutput, RefusesWhatIsNoRegularFile)
   refuse("device", "device");
 }
 
-TEST(FileOutput, FollowsLinks)
+TEST(WriteFiles, FollowsLinks)
 {
   const TemporaryFolder folder;
   fs::create_directory(folder.file("there"));
@@ -195,7 +195,7 @@ TEST(FileOutput, FollowsLinks)
   EXPECT_EQ(folder.numberOfFiles(), 6u);
 }
 
-TEST(FileOutput, TwoNamesOfOneFileAreAnError)
+TEST(WriteFiles, TwoNamesOfOneFileAreAnError)
 {
   const TemporaryFolder folder;
   folder.write("file", "before");
@@ -213,7 +213,7 @@ TEST(FileOutput, TwoNamesOfOneFileAreAnError)
   EXPECT_EQ(folder.numberOfFiles(), 4u);
 }
 
-TEST(FileOutput, LeavesTheNamesOfOthersAlone)
+TEST(WriteFiles, LeavesTheNamesOfOthersAlone)
 {
   const TemporaryFolder folder;
   const std::string target = folder.write("a", "before");
@@ -235,7 +235,7 @@ TEST(FileOutput, LeavesTheNamesOfOthersAlone)
   EXPECT_NE(conformal::makeTemporaryName(), conformal::makeTemporaryName());
 }
 
-TEST(FileOutput, NamesMayBeAsLongAsTheSystemAllows)
+TEST(WriteFiles, NamesMayBeAsLongAsTheSystemAllows)
 {
   const TemporaryFolder folder;
   const std::string longest(255, 'x');
@@ -247,7 +247,7 @@ TEST(FileOutput, NamesMayBeAsLongAsTheSystemAllows)
   EXPECT_EQ(folder.numberOfFiles(), 1u);
 }
 
-TEST(FileOutput, RefusesControlCharactersInNames)
+TEST(WriteFiles, RefusesControlCharactersInNames)
 {
   const TemporaryFolder folder;
   for (const std::string& name : { std::string("a\nb"), std::string("a\rb"), std::string("\ta"),
@@ -260,7 +260,7 @@ TEST(FileOutput, RefusesControlCharactersInNames)
   EXPECT_TRUE(writeFiles({ { folder.file("gr\xC3\xBC\xC3\x9F \xE2\x98\x83"), "1" } }).ok());
 }
 
-TEST(FileOutput, AFullDiskLeavesTheOlderFiles)
+TEST(WriteFiles, AFullDiskLeavesTheOlderFiles)
 {
   const TemporaryFolder folder;
   folder.write({ { "a", "before" }, { "b", "before" } });
@@ -275,7 +275,7 @@ TEST(FileOutput, AFullDiskLeavesTheOlderFiles)
   EXPECT_EQ(folder.numberOfFiles(), 2u);
 }
 
-TEST(FileOutput, PutsBackWhatWasReplacedWhenALaterFileCannotBe)
+TEST(WriteFiles, PutsBackWhatWasReplacedWhenALaterFileCannotBe)
 {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return folder.file(name); };
@@ -299,7 +299,7 @@ TEST(FileOutput, PutsBackWhatWasReplacedWhenALaterFileCannotBe)
   EXPECT_EQ(folder.numberOfFiles(), 2u);
 }
 
-TEST(FileOutput, SaysWhereAnOldFileIsThatCannotBePutBack)
+TEST(WriteFiles, SaysWhereAnOldFileIsThatCannotBePutBack)
 {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return folder.file(name); };
@@ -324,7 +324,7 @@ TEST(FileOutput, SaysWhereAnOldFileIsThatCannotBePutBack)
   EXPECT_EQ(folder.numberOfFiles(), 4u);
 }
 
-TEST(FileOutput, ThreadsThatWriteOneFileLeaveOneOfTheirs)
+TEST(WriteFiles, ThreadsThatWriteOneFileLeaveOneOfTheirs)
 {
   const TemporaryFolder folder;
   std::vector<std::thread> threads;
@@ -352,7 +352,7 @@ TEST(FileOutput, ThreadsThatWriteOneFileLeaveOneOfTheirs)
   EXPECT_EQ(folder.numberOfFiles(), 1u);
 }
 
-TEST(FileOutput, RefusesWhatTheUserMayNotWrite)
+TEST(WriteFiles, RefusesWhatTheUserMayNotWrite)
 {
   const TemporaryFolder folder;
   const std::string file = folder.write("a", "before");
@@ -379,7 +379,7 @@ TEST(FileOutput, RefusesWhatTheUserMayNotWrite)
 }
 
 // Another's file in a folder where everybody may write but only the owner may rename.
-TEST(FileOutput, PutsBackInASharedFolder)
+TEST(WriteFiles, PutsBackInASharedFolder)
 {
   if (geteuid() != 0)
   {
@@ -406,7 +406,7 @@ TEST(FileOutput, PutsBackInASharedFolder)
   EXPECT_EQ(folder.numberOfFiles(), 2u);
 }
 
-TEST(FileOutput, AGroupThatCannotBeKeptGetsWhatEverybodyHad)
+TEST(WriteFiles, AGroupThatCannotBeKeptGetsWhatEverybodyHad)
 {
   if (geteuid() != 0)
   {

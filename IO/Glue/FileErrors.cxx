@@ -1,0 +1,47 @@
+#include "Glue/FileErrors.h"
+
+#include "vtkErrorCode.h"
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+unsigned long ErrorCodeOf(conformal::ParseCode code)
+{
+  switch (code)
+  {
+    case conformal::ParseCode::Ok:
+    case conformal::ParseCode::Aborted:
+      return vtkErrorCode::NoError;
+    case conformal::ParseCode::FileNotFound:
+      return vtkErrorCode::FileNotFoundError;
+    case conformal::ParseCode::CannotOpen:
+      return vtkErrorCode::CannotOpenFileError;
+    case conformal::ParseCode::UnrecognizedType:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case conformal::ParseCode::PrematureEnd:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case conformal::ParseCode::Malformed:
+      return vtkErrorCode::FileFormatError;
+    case conformal::ParseCode::OutOfMemory:
+      break;
+  }
+  return vtkErrorCode::UnknownError;
+}
+
+//------------------------------------------------------------------------------
+unsigned long ErrorCodeOf(conformal::WriteCode code)
+{
+  switch (code)
+  {
+    case conformal::WriteCode::Ok:
+      return vtkErrorCode::NoError;
+    case conformal::WriteCode::InvalidName:
+      return vtkErrorCode::UserError;
+    case conformal::WriteCode::OutOfDiskSpace:
+      return vtkErrorCode::OutOfDiskSpaceError;
+    case conformal::WriteCode::CannotOpen:
+      break;
+  }
+  return vtkErrorCode::CannotOpenFileError;
+}
+}
