@@ -361,7 +361,6 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
 
 void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& history)
 {
-  table->Initialize();
   const auto addColumn = [&](const char* name, auto value)
   {
     vtkNew<vtkDoubleArray> column;
@@ -378,6 +377,21 @@ void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& 
   addColumn("LearningRate", [](const Record& r) { return r.LearningRate; });
   addColumn("MeanSquareError", [](const Record& r) { return r.MeanSquareError; });
   addColumn("MeanDisplacement", [](const Record& r) { return r.MeanDisplacement; });
+}
+
+// Set the outputs of the first rank beside the surface: training history and stages.
+void SetRecords(vtkInformationVector* outputs, const conformal::ConformalSOMResult& result,
+  const std::vector<conformal::LearningStage>& stages, const conformal::CoordinateFrame& frame,
+  bool isFirst)
+{
+  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputs, 2);
+  glue::SetStages(blocks, stages, frame); // on all ranks, so that an error is one of all
+  if (!isFirst)
+  {
+    blocks->Initialize();
+  }
+  FillHistory(vtkTable::GetData(outputs, 1),
+    isFirst ? result.History : std::vector<conformal::TrainingRecord>());
 }
 }
 
@@ -427,8 +441,6 @@ int vtkConformalSOM::RequestData(
   const auto input = glue::Held(vtkPointSet::GetData(inputVector[0]));
   const auto start = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkTable* history = vtkTable::GetData(outputVector, 1);
-  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector, 2);
   std::vector<conformal::LearningStage> stages;
   const conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
@@ -458,16 +470,10 @@ int vtkConformalSOM::RequestData(
           StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
         const auto result = Learn(this, samples, options, mesh, processes, steps.next());
         const auto surface = SurfaceOf(result, samples, options, cloud.Frame, steps);
-        glue::SetStages(blocks, stages, cloud.Frame);
+        SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
         output->ShallowCopy(surface);
-        FillHistory(history, result.History);
-        if (!processes.isFirst())
-        {
-          FillHistory(history, {});
-          blocks->Initialize();
-        }
       }
     });
 }

@@ -1,6 +1,6 @@
-#include "LearningStages.h"
+#include "Glue/LearningStages.h"
 
-#include "Arrays.h"
+#include "Glue/Arrays.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
