@@ -172,7 +172,7 @@ int vtkSphericalTextureBlend::RequestData(
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         AllocatePixels(result, outputVector->GetInformationObject(0), PixelsOf(front));
-      conformal::Steps steps(RunOf(this), { 0.03, 0.09, 0.88 }); // reading, view, pixels
+      conformal::Steps steps(RunOf(this), { 0.1, 0.25, 0.65 }); // reading, view, pixels
       steps.next();
       conformal::Points copy;
       const conformal::PointView points =

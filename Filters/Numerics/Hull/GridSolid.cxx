@@ -269,18 +269,18 @@ Index maximumCutNearData(const FreudenthalGrid& grid, const std::vector<std::uin
   {
     nodes[node] = uncut[node] && !cut[node];
   }
-  Index most = 0;
+  Index maximum = 0;
   std::vector<int> piece;
   for (int node = 0; node < static_cast<int>(nodes.size()); ++node)
   {
     if (nodes[node] == unseen)
     {
       markPiece(grid, nodes, node, seen, piece);
-      most = std::max<Index>(most,
+      maximum = std::max<Index>(maximum,
         std::count_if(
           piece.begin(), piece.end(), [&](int of) { return distances[of] <= nearness; }));
     }
   }
-  return most;
+  return maximum;
 }
 }

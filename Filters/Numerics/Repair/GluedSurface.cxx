@@ -139,11 +139,11 @@ struct SidePair
 std::vector<SidePair> pairsOf(const PointView& points, Group first, Group last,
   const std::vector<char>& isTurned, TurnedSets& parts)
 {
-  constexpr int most = 16;       // more triangles on one edge are no surface
+  constexpr int maximum = 16;    // more triangles on one edge are no surface
   constexpr double digits = 1e6; // of angles that are told apart
   const auto size = static_cast<int>(last - first);
   std::vector<SidePair> pairs;
-  for (int i = 0; size <= most && i < size; ++i)
+  for (int i = 0; size <= maximum && i < size; ++i)
   {
     for (int j = i + 1; j < size; ++j)
     {
