@@ -1,16 +1,15 @@
 // Tries every filter and writer on what it was not made for, each time in a process of its own
 // with limits of time and memory, and prints a table of what they did.
 //
-//   Hostile [--list] [--every <k>] [--ours] [--jobs <n>] [--verbose] [--without <part of a
-//   name>]...
+//   Hostile [--list] [--every <k>] [--jobs <n>] [--verbose] [--without <part of a name>]...
 //     [<part of a name>...]
 //   Hostile --check
 //
-// A name is that of a set-up, a slash, and that of an input; without any, all cases run. With
-// --every only each k-th of them runs, by its number in the list. The exit code is 0 if the
-// module's own classes did nothing bad. --check runs filters that are bad in every way, and
+// A name is that of a class and mode, a slash, and that of an input; without any, all run. With
+// --every only each k-th of them runs, by its number in the list. The exit code is 0 if no class
+// did anything bad. --check runs filters that are bad in every way, and
 // fails if one is taken for another.
-#include "RunCase.h"
+#include "RunTrial.h"
 
 #include <algorithm>
 #include <array>
@@ -22,13 +21,12 @@
 
 namespace
 {
-using hostile::Case;
+using hostile::Trial;
 using hostile::Verdict;
 
 struct Options
 {
   bool IsList = false;
-  bool IsOursOnly = false;
   bool IsVerbose = false;
   int Every = 1;
   int Jobs = 1;
@@ -46,10 +44,6 @@ Options OptionsOf(int argc, char* argv[])
     if (word == "--list")
     {
       options.IsList = true;
-    }
-    else if (word == "--ours")
-    {
-      options.IsOursOnly = true;
     }
     else if (word == "--verbose")
     {
@@ -80,7 +74,7 @@ Options OptionsOf(int argc, char* argv[])
   return options;
 }
 
-bool IsChosen(const Case& test, const Options& options)
+bool IsChosen(const Trial& test, const Options& options)
 {
   const std::string name = test.name();
   const auto has = [&](const std::string& part) { return name.find(part) != std::string::npos; };
@@ -88,21 +82,15 @@ bool IsChosen(const Case& test, const Options& options)
     std::none_of(options.Without.begin(), options.Without.end(), has);
 }
 
-std::vector<Case> CasesOf(const Options& options)
+std::vector<Trial> TrialsOf(const Options& options)
 {
-  std::vector<Case> all;
-  for (const auto& some :
-    { hostile::FilterCases(), hostile::WriterCases(), hostile::VTKFilterCases() })
-  {
-    all.insert(all.end(), some.begin(), some.end());
-  }
-  // VTK's own after ours.
-  std::stable_partition(all.begin(), all.end(), [](const Case& test) { return test.IsOurs; });
-  std::vector<Case> chosen;
+  std::vector<Trial> all = hostile::FilterTrials();
+  const std::vector<Trial> writers = hostile::WriterTrials();
+  all.insert(all.end(), writers.begin(), writers.end());
+  std::vector<Trial> chosen;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    const bool isOfSide = all[i].IsOurs || !options.IsOursOnly;
-    if (isOfSide && i % static_cast<std::size_t>(options.Every) == 0 && IsChosen(all[i], options))
+    if (i % static_cast<std::size_t>(options.Every) == 0 && IsChosen(all[i], options))
     {
       chosen.push_back(std::move(all[i]));
     }
@@ -121,22 +109,20 @@ public:
 
   void add(const hostile::Ended& ended)
   {
-    if (!this->Row.Name.empty() && this->Row.Name != ended.Case->Class)
+    if (!this->Row.Name.empty() && this->Row.Name != ended.Trial->Class)
     {
       this->Row.print();
       this->Row = {};
     }
-    this->Row.Name = ended.Case->Class;
+    this->Row.Name = ended.Trial->Class;
     this->Row.add(ended);
-    Counts& side = ended.Case->IsOurs ? this->Ours : this->Theirs;
-    side.add(ended);
+    this->All.add(ended);
   }
 
   void finish()
   {
     this->Row.print();
-    this->Ours.print();
-    this->Theirs.print();
+    this->All.print();
   }
 
 private:
@@ -144,11 +130,11 @@ private:
   {
     std::string Name;
     std::set<std::string> SetUps;
-    std::array<int, hostile::NumberOfVerdicts> Of = {};
+    std::array<int, cases::NumberOfVerdicts> Of = {};
 
     void add(const hostile::Ended& ended)
     {
-      this->SetUps.insert(ended.Case->SetUp);
+      this->SetUps.insert(ended.Trial->SetUp);
       ++this->Of[static_cast<std::size_t>(ended.Outcome.Verdict)];
     }
 
@@ -170,22 +156,21 @@ private:
   };
 
   Counts Row;
-  Counts Ours = { "all of ConformalSOM", {}, {} };
-  Counts Theirs = { "all of VTK", {}, {} };
+  Counts All = { "all", {}, {} };
 };
 
 // Whether the harness sees what is bad.
 int CheckHarness()
 {
   int mistakes = 0;
-  const std::vector<Case> cases = hostile::BadCases();
-  hostile::RunCases(cases, 1,
+  const std::vector<Trial> trials = hostile::VillainTrials();
+  hostile::RunTrials(trials, 1,
     [&](const hostile::Ended& ended)
     {
       const std::string found = hostile::WordFor(ended.Outcome.Verdict);
       std::printf(
-        "%s: %s, %s\n", ended.Case->name().c_str(), found.c_str(), ended.Outcome.Reason.c_str());
-      mistakes += found != ended.Case->Input;
+        "%s: %s, %s\n", ended.Trial->name().c_str(), found.c_str(), ended.Outcome.Reason.c_str());
+      mistakes += found != ended.Trial->Input;
     });
   return mistakes == 0 ? 0 : 1;
 }
@@ -198,28 +183,28 @@ int main(int argc, char* argv[])
     return CheckHarness();
   }
   const Options options = OptionsOf(argc, argv);
-  const std::vector<Case> cases = CasesOf(options);
+  const std::vector<Trial> trials = TrialsOf(options);
   if (options.IsList)
   {
-    for (const Case& test : cases)
+    for (const Trial& test : trials)
     {
       std::puts(test.name().c_str());
     }
     return 0;
   }
-  if (cases.empty())
+  if (trials.empty())
   {
-    std::fprintf(stderr, "no case has such a name\n");
+    std::fprintf(stderr, "nothing has such a name\n");
     return 2;
   }
   Table table("");
   std::vector<std::string> bad, skipped;
   double seconds = 0.0;
-  hostile::RunCases(cases, options.Jobs,
+  hostile::RunTrials(trials, options.Jobs,
     [&](const hostile::Ended& ended)
     {
       const auto& [verdict, reason] = ended.Outcome;
-      const std::string line = ended.Case->name() + ": " + hostile::WordFor(verdict) +
+      const std::string line = ended.Trial->name() + ": " + hostile::WordFor(verdict) +
         (reason.empty() ? "" : ", " + reason.substr(0, 300));
       if (options.IsVerbose)
       {
@@ -229,7 +214,7 @@ int main(int argc, char* argv[])
       {
         skipped.push_back(line);
       }
-      if (hostile::isBad(verdict) && ended.Case->IsOurs)
+      if (hostile::isBad(verdict))
       {
         bad.push_back(line);
       }
@@ -244,7 +229,7 @@ int main(int argc, char* argv[])
       std::puts(line.c_str());
     }
   }
-  std::printf("%zu runs in %.0f s of CPU, %zu skipped, %zu of ConformalSOM bad\n",
-    cases.size() - skipped.size(), seconds, skipped.size(), bad.size());
+  std::printf("%zu runs in %.0f s of CPU, %zu skipped, %zu bad\n", trials.size() - skipped.size(),
+    seconds, skipped.size(), bad.size());
   return bad.empty() ? 0 : 1;
 }

@@ -36,31 +36,37 @@ function (is_concrete class header result)
   endif ()
 endfunction ()
 
-# A class that makes objects for a pipeline and has inputs gets broken ones in a test. Tables have no
-# points and cells that could be broken.
-function (require_input_case class header)
+# A filter, source or writer that makes objects for a pipeline has a case, by which all tests of all classes
+# try it. Writers of tables have no surface to try, and readers have Testing/Cxx/ReaderCases.h.
+function (require_case class header)
   file(READ "${SOURCE_DIR}/${header}" text)
-  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n"
-      AND NOT text MATCHES "Input port 0: vtkTable" AND NOT class MATCHES "(Reader|Source)$")
-    require_line(${class} Testing/Cxx/InputCases.h "\"${class}\"" "a case \"${class}\"")
+  if (NOT text MATCHES "static ${class}\\* New\\(\\)" OR text MATCHES "${class} : public vtkObject\n"
+      OR class MATCHES "Reader$" OR (class MATCHES "Writer$" AND text MATCHES "Input port 0: vtkTable"))
+    return ()
+  endif ()
+  require_file(${class} "Testing/Cases/${class}.cxx")
+  if (NOT EXISTS "${SOURCE_DIR}/Testing/Cases/${class}.cxx")
+    return ()
+  endif ()
+  require_line(${class} "Testing/Cases/${class}.cxx" "all\\.Modes = " "modes")
+  if (NOT class MATCHES "Writer$")
+    require_line(${class} "Testing/Cases/${class}.cxx" "all\\.Progress( =|\\.push_back)" "runs of progress")
   endif ()
 endfunction ()
 
-# A filter that makes objects for a pipeline has its progress measured.
-function (require_measured_progress class header)
-  file(READ "${SOURCE_DIR}/${header}" text)
-  if (text MATCHES "static ${class}\\* New\\(\\)" AND NOT text MATCHES "${class} : public vtkObject\n"
-      AND NOT class MATCHES "(Reader|Writer)$")
-    require_line(${class} Testing/Cxx/TestProgress.cxx "[<= ]${class}[>;]" "a run of ${class}")
-  endif ()
-endfunction ()
-
-# A class that hands properties to the core has the core's defaults and enumerations, by a test.
+# A class that hands properties to the core has the core's defaults and enumerations, by its case, or that
+# of readers by a test.
 function (require_mirrored_options class glue)
   file(READ "${SOURCE_DIR}/${glue}" text)
-  if (text MATCHES "conformal::[A-Za-z]+Options options;")
+  if (NOT text MATCHES "conformal::[A-Za-z]+Options options;")
+    return ()
+  endif ()
+  if (class MATCHES "Reader$")
     require_line(${class} Testing/Glue/TestOptionsMirrorProperties.cxx "vtkNew<${class}>"
       "a comparison of ${class} with its options")
+  elseif (EXISTS "${SOURCE_DIR}/Testing/Cases/${class}.cxx")
+    require_line(${class} "Testing/Cases/${class}.cxx" "all\\.Mirrors = "
+      "a comparison of the class with its options")
   endif ()
 endfunction ()
 
@@ -82,9 +88,8 @@ function (check_module folder core_folder document)
       require_line(${class} README.md "${class}" "the class")
     endif ()
     require_core(${class} "${folder}/${class}.cxx" "${core_folder}")
-    require_input_case(${class} "${folder}/${class}.h")
+    require_case(${class} "${folder}/${class}.h")
     require_mirrored_options(${class} "${folder}/${class}.cxx")
-    require_measured_progress(${class} "${folder}/${class}.h")
   endforeach ()
 endfunction ()
 

@@ -1,0 +1,56 @@
+#include "vtkBodyMapImage.h"
+
+#include "Properties.h"
+#include "Surfaces.h"
+#include "Texture/MapImage.h"
+
+#include "vtkPolyData.h"
+
+namespace cases
+{
+namespace
+{
+// Defaults and constants of the class and of the core.
+std::vector<Mirror> Mirrors()
+{
+  const conformal::MapImage image;
+  vtkNew<vtkBodyMapImage> filter;
+  using conformal::MapProjection;
+  using Filter = vtkBodyMapImage;
+  return { Same("Projection", filter->GetProjection(), static_cast<int>(image.Projection)),
+    Same("CentralLongitude", filter->GetCentralLongitude(), image.CentralLongitude),
+    Same(
+      "EQUIRECTANGULAR", Filter::EQUIRECTANGULAR, static_cast<int>(MapProjection::Equirectangular)),
+    Same("LAMBERT_AZIMUTHAL", Filter::LAMBERT_AZIMUTHAL,
+      static_cast<int>(MapProjection::LambertAzimuthal)),
+    Same("MOLLWEIDE", Filter::MOLLWEIDE, static_cast<int>(MapProjection::Mollweide)),
+    Same("PEIRCE_QUINCUNCIAL", Filter::PEIRCE_QUINCUNCIAL,
+      static_cast<int>(MapProjection::PeirceQuincuncial)) };
+}
+}
+
+Case BodyMapImage()
+{
+  using F = vtkBodyMapImage;
+  Case all = CaseOf<F>("vtkBodyMapImage");
+  Mode image = { "", { Surface(BadIds | BadMap) },
+    Set<F>(
+      [](F* f)
+      {
+        f->SetImageSize(24, 12);
+        f->SetArrayName("SpherePosition");
+        f->GeneratePositionsOn();
+      }) };
+  image.Properties = { Name("ArrayName", &F::SetArrayName),
+    Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude),
+    Vector2<F, int>("ImageSize", &F::SetImageSize),
+    Number("GraticuleSpacing", &F::SetGraticuleSpacing),
+    Switch("GeneratePositions", &F::SetGeneratePositions) };
+  all.Modes = { image };
+  all.Progress = { Run<F>(
+    "Peirce", []() { return Colored(Head(100)); },
+    [](F* f) { f->SetProjectionToPeirceQuincuncial(); }) };
+  all.Mirrors = Mirrors;
+  return all;
+}
+}

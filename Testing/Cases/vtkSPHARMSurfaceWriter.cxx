@@ -1,0 +1,14 @@
+#include "vtkSPHARMSurfaceWriter.h"
+
+#include "Files.h"
+#include "vtkSPHARMSurfaceReader.h"
+
+namespace cases
+{
+Case SPHARMSurfaceWriter()
+{
+  Case all = CaseOf<vtkSPHARMSurfaceWriter>("vtkSPHARMSurfaceWriter");
+  all.Modes = { Writes("_surf.vtk", Reading<vtkSPHARMSurfaceReader>, BadIds | BadPoints | BadMap) };
+  return all;
+}
+}
