@@ -131,8 +131,7 @@ std::vector<ProgressRun> ProgressRuns()
         som->SetNumberOfEpochs(8);
       }),
     Run<F>(
-      "large head, error scalars", []() { return Head(300); },
-      [](F* som) { som->SetNumberOfNeurons(4002); }),
+      "large head", []() { return Head(300); }, [](F* som) { som->SetNumberOfNeurons(4002); }),
     Run<F>("limbs, adaptive", limbs, [](F* som) { som->SetMeshTypeToAdaptive(); }) };
 }
 

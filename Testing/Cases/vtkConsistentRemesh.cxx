@@ -16,7 +16,7 @@ namespace
 {
 using F = vtkConsistentRemesh;
 
-Mode LatticeMode(const char* name, int meshType)
+Mode MeshTypeMode(const char* name, int meshType)
 {
   Mode mode = { name, { Surface(BadPoints | BadIds | BadMap) },
     SetWith<F>(
@@ -98,12 +98,12 @@ std::vector<Mirror> Mirrors()
 Case ConsistentRemesh()
 {
   Case all = CaseOf<F>("vtkConsistentRemesh");
-  Mode geodesic = LatticeMode("Geodesic", F::GEODESIC);
+  Mode geodesic = MeshTypeMode("Geodesic", F::GEODESIC);
   geodesic.ResultOfMap = "SpherePosition";
   geodesic.Properties = { Integer("MeshType", &F::SetMeshType),
     Integer("Frequency", &F::SetFrequency), Integer("Alignment", &F::SetAlignment),
     Integer("NumberOfModes", &F::SetNumberOfModes) };
-  Mode adaptive = LatticeMode("Adaptive", F::ADAPTIVE);
+  Mode adaptive = MeshTypeMode("Adaptive", F::ADAPTIVE);
   adaptive.Properties = { Integer("NumberOfPoints", &F::SetNumberOfPoints) };
   all.Modes = { geodesic, adaptive };
   all.Scaled = { Scaled<F>("RemeshesAlike", Remesh, { { "ShapeMode1", 1 } }) };
