@@ -77,8 +77,8 @@ std::vector<int> Ordered(
   {
     if (ofFirst.count(number) == 0)
     {
-      throw std::invalid_argument("the first surface has no landmark " +
-        vtkVariant(number).ToString() + ", but another surface has it");
+      throw std::invalid_argument("it has the landmark " + vtkVariant(number).ToString() +
+        ", but the first surface does not");
     }
     vertices.push_back(vertex);
   }
@@ -86,8 +86,8 @@ std::vector<int> Ordered(
   {
     if (landmarks.count(number) == 0)
     {
-      throw std::invalid_argument("a surface has no landmark " + vtkVariant(number).ToString() +
-        ", but the first surface has it");
+      throw std::invalid_argument(
+        "it has no landmark " + vtkVariant(number).ToString() + ", but the first surface does");
     }
   }
   return vertices;

@@ -224,10 +224,10 @@ TEST_F(SphericalTemplate, LandmarksThatDoNotFitAreNamed)
   this->ExpectRefused(
     "surface 1 (\"second\"): two points have the landmark 2; the second is point 50");
   marks->SetTuple1(50, 77);
-  this->ExpectRefused("the first surface has no landmark 77, which");
+  this->ExpectRefused("surface 1 (\"second\"): it has the landmark 77, but");
   marks->SetTuple1(50, 0);
   marks->SetTuple1(0, 0);
-  this->ExpectRefused("surface 1 (\"second\"): a surface has no landmark 5");
+  this->ExpectRefused("surface 1 (\"second\"): it has no landmark 5");
   this->Filter->SetLandmarkArrayName("Nothing");
   this->ExpectRefused("surface 0: there is no point array \"Nothing\" of 1 component");
   this->Filter->SetLandmarkArrayName("");
