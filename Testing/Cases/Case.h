@@ -120,6 +120,10 @@ struct Mode
 
   cases::File File = {};
 
+  /// Whether a run takes tenths of a second: numbers of its properties are tried by Testing/Hostile
+  /// alone.
+  bool IsSlow = false;
+
   /// Whether inputs can differ in scale.
   bool hasOthers() const;
 };

@@ -430,7 +430,7 @@ void BreakLength(
   const std::string thing = isOfCells ? "cell" : "point";
   input.Faults |= Inconsistent;
   input.Message = "the " + thing + " array \"" + name + "\" has " + std::to_string(tuples) +
-    " tuples for " + std::to_string(count) + " " + thing + "s";
+    (tuples == 1 ? " tuple" : " tuples") + " for " + std::to_string(count) + " " + thing + "s";
 }
 
 void AddIds(std::vector<Input>& all)

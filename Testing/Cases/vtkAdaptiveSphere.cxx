@@ -78,7 +78,7 @@ Case AdaptiveSphere()
     [](F* f)
     {
       f->SetDensityToArray();
-      f->SetDensityArrayName("Curvature");
+      f->SetDensityArrayName("Priority");
     });
   array.Properties = { Name("DensityArrayName", &F::SetDensityArrayName) };
   all.Modes = { area,

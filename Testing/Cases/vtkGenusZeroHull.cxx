@@ -61,6 +61,8 @@ Case GenusZeroHull()
     Number("Offset", &F::SetOffset), Number("Persistence", &F::SetPersistence),
     Integer("SmoothingPasses", &F::SetSmoothingPasses),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
+  // The smallest spacing is work without end, which Testing/Hostile stops.
+  hull.Properties[1].IsNumber = false;
   const Mode wide = { "wide", { Variant(BadPoints) },
     Set<F>(
       [](F* f)

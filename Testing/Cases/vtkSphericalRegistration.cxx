@@ -34,6 +34,7 @@ std::vector<Mode> Modes()
   Mode free = { "Diffeomorphic", { Surface(Reads), Surface(Reads, "fixed") },
     Registers(F::DIFFEOMORPHIC, false) };
   free.ResultOfMap = "SpherePosition";
+  free.IsSlow = true;
   free.Properties = { Integer("SpaceOfTransforms", &F::SetSpaceOfTransforms),
     Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
     Values<F, vtkIdType>(

@@ -28,6 +28,7 @@ std::vector<Mode> Modes()
         f->SetMaximumNumberOfRounds(1);
       }) };
   whole.TakesMore = true;
+  whole.IsSlow = true;
   whole.Properties = { Integer("MaximumNumberOfRounds", &F::SetMaximumNumberOfRounds),
     Integer("MeanFrequency", &F::SetMeanFrequency), Integer("Frequency", &F::SetFrequency),
     Number("Tolerance", &F::SetTolerance), Integer("Alignment", &F::SetAlignment),

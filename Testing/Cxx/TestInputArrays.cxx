@@ -109,12 +109,17 @@ void ForEveryPort(bool isOfWriters, const Visit& visit)
   }
 }
 
+// What is tried on a port; the first of them is valid.
+std::vector<Input> InputsOf(const cases::Port& port)
+{
+  return port.Takes == cases::Data::Picture ? cases::Pictures() : cases::Surfaces();
+}
+
 // Inputs that classes must refuse, with what they must report.
 std::vector<Input> RefusedInputs(const cases::Port& port, unsigned int fault)
 {
   std::vector<Input> refused;
-  for (const Input& input :
-    port.Takes == cases::Data::Picture ? cases::Pictures() : cases::Surfaces())
+  for (const Input& input : InputsOf(port))
   {
     if ((input.Faults & fault) != 0 && !input.Message.empty())
     {
@@ -193,8 +198,7 @@ TEST(InputArrays, EveryFilterRefusesArraysWithoutPoints)
   ForEveryPort(false,
     [](const Case& of, const Mode& mode, int port)
     {
-      const vtkSmartPointer<vtkDataObject> whole =
-        RefusedInputs(mode.Ports[port], cases::Inconsistent).front().Make();
+      const vtkSmartPointer<vtkDataObject> whole = InputsOf(mode.Ports[port]).front().Make();
       auto* broken = vtkDataSet::SafeDownCast(whole);
       vtkNew<vtkPointData> arrays;
       arrays->ShallowCopy(broken->GetPointData());

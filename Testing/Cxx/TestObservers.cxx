@@ -33,7 +33,7 @@ using Bytes = std::map<std::string, std::string>;
 using Disturbance = std::function<void(vtkAlgorithm*)>;
 
 // Large enough for reports on the way.
-constexpr int Frequency = 20;
+constexpr int Frequency = 12;
 
 void AddBytes(Bytes& bytes, const std::string& name, vtkDataArray* array)
 {
@@ -58,7 +58,8 @@ void AddData(Bytes& bytes, const std::string& name, vtkDataObject* data)
         bytes, name + "/" + std::to_string(kind) + "/" + (array ? array : ""), fields->GetArray(i));
     }
   }
-  if (auto* points = vtkPointSet::SafeDownCast(data))
+  auto* points = vtkPointSet::SafeDownCast(data);
+  if (points && points->GetPoints())
   {
     AddBytes(bytes, name + " points", points->GetPoints()->GetData());
   }
@@ -87,6 +88,25 @@ Bytes OutputsOf(vtkAlgorithm* filter)
     AddData(bytes, std::to_string(port), filter->GetOutputDataObject(port));
   }
   return bytes;
+}
+
+// Without the input's field data, which the executive passes to outputs before a run.
+Bytes WithoutPassedFields(const Bytes& bytes)
+{
+  const auto input = cases::Ellipsoid();
+  const std::string field = "/" + std::to_string(vtkDataObject::FIELD) + "/";
+  Bytes own;
+  for (const auto& [name, content] : bytes)
+  {
+    const std::size_t at = name.find(field);
+    const bool isPassed = at != std::string::npos &&
+      input->GetFieldData()->HasArray(name.substr(at + field.size()).c_str());
+    if (!isPassed)
+    {
+      own[name] = content;
+    }
+  }
+  return own;
 }
 
 std::string PrintOf(vtkAlgorithm* filter)
@@ -231,21 +251,27 @@ TEST_P(Observers, FiltersKeepWhatTheyBeganWith)
   {
     const Algorithm reference = MakeLarge(of, mode);
     reference->Update();
-    const Bytes expected = OutputsOf(reference);
+    const Bytes expected = WithoutPassedFields(OutputsOf(reference));
     ASSERT_FALSE(expected.empty());
-    for (const auto& [name, disturb] : { std::pair<const char*, Disturbance>("properties",
-                                           [&](vtkAlgorithm* f) { ChangeProperties(of, f); }),
-           { "inputs", EmptyInputs }, { "outputs", EmptyOutputs } })
+    for (const double at : { 0.0, 0.4, 0.8 })
     {
-      for (const double at : { 0.0, 0.4, 0.8 })
+      SCOPED_TRACE(of.name(mode) + " at " + std::to_string(at));
+      const Algorithm filter = MakeLarge(of, mode);
+      const Disturber disturber(filter, at,
+        [&](vtkAlgorithm* disturbed)
+        {
+          ChangeProperties(of, disturbed);
+          EmptyInputs(disturbed);
+          EmptyOutputs(disturbed);
+        });
+      filter->Update();
+      EXPECT_TRUE(disturber.isDone() || at > 0.0);
+      const Bytes found = WithoutPassedFields(OutputsOf(filter));
+      for (const auto& [name, bytes] : expected)
       {
-        SCOPED_TRACE(of.name(mode) + ", " + name + " at " + std::to_string(at));
-        const Algorithm filter = MakeLarge(of, mode);
-        const Disturber disturber(filter, at, disturb);
-        filter->Update();
-        EXPECT_TRUE(disturber.isDone() || at > 0.0);
-        EXPECT_TRUE(OutputsOf(filter) == expected);
+        EXPECT_TRUE(found.count(name) > 0 && found.at(name) == bytes) << name;
       }
+      EXPECT_EQ(found.size(), expected.size());
     }
   }
 }
