@@ -77,8 +77,7 @@ struct GenusZeroHullResult : Mesh
   Index NumberOfCutNodes = 0;       ///< nodes removed to cut handles
   Index NumberOfCutInsideNodes = 0; ///< cut nodes that are counted in NumberOfInsideNodes
   Index NumberOfCutDataNodes = 0;   ///< nodes near data that must be cut to open a handle
-  bool HandlesByChance =
-    false; ///< handles of the distance only, absent from the solid of the winding numbers
+  bool HandlesByChance = false;     ///< handles exist in the distance only, not in winding numbers
   DataHole LargestHole;             ///< largest hole closed in the data, in the normalized frame
   bool Leaks = false;               ///< see OutsideNodes
   Index NumberOfSamplesOutside = 0; ///< samples apart from the surface and not inside
