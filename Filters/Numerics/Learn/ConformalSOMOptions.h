@@ -83,8 +83,7 @@ struct ConformalSOMResult
   std::vector<double> Supported; ///< #N, in [0, 1]: see supportOfVertices()
   SurfaceQuality Quality;        ///< Batch
   int NumberOfStarts = 1;        ///< number of starts tried; the result is the best of them
-  bool ConformalMapFits =
-    true; ///< false if a conformal map underflows; the map is then less conformal
+  bool ConformalMapFits = true;  ///< false after underflow; SpherePositions are then less conformal
 };
 }
 
