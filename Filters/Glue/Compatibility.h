@@ -10,7 +10,7 @@
 namespace glue
 {
 /// Return whether the algorithm is to abort: its AbortExecute is set or, since VTK 9.3, that of an
-/// upstream algorithm. In the latter case, the pipeline marks the outputs as aborted.
+/// upstream algorithm. An upstream abort also marks the outputs as aborted.
 inline bool IsAbortWanted(vtkAlgorithm* self)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111) // what ParaView 5.11 has
