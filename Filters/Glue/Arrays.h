@@ -1,5 +1,5 @@
-/// Results of the core as arrays, points and triangles of VTK. Every number is checked: a filter
-/// writes finite numbers only.
+/// Convert results of the core to arrays, points and triangles of VTK. Every number is checked:
+/// filters write finite numbers only.
 #ifndef GlueArrays_h
 #define GlueArrays_h
 

@@ -1,4 +1,4 @@
-// Reads the points of a cloud for the numerical core, without those far from all others.
+// Read the points of a cloud for the numerical core, without points far from all others.
 #ifndef GlueCloudInput_h
 #define GlueCloudInput_h
 
@@ -14,24 +14,24 @@ class vtkPointSet;
 
 namespace glue
 {
-/// A cloud in a frame that is made without its far points. Far points have no meaning in the frame
+/// Cloud in a frame that is computed without its far points. Far points are invalid in the frame
 /// and must be skipped.
 struct CloudInput
 {
   conformal::CoordinateFrame Frame;
-  conformal::PointView View; ///< the points in the frame, where they lie or in Copy
+  conformal::PointView View; ///< the points in the frame, in place or in Copy
   conformal::FarPoints Far;
   std::function<bool(conformal::Index)> Skip; ///< test for ghosts and far points; may be empty
   conformal::Points Copy;
 };
 
-/// Read a cloud. Points that polygons of the input use are part of a surface: where one of them
-/// lies far from the others, no point is taken for a far one.
+/// Read a cloud. Points of polygons are part of a surface: if one of these is far from the others,
+/// no point is treated as far.
 /// @param[in] input       must outlive the view
 /// @param[in] priorities  points without a positive priority are not examined; may be empty
 /// @param[in] surface     other data of the frame, or null
-/// @param[in] reduce      adds up over the processes that hold parts of the points
-/// @param[out] cloud      new, and not moved afterwards
+/// @param[in] reduce      sum over the ranks that hold parts of the points
+/// @param[out] cloud      newly constructed, and not moved afterward
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,
   const conformal::Reduce& reduce, CloudInput& cloud);
 

@@ -1,4 +1,4 @@
-// The normals that a cloud of points brings along.
+// Normals given with a cloud of points.
 #ifndef GlueCloudNormals_h
 #define GlueCloudNormals_h
 
@@ -11,24 +11,25 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Normals of all points, seen where they lie or in the copy, which must outlive the view.
+/// Normals of all points, in place or in the copy, which must outlive the view.
 struct CloudNormals
 {
   bool Known = false;
-  conformal::PointView View; ///< of any length; zero or not finite where unknown
+  conformal::PointView View; ///< of any length; zero or not finite where undefined
   conformal::Points Copy;
 };
 
-/// Find the normals of a cloud: those of its polygons, consistently oriented, if most points are of
-/// a polygon; else the active normals of its points, if all ranks with points have them.
-/// @param[in] normals  filled in place, since its view may be one of its copy
-/// @param[in] needed   if not, polygons of which no normals can be made count as none
-/// @throws std::invalid_argument if they are needed, and a cell names a point that is not there
+/// Find the normals of a cloud. If most points belong to a polygon, they are those of the
+/// consistently oriented polygons. Otherwise, they are the active normals of the points, if all
+/// ranks with points have them.
+/// @param[out] normals  filled in place, since its view may refer to its copy
+/// @param[in] needed    if false, polygons without computable normals are ignored
+/// @throws std::invalid_argument if normals are needed and a cell contains an invalid point id
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// Give samples the normals of their cloud if there are any and the hull method may use them.
-/// @param[in] normals  must outlive the samples
+/// Set the normals of samples, if the cloud has normals and the hull method may use them.
+/// @param[out] normals  must outlive the samples
 /// @throws std::invalid_argument if the method needs normals, as FindNormals()
 void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   conformal::HullMethod method, conformal::TrainingSamples& samples, CloudNormals& normals);

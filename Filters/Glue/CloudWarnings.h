@@ -8,7 +8,7 @@ class vtkObject;
 
 namespace glue
 {
-/// One warning each. The filter decides what is worth one.
+/// Issue one warning each; the calling filter decides whether to warn.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
 void WarnOfUnusedNormals(vtkObject* self);

@@ -1,4 +1,4 @@
-// What differs between versions of VTK.
+// Wrappers for differences between versions of VTK.
 #ifndef GlueCompatibility_h
 #define GlueCompatibility_h
 
@@ -9,8 +9,8 @@
 
 namespace glue
 {
-/// Somebody wants the algorithm to stop: its AbortExecute is set, or since VTK 9.3 that of one it
-/// reads from. The pipeline is told then, which marks the outputs as aborted.
+/// Return whether the algorithm is to abort: its AbortExecute is set or, since VTK 9.3, that of an
+/// upstream algorithm. An upstream abort also marks the outputs as aborted.
 inline bool IsAbortWanted(vtkAlgorithm* self)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111) // what ParaView 5.11 has
@@ -20,7 +20,7 @@ inline bool IsAbortWanted(vtkAlgorithm* self)
 #endif
 }
 
-/// Cuts a polygon into triangles whose ids count its own points. Returns 0 if it cannot.
+/// Triangulate a polygon with ids local to the polygon. Return 0 on failure.
 inline int Triangulate(vtkPolygon* polygon, vtkIdList* triangles)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // what ParaView 5.13 has

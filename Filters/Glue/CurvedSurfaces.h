@@ -1,4 +1,4 @@
-/// Curved seamless surfaces of meshes, for the map and for the filter that samples it.
+/// Curved seamless surfaces of meshes, shared by the map and by the filter that samples it.
 #ifndef GlueCurvedSurfaces_h
 #define GlueCurvedSurfaces_h
 
@@ -15,23 +15,24 @@ namespace glue
 {
 class Processes;
 
-/// Properties of vtkCurvedSeamlessSurface that the map depends on, with their defaults.
+/// Properties of vtkCurvedSeamlessSurface that determine the map, with their defaults.
 struct CurvedSeamlessProperties
 {
-  conformal::CurvedSeamlessSurfaceOptions Options; ///< but VertexShift
+  conformal::CurvedSeamlessSurfaceOptions Options; ///< all but VertexShift
   double VertexShift = -1.0;                       ///< vtkCurvedSeamlessSurface::GetVertexShift()
 };
 
-/// A surface, and the frame of its points.
+/// Curved seamless surface, and the frame of its points.
 struct BuiltSurface
 {
   conformal::CurvedSeamlessSurface Surface;
   conformal::CoordinateFrame Frame;
 };
 
-/// Build the surface of the first process that has a mesh, on all processes. Warnings are of self.
-/// @param[in] cloud  of this process, for Fitted domes only
-/// @throws std::invalid_argument if there is no such surface
+/// Build the surface of the first rank that has a mesh, on all ranks. Warnings are reported by
+/// `self`.
+/// @param[in] cloud  of this rank, for Fitted domes only
+/// @throws std::invalid_argument if no rank has a valid surface
 /// @throws conformal::Aborted
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
   vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Run& run,

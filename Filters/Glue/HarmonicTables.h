@@ -1,4 +1,4 @@
-// Tables of spherical-harmonic coefficients, which filters, sources and writers share.
+// Tables of spherical-harmonic coefficients, shared by filters, sources and writers.
 #ifndef GlueHarmonicTables_h
 #define GlueHarmonicTables_h
 
@@ -11,22 +11,22 @@ class vtkTable;
 
 namespace glue
 {
-/// Coefficients of functions, a row for each harmonic in the order of
+/// Coefficients of functions, one row for each harmonic in the order of
 /// Harmonics/SphericalHarmonics.h.
 struct Harmonics
 {
   conformal::Columns Coefficients; ///< the first three columns are those of positions
-  std::vector<std::string> Names;  ///< of the columns behind those
+  std::vector<std::string> Names;  ///< of the columns after the first three
 };
 
-/// A row for each harmonic: columns "Degree" and "Order" (int), "X", "Y", "Z" and the others
-/// (double).
+/// Convert coefficients to a table of one row for each harmonic: columns "Degree" and "Order"
+/// (int), "X", "Y", "Z" and the named ones (double).
 void ToTable(const Harmonics& harmonics, vtkTable* table);
 
-/// The same back; rows may be in any order. Further columns of 1 component that have a name and
-/// numbers are taken, all others are left out.
-/// @throws std::invalid_argument that says which column or row is missing, twice, or not finite, or
-///         that the degree is more than conformal::MaximumHarmonicDegree
+/// Convert a table to coefficients; rows may have any order. Further named columns of numbers with
+/// 1 component are included, all others are skipped.
+/// @throws std::invalid_argument with the column or row, if it is missing, repeated or not finite
+/// @throws std::invalid_argument if the degree is above conformal::MaximumHarmonicDegree
 Harmonics FromTable(vtkTable* table);
 }
 

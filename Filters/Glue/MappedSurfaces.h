@@ -1,4 +1,4 @@
-// Several surfaces with maps to the sphere, from the inputs of a filter.
+// Read several surfaces with maps to the sphere from the inputs of a filter.
 #ifndef GlueMappedSurfaces_h
 #define GlueMappedSurfaces_h
 
@@ -22,36 +22,36 @@ class vtkPolyData;
 
 namespace glue
 {
-/// A port takes a vtkPolyData or composite data of them.
+/// Accept vtkPolyData and composite data on a port.
 void AcceptSurfaces(vtkInformation* portInformation);
 
-/// Surfaces, and what they are called: by their block, or "".
+/// Surfaces with the names of their blocks, or "".
 struct Surfaces
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> Held; ///< as by Held()
+  std::vector<vtkSmartPointer<vtkPolyData>> Held; ///< shallow copies by Held()
   std::vector<std::string> Names;
-  std::vector<vtkMTimeType> Times; ///< when they were modified; no two states have the same
+  std::vector<vtkMTimeType> Times; ///< modification times, unique for each state of the data
 
   std::vector<vtkPolyData*> pointers() const;
-  double numberOfPoints() const; ///< of all of them
+  double numberOfPoints() const; ///< over all surfaces
 };
 
-/// Set a block of the output and the name of the surface that it is made of.
+/// Set a block of the output, with the name of its source surface.
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// All surfaces on all connections of a port, blocks one by one in their order; blocks that are not
-/// there are left out.
+/// Append all surfaces on all connections of a port, blocks in their order; empty blocks are
+/// skipped.
 /// @throws std::invalid_argument if a block is no vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 
 /// Return whether there is no surface, or one without points, and warn of it.
 bool HasEmpty(vtkObject* self, const Surfaces& surfaces);
 
-/// The surfaces in a frame of all of them, with their maps.
-/// @throws std::invalid_argument that names the surface by its number if it has no triangles, no
-///   map, or a point that is not finite
-/// @throws std::length_error if they have more points together than fit into an int
+/// Convert the surfaces and their maps to meshes in a common frame.
+/// @throws std::invalid_argument with the number of the surface, if it has no triangles, no map, or
+///   a point that is not finite
+/// @throws std::length_error if the total number of points exceeds the range of int
 std::vector<conformal::MappedMesh> ToMappedMeshes(
   const Surfaces& surfaces, conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 }

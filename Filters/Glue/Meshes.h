@@ -1,4 +1,4 @@
-// From vtkPolyData to the triangle meshes of the core.
+// Convert vtkPolyData to the triangle meshes of the core.
 #ifndef GlueMeshes_h
 #define GlueMeshes_h
 
@@ -15,49 +15,53 @@ class vtkPolyData;
 
 namespace glue
 {
-/// The triangles of a surface: polygons and strips cut up, lines, vertices and polygons of fewer
-/// than three points left out, as are the triangles of a repeated point that join strips.
-/// @param[out] cellIds  for each triangle the cell it comes from
-/// @throws std::invalid_argument if a cell names a point that is not there
-/// @throws std::length_error if ids do not fit into an int
+/// Return the triangles of a surface, with polygons and strips triangulated. Lines, vertices,
+/// polygons of fewer than three points and triangles with repeated points, which join strips, are
+/// skipped.
+/// @param[out] cellIds  source cell of each triangle
+/// @throws std::invalid_argument if a cell contains an invalid point id
+/// @throws std::length_error if ids exceed the range of int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
-/// Whether there are polygons or strips; false for null.
+/// Return whether there are polygons or strips; false for null.
 bool HasTriangles(vtkPolyData* surface);
 
-/// Whether each cell names only points that are there.
+/// Return whether all cells contain valid point ids only.
 bool HasCellIds(vtkPolyData* surface);
 
-/// A closed surface of genus zero, ready for the core: positions are finite and in the frame, each
-/// of a triangle; no triangle has a vertex twice, all are consistently oriented.
+/// Closed surface of genus zero, ready for the core. Positions are finite and in the frame, and
+/// each belongs to a triangle. Triangles have three distinct vertices and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
-  std::vector<vtkIdType> PointIds; ///< for each vertex its point in the surface it was made from
-  bool InsideOut = false;          ///< clockwise seen from outside; nothing was done about it
+  std::vector<vtkIdType> PointIds; ///< for each vertex, its point in the source surface
+  bool InsideOut = false;          ///< clockwise seen from outside; the triangles are not reversed
 };
 
-/// Make a closed mesh of a surface, or say why not. Repairs what can be repaired without a loss,
-/// each with one warning of the object: coincident points of open edges are merged (polygon
-/// soups), triangles of a repeated point dropped, triangles turned to agree with the most,
-/// isolated points dropped.
-/// @param[in] frame  of the surface, perhaps with other data
-/// @throws std::invalid_argument with the figures, if coordinates are not finite or the surface is
-///   open, not manifold, in several pieces, or of another genus
+/// Convert a surface to a closed mesh. Lossless repairs are made, each with one warning of the
+/// object:
+/// - Coincident points of open edges (polygon soups) are merged.
+/// - Triangles with a repeated point are removed.
+/// - Triangles are oriented consistently with the majority.
+/// - Isolated points are removed.
+///
+/// @param[in] frame  of the surface, possibly with other data
+/// @throws std::invalid_argument with counts, if coordinates are not finite or the surface is open,
+///   not manifold, disconnected, or of another genus
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
-/// The same mesh, counter-clockwise seen from outside.
+/// Return the mesh with triangles counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);
 
-/// Into the output the surface that a closed mesh was made of as it is, or, where it had to be
-/// repaired, the mesh with the data of the points that are left.
+/// Set the output to the source surface of a closed mesh. If the surface was repaired, set it to
+/// the mesh with the data of the remaining points.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 
-/// A surface that ToClosedMesh() would take, each of its points of a triangle, as a mesh
-/// counter-clockwise seen from outside; an empty one for another surface, also where a cell names a
-/// point that is not there. It warns of nothing.
+/// Return a surface as a mesh, counter-clockwise seen from outside, if it is closed, valid for
+/// ToClosedMesh() and without isolated points. Return an empty mesh otherwise, including for
+/// invalid point ids. No warnings are issued.
 conformal::Mesh ToMeshIfClosed(
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
@@ -65,10 +69,10 @@ conformal::Mesh ToMeshIfClosed(
 /// @throws std::invalid_argument as ToTriangles() and ToSpherePositions() do
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
-/// A closed mesh, counter-clockwise seen from outside, with its map to the sphere from the point
-/// array "SpherePosition".
-/// @param[in] frame  in which its points are wanted; it need not be the surface's
-/// @throws std::invalid_argument also if that array cannot be used
+/// Convert a surface to a closed mesh, counter-clockwise seen from outside, with its map to the
+/// sphere from the point array "SpherePosition".
+/// @param[in] frame  of the result; may differ from that of the surface
+/// @throws std::invalid_argument as ToClosedMesh() and ToSpherePositions() do
 conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 }

@@ -24,7 +24,7 @@ inline const char* SpherePositionName()
 
 /// Compute the common frame of all points of several data sets of one space; null pointers are
 /// ignored.
-/// @param[in] reduce  sum over the processes, if each holds a part of the points
+/// @param[in] reduce  sum over the ranks, if each holds a part of the points
 conformal::CoordinateFrame FrameOf(
   const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce = {});
 
@@ -40,8 +40,8 @@ conformal::PointView ViewPoints(
 /// float nor double. `copy` must outlive the view.
 conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy);
 
-/// Return the test of whether a point is a ghost, that is hidden or of another piece. The function
-/// is empty if there are no ghosts.
+/// Return a predicate that is true for ghost points, which are hidden or belong to another piece.
+/// The function is empty if there are no ghosts.
 std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 
 /// View the vectors of an array with 3 components in place, or in `copy` if their type is neither

@@ -2,16 +2,16 @@
 #ifndef GlueProcessSignals_h
 #define GlueProcessSignals_h
 
-#include <functional> // for what is done while waiting
+#include <functional> // for work while waiting
 #include <memory>     // for std::unique_ptr
 
 class vtkMultiProcessController;
 
 namespace glue
 {
-/// Tells the other processes, which are busy or waiting, that this one has to stop. Only MPI can
-/// look for a message without waiting for one: with other controllers, and where VTK is built
-/// without MPI, signals are not available and must not be used.
+/// Signal to the other processes, which are busy or waiting, that this one stops. Only MPI can test
+/// for a message without blocking. With other controllers, and if VTK is built without MPI, signals
+/// are unavailable and must not be used.
 class ProcessSignals
 {
 public:
@@ -22,17 +22,19 @@ public:
 
   bool available() const { return this->Link != nullptr; }
 
-  /// Ask all others to stop, unless one did already. Returns at once.
+  /// Signal all other processes to stop, unless one already did. Returns immediately.
   void askToStop();
 
-  /// Whether another one asked to stop. Returns at once, and costs little: looks every few
-  /// milliseconds.
+  /// Return whether another process signaled to stop. Returns immediately; tests for messages every
+  /// few milliseconds only, so it is cheap.
   bool heardStop();
 
-  /// Wait until all have come here; idle is called again and again meanwhile and must not throw.
+  /// Wait until all processes have called this; `idle` is called repeatedly while waiting and must
+  /// not throw.
   void meet(const std::function<void()>& idle);
 
-  /// Forget who asked to stop. Called by all, at the same place, if one of them did.
+  /// Clear all signals to stop. After a signal, all processes must call this at one point of the
+  /// program.
   void settle();
 
 private:

@@ -1,4 +1,4 @@
-// From vtkMultiProcessController to the processes of the core.
+// Adapt vtkMultiProcessController to the processes of the core.
 #ifndef GlueProcesses_h
 #define GlueProcesses_h
 
@@ -9,7 +9,7 @@
 #include "Mesh/Mesh.h" // for MappedMesh
 
 #include <functional> // for RunCore's argument
-#include <string>     // for what went wrong
+#include <string>     // for error messages
 
 class vtkAlgorithm;
 class vtkInformationVector;
@@ -18,14 +18,14 @@ class vtkPolyData;
 
 namespace glue
 {
-/// The processes that run a filter together, each on its part of the points. One process, or no
-/// controller, is the ordinary case.
+/// Processes that run a filter together, each on its part of the points. A single process, or no
+/// controller, is the usual case.
 ///
-/// What stops one of them, an error or a request to abort, stops all of them: before they add up
-/// they exchange their states, so none waits for one that has left. Who stops
-/// before signals it to the others, which are busy and join the exchange at once when
-/// they look, whenever they report progress. While they wait for each other their observers are
-/// called, too. Without MPI there are no signals, and all go on to the next sum.
+/// An error or an abort of one process stops all of them. Before each sum, processes exchange their
+/// states, so that none waits for another that has stopped. A process that stops earlier signals
+/// this to the others, which join the exchange at their next progress report. Observers are also
+/// called while processes wait for each other. Without MPI there are no signals, and all processes
+/// continue to the next sum.
 class Processes
 {
 public:
@@ -37,25 +37,25 @@ public:
   int size() const { return this->Size; }
   bool isFirst() const { return this->Rank == 0; }
 
-  /// How they add up. Must not outlive this.
+  /// Return the sum over all processes. Must not outlive this object.
   conformal::Reduce reduce();
 
-  /// The first process where the condition holds; -1 for none.
+  /// Return the first rank on which the condition holds; -1 for none.
   int firstWith(bool condition);
 
-  /// The text of one process, on all of them.
+  /// Return the text of one rank on all ranks.
   std::string textOf(int rank, const std::string& text);
 
-  /// As RunOf; also stops when another process does.
+  /// Return a run as RunOf() does that also stops when another process stops.
   conformal::Run run();
 
-  /// Exchange the state of all processes. An error of several is reported from the first of them.
-  /// @param[in] error  what went wrong on this process, null for nothing
-  /// @throws SharedError if something went wrong
-  /// @throws conformal::Aborted if one was asked to abort
+  /// Exchange the states of all processes. Of several errors, that of the lowest rank is reported.
+  /// @param[in] error  error of this process, or null
+  /// @throws SharedError if a process has an error
+  /// @throws conformal::Aborted if a process was aborted
   void agree(const std::string* error = nullptr);
 
-  /// Have the others come and agree.
+  /// Signal the other processes to call agree().
   void call();
 
 private:
@@ -69,25 +69,27 @@ private:
   ProcessSignals Signals;
 };
 
-/// Run the core on all processes together; all return the same. See RunCore for one.
+/// Run the core on all processes together; all return one status. See RunCore() in Run.h for a
+/// single process.
 int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core);
 
-/// In RequestUpdateExtent: of several processes, each asks all inputs for its own piece, whatever
-/// piece of the output it is asked for.
+/// Implement RequestUpdateExtent for several processes: each requests its own piece of all inputs,
+/// whatever piece of the output is requested.
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
 
-/// The rows of all processes, on each of them; for a mesh that one of them has.
+/// Gather the rows of all ranks on each rank, for a mesh that one rank has.
 conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
 
-/// A mesh with a map to the sphere, on all processes, from the first one that has points of it, in
-/// a frame that all have alike.
+/// Convert a mesh with a map to the sphere, on all ranks, from the first rank that has points of
+/// it. The frame must be equal on all ranks.
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes);
 
-/// Of a surface that all processes have alike: the first one keeps it, the others its empty
-/// arrays. Or, in pieces, each keeps a run of its triangles with their points, and global ids.
+/// Distribute a surface that all ranks have. By default, rank 0 keeps it, and the others keep its
+/// empty arrays. In pieces, each rank keeps a contiguous range of triangles with their points, and
+/// global ids.
 void KeepOwnShare(vtkPolyData* surface, bool inPieces, const Processes& processes);
 }
 

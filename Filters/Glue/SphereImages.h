@@ -1,4 +1,4 @@
-// Images of the sphere: how they lie there, as field data of a surface, and their pixels.
+// Images of the sphere: their projections as field data of a surface, and their pixels.
 #ifndef GlueSphereImages_h
 #define GlueSphereImages_h
 
@@ -19,23 +19,23 @@ class vtkUnsignedCharArray;
 
 namespace glue
 {
-/// "SpherePole", "SphereUp", "SphereRight", "TextureProjection", "TextureFieldOfView",
-/// "TextureScale" and "TextureMargin".
+/// Add the projection of an image as field data: "SpherePole", "SphereUp", "SphereRight",
+/// "TextureProjection", "TextureFieldOfView", "TextureScale" and "TextureMargin".
 void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 
-/// The same read back.
-/// @throws std::invalid_argument if one of them is missing or not as AddSphereImage writes it
+/// Read the projection of an image from field data.
+/// @throws std::invalid_argument if an array of AddSphereImage() is missing or invalid
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
 
-/// Announce an image whose pixels' coordinates are the (s, t) of their middles.
-/// @throws std::invalid_argument if it has no pixels, or more than an int counts
+/// Announce an image whose pixel coordinates are the (s, t) of the pixel centers.
+/// @throws std::invalid_argument if it has no pixels, or more than an int can count
 void SetImageInformation(vtkInformation* info, const int size[2]);
 
-/// The same for pixels that fill a rectangle with its lower left corner at (x, y).
+/// Announce an image whose pixels fill a rectangle with its lower left corner at (x, y).
 void SetImageInformation(
   vtkInformation* info, const int size[2], double x, double y, double width, double height);
 
-/// Give the image as announced pixels of the name, type and components of an array.
+/// Allocate the pixels of an announced image, with the name, type and components of an array.
 vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like);
 
 /// Copy the pixels of an image of one slice.
@@ -45,15 +45,15 @@ conformal::Picture ToPicture(vtkImageData* image, vtkDataArray* pixels);
 /// Make the array "OutsideSurface" of an image, a mark for each pixel that shows no surface.
 vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 
-/// Whether values have to be rounded.
+/// Return whether values of an array must be rounded to integers.
 bool HoldsWholeNumbers(vtkDataArray* array);
 
-/// A point array by its name, or the active scalars if that is empty.
-/// @throws std::invalid_argument if there is none
+/// Return a point array by its name, or the active scalars if the name is empty.
+/// @throws std::invalid_argument if the array does not exist
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
-/// Writes the values of the places that pixels show, or 0 and a mark where they show none. All
-/// three must outlive it.
+/// Return a sink that writes the values shown by pixels, or 0 and a mark for pixels without
+/// surface. All three arrays must outlive it.
 conformal::PixelSink PixelPainter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes);
 }

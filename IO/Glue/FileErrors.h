@@ -1,4 +1,4 @@
-// Errors of files, as VTK counts them.
+// Errors of files as codes of vtkErrorCode.
 #ifndef GlueFileErrors_h
 #define GlueFileErrors_h
 
@@ -10,7 +10,7 @@
 
 namespace glue
 {
-/// Why no file was written, with an error code of vtkErrorCode.
+/// Error of a write, with a code of vtkErrorCode.
 class WriteError : public std::runtime_error
 {
 public:
@@ -22,8 +22,8 @@ public:
   const unsigned long Code;
 };
 
-///@{
-/// Return the code of vtkErrorCode for the end of reading or writing; none after an abort.
+/// @{
+/// Return the code of vtkErrorCode for the result of reading or writing; NoError after an abort.
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 unsigned long ErrorCodeOf(conformal::WriteCode code);
 ///@}

@@ -1,4 +1,5 @@
-/// Turns coefficients of surfaces so that they can be compared.
+/// Rotate coefficients of surfaces to a common orientation. Alignment to the first-degree ellipsoid
+/// follows \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicAlignment_h
 #define ConformalHarmonicAlignment_h
@@ -8,14 +9,14 @@
 
 namespace conformal
 {
-/// Functions on a sphere that was turned: their value at R p is what it was at p.
+/// Rotate functions on the sphere: the value at R p becomes the former value at p.
 /// @param[in] coefficients  (L + 1)^2 by #C
 /// @param[in] rotation      R
 Columns rotateHarmonics(
   const Columns& coefficients, const Eigen::Matrix3d& rotation, const Run& run = {});
 
-/// A point s of a surface that is mapped to p comes to SurfaceRotation (s - Center) and is mapped
-/// to MapRotation p.
+/// Rigid motion of a surface and rotation of its map. A surface point s that maps to p moves to
+/// SurfaceRotation (s - Center), and maps to MapRotation p.
 struct HarmonicAlignment
 {
   Eigen::Matrix3d MapRotation = Eigen::Matrix3d::Identity();
@@ -23,22 +24,26 @@ struct HarmonicAlignment
   Vector3 Center = Vector3::Zero();
 };
 
-/// Along the axes of the ellipsoid that the harmonics of degree 1 make of the sphere, as in
-/// \cite Brechbuehler1995 and in SPHARM-PDM. The places on the sphere where its longest, middle and
-/// shortest axes end come to the x, y and z axis, and so do the axes themselves; its center comes
-/// to the origin. Of the two ends of the longest and the middle axis that one is positive to which
-/// the surface reaches farther, by the third moment over the sphere; where both are alike, the one
-/// whose place on the sphere has a positive largest coordinate. Axes of equal length are taken as
-/// they come.
+/// Align a surface to the axes of the ellipsoid that its harmonics of degree 1 define, as in \cite
+/// Brechbuehler1995 and in SPHARM-PDM.
+///
+/// The center moves to the origin. The longest, middle and shortest axis become the x, y and z
+/// axis. Their directions on the sphere become x, y and z, too.
+///
+/// The positive end of the longest and of the middle axis is that to which the surface extends
+/// farther, by the third moment over the sphere. If both ends are equal, the positive end has a
+/// positive largest coordinate on the sphere. The order of axes of equal length is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3, of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
-/// The same axes upon those of a reference, wherever they lie there. Of the four ways to do so, and
-/// of all others where axes differ in length by less than a tenth, that one is taken after which
-/// the surfaces correlate best, by the harmonics up to degree 12.
+/// Align the ellipsoid axes of a surface to those of a reference, whatever their orientation.
+///
+/// Candidates are the four proper alignments of the axes, and permutations of axes whose lengths
+/// differ by less than a tenth. The candidate of maximum correlation between the surfaces is
+/// selected, by harmonics up to degree 12.
 /// @param[in] coefficients, reference  (L + 1)^2 by 3, of positions; the degrees may differ
-/// @param[in] movesSurface             whether the surface is turned as well as its map, else the
-///                                     correlation is that of the surfaces where they are
+/// @param[in] movesSurface             whether the surface is moved as well as its map; otherwise,
+///   surfaces are correlated in place
 HarmonicAlignment alignToReference(
   const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run = {});
 }

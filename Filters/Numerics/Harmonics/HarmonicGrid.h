@@ -10,28 +10,30 @@
 
 namespace conformal
 {
-/// A grid of directions: heights are Gauss-Legendre nodes, longitudes even. Transforms are Fourier
-/// along each parallel, then sums over the parallels: O(L^3) for as many directions as L^2.
+/// Grid of directions: heights are Gauss-Legendre nodes, longitudes are evenly spaced. A transform
+/// is a Fourier transform along each parallel, then a sum over parallels: O(L^3) for about L^2
+/// directions.
 class HarmonicGrid
 {
 public:
-  /// The smallest grid that integrates functions up to a degree exactly.
+  /// Make the smallest grid that integrates functions up to a degree exactly.
   explicit HarmonicGrid(int degree);
 
   Index size() const { return this->numberOfParallels() * this->NumberOfLongitudes; }
   Index numberOfParallels() const { return static_cast<Index>(this->Parallels.Nodes.size()); }
 
-  /// Parallel by parallel from the north.
+  /// Return the directions parallel by parallel, the northernmost first.
   Points directions() const;
 
-  /// Values of functions.
+  /// Evaluate functions on the grid.
   /// @param[in] coefficients  (L + 1)^2 by #C, L at most half of the number of longitudes
   /// @return size() by #C
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
-  /// Integrals of values times harmonics over the sphere: the coefficients of functions whose
-  /// degree and L are together at most that of the grid.
+  /// Integrate values times harmonics over the sphere. The result is exact for functions whose
+  /// degree plus L is at most the degree of the grid.
   /// @param[in] values  size() by #C
+  /// @param[in] degree  L
   /// @return (L + 1)^2 by #C
   Columns analyze(const Columns& values, int degree, const Run& run = {}) const;
 

@@ -1,4 +1,4 @@
-/// Surfaces made of spherical harmonics.
+/// Surfaces reconstructed from spherical harmonics.
 /// Representation of \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicSurface_h
@@ -12,17 +12,17 @@ namespace conformal
 {
 struct HarmonicSurface : MappedMesh
 {
-  Columns Values; ///< #V by the columns of coefficients behind the first three
+  Columns Values; ///< #V by the number of further columns of coefficients
 };
 
-/// A geodesic sphere put to where harmonics have it, with its triangles counter-clockwise seen from
-/// outside of what it encloses.
+/// Evaluate harmonics on a geodesic sphere. Triangles are counter-clockwise seen from outside of
+/// the resulting surface.
 /// @param[in] coefficients  (L + 1)^2 by three or more: of positions, then of other values
-/// @param[in] frequency     see makeGeodesicSphere
+/// @param[in] frequency     see makeGeodesicSphere()
 HarmonicSurface makeHarmonicSurface(
   const Columns& coefficients, int frequency, const Run& run = {});
 
-/// The coefficients up to a degree, or all if there are no more.
+/// Return the coefficients up to a degree, or all if there are fewer degrees.
 Columns upToDegree(const Columns& coefficients, int degree);
 }
 

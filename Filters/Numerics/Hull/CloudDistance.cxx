@@ -19,19 +19,20 @@ namespace
 {
 constexpr Index SamplesPerBlock = 1 << 12;
 constexpr int PlanesPerReport = 16;
-constexpr double SamplesPerSquare = 32.0; // of the grid's spacing
+constexpr double SamplesPerSquare = 32.0; // samples per square of the grid spacing
 
-// A second round brings seeds round corners that the first could not turn.
+// The second sweep along each axis propagates seeds around corners that block the first.
 constexpr int NumberOfSweeps = 6;
 
-// A square distance above, an id below: as integers, these compare by distance, then by id.
+// Square distance in the high bits, id in the low bits: as integers, entries compare by distance,
+// then by id.
 using Entry = std::uint64_t;
 constexpr Entry NoEntry = std::numeric_limits<Entry>::max();
 
 Entry makeEntry(float squareDistance, std::uint32_t id)
 {
   std::uint32_t bits;
-  std::memcpy(&bits, &squareDistance, sizeof(bits)); // in order, since not negative
+  std::memcpy(&bits, &squareDistance, sizeof(bits)); // preserves order, since not negative
   return static_cast<Entry>(bits) << 32 | id;
 }
 
@@ -43,13 +44,13 @@ float squareDistanceOf(Entry entry)
   return squareDistance;
 }
 
-// Nodes along the axes that a grid needs to hold a box, without a margin.
+// Compute the number of nodes along each axis for a grid that contains a box, without a margin.
 Vector3 stepsOver(const Box& bounds, double spacing)
 {
   return ((bounds.Upper - bounds.Lower) / spacing).array().floor() + 2.0;
 }
 
-// The smallest spacing of a grid that does not have too many nodes, rounded up to a millionth.
+// Compute the minimum spacing of a grid within MaximumNumberOfNodes, rounded up to 1e-6.
 double minimumSpacing(const Box& bounds, double tooSmall, int margin)
 {
   const auto fits = [&](double spacing)
@@ -71,7 +72,7 @@ double minimumSpacing(const Box& bounds, double tooSmall, int margin)
   return std::ceil(high / Digit) * Digit;
 }
 
-// The nearest sample of every node, found in steps.
+// Nearest sample of every node, by propagation.
 class NearestSamples
 {
 public:
@@ -91,10 +92,10 @@ public:
       });
   }
 
-  // Forget samples beside the surface, which would be bumps on it.
+  // Remove samples beside the surface, which would cause bumps.
   void dropStray(const Run& run) { this->Stray = strayPoints(this->Taken, run); }
 
-  // Offer every sample to the 8 corners of its cube. A minimum is the same in any order.
+  // Update the 8 corners of the cube of every sample. The minimum does not depend on the order.
   void scatter(const Run& run)
   {
     const std::array<int, 8> steps = this->Grid.cornerSteps();
@@ -122,14 +123,14 @@ public:
       });
   }
 
-  // Forget samples whose cubes' corners make up a small piece of the grid, if they are few and
-  // the cloud is dense, so that there is a meaning in being alone.
+  // Remove isolated samples, whose cubes form small components of the grid. This requires a dense
+  // cloud, in which isolation is significant, and few such samples.
   void dropIsolated(const Run& run)
   {
     constexpr std::uint8_t untouched = 0, touched = 1, large = 2, small = 3;
-    constexpr std::size_t maximumIsolated = 32; // corners of four cubes that are apart
-    constexpr Index nodesPerSample = 4;         // 8 for a cube alone, 1 or 2 for a sheet of cubes
-    constexpr Index minimumRatio = 20;          // of all samples to those isolated
+    constexpr std::size_t maximumIsolated = 32; // corners of four separate cubes
+    constexpr Index nodesPerSample = 4;         // 8 for a single cube, 1 or 2 for a sheet of cubes
+    constexpr Index minimumRatio = 20;          // all samples over isolated ones
     const Index size = this->Grid.numberOfNodes();
     std::vector<std::uint8_t> marks(size);
     Index numberTouched = 0;
@@ -173,7 +174,8 @@ public:
     run.report(1.0);
   }
 
-  // From now on ids name places in a small table: nodes share few samples of a large cloud.
+  // Replace sample ids by indices into a small table, since nodes share few samples of a large
+  // cloud.
   void gatherSeeds(const Run& run)
   {
     forBlocksReporting(run.inOrder(), this->Grid.numberOfNodes(), 1 << 10,
@@ -194,10 +196,10 @@ public:
       });
   }
 
-  // Hand seeds on, there and back, along all lines of an axis.
+  // Propagate seeds forward and backward along all lines of an axis.
   void sweep(int axis, const Run& run)
   {
-    // Planes that hold the lines; within them, steps along the lines and across.
+    // Planes that contain the lines; within a plane, steps along the lines and across.
     const std::array<int, 3>& size = this->Grid.Size;
     const int normal = axis == 2 ? 1 : 2;
     const int groups = (size[normal] + PlanesPerReport - 1) / PlanesPerReport;
@@ -242,7 +244,7 @@ private:
   {
     return this->Grid.toGrid(this->Taken.row(sample)).cast<float>();
   }
-  // The lowest corner of the cube a place is in.
+  // Return the lowest corner of the cube that contains a position.
   int cubeOf(const Eigen::Vector3f& x) const
   {
     const Eigen::Vector3i low = x.array().floor().cast<int>();
@@ -275,7 +277,7 @@ private:
     }
   }
 
-  // Whole rows at a time, as they lie in memory.
+  // Process whole rows, which are contiguous in memory.
   void sweepPlane(int axis, int normal, int plane)
   {
     const std::array<int, 3>& size = this->Grid.Size;
@@ -317,9 +319,9 @@ private:
   }
 
   const FreudenthalGrid& Grid;
-  const Points Taken;              ///< the samples that count
+  const Points Taken;              ///< the samples used
   const Run Threads;               // without progress
-  std::vector<std::uint8_t> Stray; ///< for each of those taken
+  std::vector<std::uint8_t> Stray; ///< for each sample used
   std::vector<std::atomic<Entry>> Entries;
   std::vector<Eigen::Vector3f> Seeds; ///< in grid coordinates
 };
@@ -369,7 +371,7 @@ FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin)
   }
   FreudenthalGrid grid;
   grid.Spacing = spacing;
-  // The cloud in the middle, no sample on the last node of an axis.
+  // Center the cloud; no sample lies on the last node of an axis.
   grid.Origin =
     0.5 * (bounds.Lower + bounds.Upper) - spacing * (0.5 * (steps.array() - 1.0) + margin).matrix();
   for (int axis = 0; axis < 3; ++axis)

@@ -1,5 +1,5 @@
-/// Distance to a point cloud at the nodes of a grid around it.
-/// Propagation of nearest samples as in \cite Danielsson1980.
+/// Compute the distance to a point cloud at the nodes of a grid around it.
+/// Nearest samples are propagated from node to node as in \cite Danielsson1980.
 
 #ifndef ConformalCloudDistance_h
 #define ConformalCloudDistance_h
@@ -14,35 +14,36 @@
 
 namespace conformal
 {
-/// A grid around the samples, `margin` nodes wider than their bounding box on each side.
-/// @throws std::invalid_argument if it would have more than MaximumNumberOfNodes; says which
-/// spacing
-///   would do
+/// Make a grid that extends `margin` nodes beyond the bounding box of the samples on each side.
+/// @throws std::invalid_argument if it would have more than MaximumNumberOfNodes; the message names
+///   a spacing that fits
 FreudenthalGrid gridAround(
   const TrainingSamples& samples, double spacing, int margin, const Run& run = {});
 
-/// A grid around a box likewise.
+/// Make a grid that extends `margin` nodes beyond a box on each side.
 FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin);
 
 constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 
-/// Distance of each node to the nearest sample, in units of the grid's spacing.
+/// Compute the distance of each node to the nearest sample, in units of the grid spacing.
 ///
-/// Exact, to float precision, up to a distance of 1. Beyond, it is the distance to a sample that is
-/// nearest to some node nearby: too large by a few hundredths in the mean, by less than 1 at worst.
+/// Distances up to 1 are exact to float precision. A larger distance is that to a sample which is
+/// nearest to some neighboring node. Its mean error is a few hundredths, its maximum error below 1,
+/// and it is never too small.
 ///
-/// Implementation note: of a cloud with many more than 32 / h^2 samples (max radius 1, so a sphere
-/// would have two or three for each square of the grid), about that many are taken, spread
-/// evenly over their order. It saves time, and leaves outliers far from each other.
+/// Implementation note: if a cloud has many more than 32 / h^2 samples, about that many are
+/// selected, evenly over their order. Here h is the spacing in units of the maximum radius, so a
+/// sphere gets two or three samples for each square of the grid. The selection reduces the cost,
+/// and leaves outliers isolated.
 ///
-/// Implementation note: of a dense cloud, samples far from all others are left out as outliers: up
-/// to a few of them together, no nearer to the rest than two spacings, as long as they are not more
-/// than a twentieth of all.
+/// Implementation note: outliers of a dense cloud are ignored. An outlier is a sample, or a group
+/// of a few, at least two spacings from all others. If more than a twentieth of all samples are
+/// isolated, all are kept.
 ///
-/// Takes 9 bytes a node while it runs.
+/// Memory: 9 bytes a node during the computation.
 ///
-/// @param[in] grid  has the samples within
-/// @post the result depends on the samples only, not on threads
+/// @param[in] grid  contains the samples
+/// @post the result depends on the samples only, not on the number of threads
 std::vector<float> distanceToSamples(
   const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run = {});
 }

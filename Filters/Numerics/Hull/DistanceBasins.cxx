@@ -13,16 +13,16 @@ namespace conformal
 {
 namespace
 {
-constexpr int NotBeyond = -1; // of a node no farther than the offset
+constexpr int NotBeyond = -1; // label of nodes no farther than the offset
 
-// Where two basins meet.
+// Highest pass between two basins.
 struct Saddle
 {
   float Height;
   int BasinA, BasinB;
 };
 
-// Merged basins. The highest basin names a set; basin 0, the outside, is the highest of all.
+// Union of basins. The highest basin represents a set; basin 0, the outside, is the highest of all.
 class Joined
 {
 public:
@@ -45,7 +45,7 @@ private:
   std::vector<float> Peaks;
 };
 
-// The node each node climbs to, one step up.
+// Return the highest neighbor of each node, or the node itself at a peak.
 std::vector<int> climbOneStep(
   const FreudenthalGrid& grid, const std::vector<float>& distances, float offset, const Run& run)
 {
@@ -61,7 +61,7 @@ std::vector<int> climbOneStep(
         for (const int step : steps)
         {
           const float other = distances[node + step];
-          // Of equals, to the later one, so that there are no cycles.
+          // Of equal heights, prefer the larger id, so that there are no cycles.
           if (other > height || (other == height && node + step > best))
           {
             best = node + step;
@@ -76,18 +76,19 @@ std::vector<int> climbOneStep(
 
 struct Basins
 {
-  std::vector<int> Of;      ///< of each node: its basin or NotBeyond
-  std::vector<int> Tops;    ///< of each basin: the node of its peak
+  std::vector<int> Of;      ///< basin of each node, or NotBeyond
+  std::vector<int> Tops;    ///< node of the peak of each basin
   std::vector<float> Peaks; ///< of each basin
   std::vector<Index> Sizes; ///< of each basin, in nodes
 };
 
-// Basins from each node's step up. The first is that of the faces.
+// Number the basins, given the highest neighbor of each node. Basin 0 contains the faces of the
+// grid.
 Basins numberBasins(std::vector<int> above, const std::vector<float>& distances, const Run& run)
 {
   Basins basins;
   const int size = static_cast<int>(above.size());
-  // Shorten the ways to the top, then number the tops.
+  // Compress the paths to the peaks, then number the peaks.
   forBlocksReporting(run.inOrder(), size, 1 << 10,
     [&](Index begin, Index end)
     {
@@ -139,7 +140,7 @@ Basins numberBasins(std::vector<int> above, const std::vector<float>& distances,
   return basins;
 }
 
-// The highest saddle between every two basins that touch, highest first.
+// Find the highest saddle between every two adjacent basins, sorted from the highest down.
 std::vector<Saddle> findSaddles(const FreudenthalGrid& grid, const std::vector<int>& basins,
   const std::vector<float>& distances, const Run& run)
 {
@@ -180,7 +181,7 @@ std::vector<Saddle> findSaddles(const FreudenthalGrid& grid, const std::vector<i
   return saddles;
 }
 
-// Of all directions, the share in which data are seen from a node.
+// Compute the fraction of all directions in which data are visible from a node.
 double enclosure(
   const FreudenthalGrid& grid, const std::vector<float>& distances, double offset, int node)
 {
@@ -188,7 +189,7 @@ double enclosure(
   Index seen = 0;
   for (Index i = 0; i < directions.rows(); ++i)
   {
-    // No data are nearer than the distance; nodes are up to one spacing off the ray.
+    // Data are no nearer than the distance; nodes are up to one spacing off the ray.
     const Vector3 direction = directions.row(i);
     Vector3 x = grid.coordinates(node).cast<double>();
     float distance = distances[node];
@@ -207,7 +208,7 @@ double enclosure(
   return static_cast<double>(seen) / static_cast<double>(directions.rows());
 }
 
-// A basin that was lost to the outside.
+// Basin that was merged into the outside.
 struct LostBasin
 {
   int Basin;
@@ -219,10 +220,10 @@ struct Division
   std::vector<bool> Outside; ///< of each basin
   DataHole LargestHole;
   Index NumberOfInsideNodes = 0;
-  std::vector<LostBasin> Lost; ///< whose peaks are higher than the saddles by at least a tenth
+  std::vector<LostBasin> Lost; ///< with peaks higher than the saddles by at least a tenth
 };
 
-// Join basins from the highest saddle down.
+// Merge basins from the highest saddle down.
 // @param[in] kept  basin that never joins the outside, or -1
 Division divide(
   const std::vector<Saddle>& saddles, const Basins& basins, double persistence, int kept)
@@ -265,7 +266,7 @@ Division divide(
   return result;
 }
 
-// The basin that is most likely inside of a cloud that leaks, or -1.
+// Find the basin that is most likely inside of a leaking cloud, or -1.
 int findLikeliest(const FreudenthalGrid& grid, const std::vector<float>& distances, double offset,
   const Basins& basins, const std::vector<LostBasin>& lost)
 {

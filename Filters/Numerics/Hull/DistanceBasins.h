@@ -1,5 +1,5 @@
-/// Classifies grid nodes as inside or outside of a point cloud that may have holes.
-/// Persistence of \cite Edelsbrunner2002.
+/// Classify grid nodes as inside or outside of a point cloud that may have holes.
+/// Basins of the distance are merged by their persistence, \cite Edelsbrunner2002.
 
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h
@@ -13,35 +13,36 @@
 
 namespace conformal
 {
-/// A pass between what was taken for inside and the outside: a hole in the data.
+/// Hole in the data: the pass of the distance between a closed basin and the outside.
 struct DataHole
 {
-  double Saddle = 0.0; ///< distance to the data at the widest place of the hole; 0 for none
-  double Peak = 0.0;   ///< largest distance to the data in what it leads to
+  double Saddle = 0.0; ///< distance to the data at the widest point of the hole; 0 for none
+  double Peak = 0.0;   ///< maximum distance to the data within the basin behind the hole
 };
 
 struct OutsideNodes
 {
   std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside
-  DataHole LargestHole;              ///< that was closed
-  bool Leaks = false; ///< next to nothing passed the test of persistence; the likeliest was taken
+  DataHole LargestHole;              ///< largest of the closed holes
+  bool Leaks = false; ///< almost no node passed the persistence test; the likeliest basin was kept
 };
 
-/// Tell the nodes outside of a cloud from those inside and those closer to it than an offset.
+/// Classify the nodes of a grid as outside of a cloud, or as inside or within an offset of the
+/// data.
 ///
-/// The nodes beyond the offset fall into basins, each a hill of the distance with its peak. Basins
-/// are joined from the highest saddle down, in the order of a watershed transform. One that meets
-/// the outside becomes part of it unless it is persistent: unless its peak is more than
-/// `persistence` times as high as the saddle. So a hole in the data is closed though it is much
-/// wider than the offset, if what it opens into is wider still.
+/// The nodes farther than the offset from the data form basins, one for each local maximum (peak)
+/// of the distance. Basins are merged from the highest saddle down, in the order of a watershed
+/// transform. A basin that reaches the outside is merged into it unless its peak exceeds
+/// `persistence` times the saddle. A hole much wider than the offset is therefore closed if the
+/// cavity behind it is wider still.
 ///
-/// Where next to nothing is inside by this rule, the cloud leaks: a hole is about as wide as what
-/// it opens into. Then the basin is taken for inside that rises highest above its saddle to the
-/// outside, among those that rise by a tenth and from whose peak data are seen in two thirds of all
-/// directions.
+/// If almost no node is inside by this rule, the cloud leaks: a hole is about as wide as the cavity
+/// behind it. One basin is then classified as inside. Candidates rise at least a tenth above their
+/// saddle to the outside, and have data in two thirds of all directions from their peak. The
+/// candidate with the largest rise is selected.
 ///
-/// @param[in,out] distances  of each node, in any unit; those of the grid's faces are set to the
-///                           largest float, since they are outside whatever they are
+/// @param[in,out] distances  of each node, in any unit; nodes on the faces of the grid are always
+///   outside and are set to the largest float
 /// @param[in] offset         in the unit of the distances
 /// @param[in] persistence    at least 1
 OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,

@@ -22,7 +22,8 @@ bool areNeighbors(const Eigen::Vector3i& a, const Eigen::Vector3i& b)
     (step.minCoeff() >= 0 || step.maxCoeff() <= 0);
 }
 
-// Not empty and in one piece, moving between neighbors of a node that are each other's neighbors.
+// Return whether a set of neighbors is connected and not empty. Two neighbors of a node are
+// adjacent if they are neighbors of each other.
 bool isConnected(unsigned int set, const std::array<unsigned int, NumberOfNeighbors>& neighborsOf)
 {
   unsigned int reached = 0, next = set & (~set + 1);
@@ -56,8 +57,9 @@ std::vector<bool> makeSimpleNodeTable()
   return table;
 }
 
-// The share of a cube's lowest corner in the Euler number: that of the simplices of which it is the
-// lowest node. They are its ascents through corners, each of which has all axes of the one before.
+// Compute the share of a cube's lowest corner in the Euler number: that of the simplices of which
+// it is the lowest node. These are ascending paths through corners, each of which has all axes of
+// the previous one.
 int eulerShare(unsigned int corners, unsigned int from)
 {
   int sum = 1;
@@ -83,7 +85,7 @@ public:
       this->Shares[corners] = (corners & 1U) ? eulerShare(corners, 0) : 0;
     }
   }
-  // That of the cube above a node.
+  // Return the share of the cube above a node.
   int of(int node) const
   {
     if (!this->Inside[node])
@@ -195,7 +197,7 @@ Index eulerNumber(
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes)
 {
-  // A node counts with the lowest corners of all cubes it is in.
+  // A node contributes to the lowest corners of all cubes that contain it.
   std::vector<int> corners;
   for (const int node : nodes)
   {

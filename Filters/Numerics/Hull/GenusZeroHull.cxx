@@ -27,14 +27,14 @@ void requireRange(double value, double minimum, double maximum, const char* name
   }
 }
 
-// Closed scans lose up to one sample of a thousand.
+// Return the usual number of stray samples: closed scans lose up to one sample in a thousand.
 Index usualStrays(const TrainingSamples& samples)
 {
   constexpr Index share = 200;
   return samples.totalSize() / share;
 }
 
-// Samples that are data, on all processes.
+// Count samples that are data of the hull, over all ranks.
 Index countSamples(const TrainingSamples& samples, const HullData& data, const Run& run)
 {
   constexpr Index blockSize = 1 << 12;
@@ -56,8 +56,8 @@ Index countSamples(const TrainingSamples& samples, const HullData& data, const R
   return sum;
 }
 
-// Keep of the nodes of data, marked 1, those in pieces that touch the outside. Return how many are
-// dropped.
+// Keep nodes of data, marked 1, in components that touch the outside. Return the number of removed
+// nodes.
 Index keepSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   std::vector<std::uint8_t>& nodes, const Run& run)
 {
@@ -97,7 +97,7 @@ Index countInside(
 Index countCutData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& solid,
   const std::vector<float>& distances, double offset, const Run& run)
 {
-  // Data as dense as the grid have nodes this near in a row, without a gap.
+  // If data are as dense as the grid, nodes this near form rows without gaps.
   constexpr double nearness = 0.6; // offsets
   std::vector<std::uint8_t> opened = solid;
   cutHandles(grid, opened, distances, offset, HandleCut::FarFromData, run);
@@ -223,11 +223,11 @@ std::vector<std::uint16_t> stepsToSurface(
   return reached;
 }
 
-// Nodes so near to the surface that samples there are data, and those of samples of sparse parts,
-// where the surface may be off them by the distance of neighbors.
+// Mark nodes next to the surface, where samples are data. Around samples of sparse parts, the
+// surface may be off by the spacing of the samples, and nodes up to that distance are marked.
 std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
 {
-  // Noise goes as far as the width that was needed for it.
+  // The reach grows with the kernel width that the noise required.
   constexpr double reach = 1.5, farthest = 24.0;
   const FreudenthalGrid& grid = solid.Grid;
   const double layers = std::max(1.0, std::floor(reach * solid.Width / grid.Spacing));
@@ -261,7 +261,8 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   return data;
 }
 
-// Return no triangles where winding numbers do not separate inside from outside.
+// Make the hull by winding numbers. Return no triangles if they do not separate inside from
+// outside.
 GenusZeroHullResult makeHullByWindingNumbers(
   const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
@@ -314,7 +315,7 @@ HullData::HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>&
 //------------------------------------------------------------------------------
 bool HullData::contains(const Vector3& sample) const
 {
-  // A corner of the sample's cube.
+  // Test all corners of the sample's cube.
   const Eigen::Vector3i cube = this->Grid.toGrid(sample).array().floor().cast<int>();
   const Eigen::Vector3i low = cube.cwiseMax(0);
   const Eigen::Vector3i high =
@@ -341,7 +342,7 @@ bool HullData::contains(const Vector3& sample) const
 //------------------------------------------------------------------------------
 bool hasHandles(const GenusZeroHullResult& hull)
 {
-  constexpr Index maximum = 4, maximumOfData = 3; // that sparse data have by chance
+  constexpr Index maximum = 4, maximumOfData = 3; // numbers that sparse data have by chance
   return !hull.HandlesByChance &&
     (hull.NumberOfCutInsideNodes > std::min(1 - hull.EulerNumber, maximum) ||
       (hull.NumberOfInsideNodes > 0 && hull.NumberOfCutDataNodes > maximumOfData));
@@ -358,10 +359,10 @@ bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples)
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
   GenusZeroHullOptions winding, const Run& run)
 {
-  // Most clouds need no second hull, and little of the progress is kept for it.
+  // Most clouds need no second hull, so it gets little of the progress.
   constexpr double share = 0.95;
-  constexpr Index shareOfLimbs = 4000;   // that may lack an end
-  constexpr double maximumNoise = 0.004; // of thinned points: of all of them about twice as much
+  constexpr Index shareOfLimbs = 4000;   // limbs of at most this share may lack an end
+  constexpr double maximumNoise = 0.004; // of thinned points; about twice as much over all points
   options.Method = HullMethod::Distance;
   winding.Method = HullMethod::WindingNumbers;
   GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
@@ -374,7 +375,7 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   {
     return hull;
   }
-  // A hull that leaks has no count of the samples left out.
+  // For a hull that leaks, the number of samples left out is undefined.
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
   const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
@@ -414,8 +415,8 @@ GenusZeroHullResult makeGenusZeroHull(
   {
     return chooseHull(samples, options, options, run);
   }
-  // An attempt that has to be repeated has come far; the next ones, quick on a grid of an eighth
-  // of the nodes, share what is left.
+  // A repeated attempt used most of the progress. The next ones are fast on a grid of an eighth of
+  // the nodes, and share the rest.
   double reached = 0.0;
   const auto attempt = [&](double spacing)
   {

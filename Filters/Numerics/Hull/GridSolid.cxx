@@ -10,7 +10,7 @@ namespace
 {
 constexpr Index NodesPerReport = 1 << 16;
 
-// A node that waits to be added; the lowest key first, then the lowest node.
+// Candidate node; ordered by the lowest key, then by the lowest node.
 struct Waiting
 {
   float Key;
@@ -21,10 +21,10 @@ struct Waiting
   }
 };
 
-// Below the steps between layers.
+// Less than the difference between layers.
 constexpr float MaximumValue = 0.99F;
 
-// How many steps each node is away from a set, 0 within it and on the grid's faces.
+// Compute the number of steps from each node to a set; 0 within it and on the faces of the grid.
 std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
 {
   const std::array<int, 14> steps = grid.neighborSteps();
@@ -34,7 +34,7 @@ std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std
     {
       for (int node = first; node < last; ++node)
       {
-        layers[node] = inside[node] ? 0 : -1; // not known yet
+        layers[node] = inside[node] ? 0 : -1; // not yet computed
       }
     });
   std::vector<int> front, next;
@@ -64,8 +64,8 @@ std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std
   return layers;
 }
 
-// Grows a set of nodes within another one by nodes that change nothing in its topology, the lowest
-// key first. The key of a node may depend on the way to it.
+// Grow a set of nodes within another one by simple nodes, which preserve its topology, the lowest
+// key first. The key of a node may depend on the path to it.
 template <typename KeyOf>
 class Growth
 {
@@ -92,7 +92,7 @@ public:
     this->pushAround(node, this->Key(node, 0.0F));
   }
 
-  // All nodes of the grid's faces. Returns how many they are.
+  // Start with all nodes on the faces of the grid. Return their number.
   Index beginAtFaces()
   {
     const std::array<int, 3>& size = this->Grid.Size;
@@ -117,7 +117,7 @@ public:
     return count;
   }
 
-  // Returns how many nodes there are then, those of begin() among them.
+  // Return the final number of nodes, including those of begin().
   Index grow(Index total, const Run& run)
   {
     Index looks = 0;
@@ -135,7 +135,7 @@ public:
       {
         neighbors |= static_cast<unsigned int>(this->Grown[next.Node + this->Steps[i]]) << i;
       }
-      if (isSimpleNode(neighbors)) // else a neighbor added later brings it back
+      if (isSimpleNode(neighbors)) // otherwise, a neighbor added later inserts it again
       {
         this->Grown[next.Node] = 1;
         ++this->Count;
@@ -223,7 +223,8 @@ Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   {
     return 0;
   }
-  // Below 0 beyond the offset, by depth; above, the way from there or the distance to the data.
+  // Negative beyond the offset, by depth; otherwise, the path length from there or the distance to
+  // the data.
   const auto keyOf = [&](int node, float way)
   {
     const float later = place == HandleCut::HalfWay ? std::max(0.0F, way) : distances[node];

@@ -12,7 +12,7 @@ namespace
 constexpr int Stride = 4; // between the nodes of the coarse grid
 constexpr int NodesPerCube = Stride * Stride * Stride;
 constexpr double Nearness = 1.5;       // spacings from a point
-constexpr double MarginOfLevel = 0.15; // a cube's corners may miss what is in it
+constexpr double MarginOfLevel = 0.15; // tolerance, since corners of a cube may miss its content
 constexpr Index CubesPerChunk = 1 << 12, CoarsePerChunk = 1 << 16;
 
 using Triple = std::array<int, 3>;
@@ -159,7 +159,7 @@ std::vector<Index> cubesToEvaluate(const FreudenthalGrid& grid, const CoarseGrid
   return cubes;
 }
 
-// All nodes between those of the coarse grid.
+// Interpolate all nodes between those of the coarse grid.
 std::vector<float> interpolate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const std::vector<float>& coarse, const Run& run)
 {
@@ -191,7 +191,7 @@ std::vector<float> interpolate(const FreudenthalGrid& grid, const CoarseGrid& co
             values[row + x] = (1.0F - tx) * from + tx * to;
           }
         }
-        // The last node may be the coarse grid's own last.
+        // The last node may coincide with the last node of the coarse grid.
         const int last = Stride * (coarseGrid.Size[0] - 1);
         if (last < grid.Size[0])
         {
@@ -247,7 +247,7 @@ void evaluate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   }
 }
 
-// Each node with half its weight, its two neighbors along an axis with a quarter each; in place.
+// Blur along an axis in place: each node has weight 1/2, its two neighbors 1/4 each.
 void blur(const FreudenthalGrid& grid, int axis, std::vector<float>& values, const Run& run)
 {
   const int across = axis == 2 ? 1 : 2; // planes that hold the lines
@@ -291,7 +291,7 @@ void blur(const FreudenthalGrid& grid, int axis, std::vector<float>& values, con
     });
 }
 
-// Of a place within the grid.
+// Interpolate values at a position within the grid.
 double interpolated(
   const FreudenthalGrid& grid, const std::vector<float>& values, const Vector3& place)
 {

@@ -1,4 +1,4 @@
-/// Winding numbers at the nodes of a grid around a cloud.
+/// Compute winding numbers at the nodes of a grid around a cloud.
 /// Winding numbers of \cite Barill2018.
 
 #ifndef ConformalIndicatorGrid_h
@@ -13,23 +13,22 @@
 
 namespace conformal
 {
-/// The winding number at each node: about 1 inside and 0 outside, and between where data are
-/// missing.
+/// Winding number at each node: about 1 inside, 0 outside, and intermediate where data are missing.
 struct Indicator
 {
   std::vector<float> Values; ///< of each node
-  double Level = 0.5;        ///< that of the surface: half of the points are inside of it
+  double Level = 0.5;        ///< isovalue of the surface: half of the points are inside of it
 };
 
-/// Winding numbers at the nodes, blurred a little: over the next node in each direction.
+/// Compute winding numbers at the nodes, blurred over the adjacent nodes of each axis.
 ///
-/// Every fourth node along the axes is evaluated, and all nodes of the cubes between these that are
-/// near points, or in which the surface may be that the level tells. The other nodes are
+/// Every fourth node along each axis is evaluated. In cubes of evaluated nodes, all nodes are
+/// evaluated if the cube is near points or may intersect the isosurface. The other nodes are
 /// interpolated.
 ///
-/// @param[in] cloud   its points within the grid
+/// @param[in] cloud   its points are within the grid
 /// @param[in] areas   #P by 3, area vectors of the points
-/// @param[in] width   of the winding numbers
+/// @param[in] width   kernel width of the winding numbers
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run = {});

@@ -9,12 +9,13 @@ namespace conformal
 {
 namespace
 {
-// Corners of a cube's tetrahedra, climbing one axis at a time; every other one is left-handed.
+// Corners of the tetrahedra of a cube, ascending one axis at a time; every other one is
+// left-handed.
 constexpr int Ascents[6][4] = { { 0, 1, 3, 7 }, { 0, 1, 5, 7 }, { 0, 2, 6, 7 }, { 0, 2, 3, 7 },
   { 0, 4, 5, 7 }, { 0, 4, 6, 7 } };
 
-// The surface in a tetrahedron: up to two triangles, each vertex on the edge from a place of the
-// tetrahedron in the set to one that is not.
+// Surface in a tetrahedron: up to two triangles. Each vertex lies on the edge from a corner in the
+// set to one outside of it.
 struct Cut
 {
   int NumberOfTriangles = 0;
@@ -34,10 +35,10 @@ int permutationSign(const std::array<int, 4>& p)
   return sign;
 }
 
-// @param[in] set  bit i for place i of a right-handed tetrahedron: whether it is in the set
+// @param[in] set  bit i for corner i of a right-handed tetrahedron: whether it is in the set
 Cut cutOf(unsigned int set)
 {
-  std::array<int, 4> order; // those in the set first
+  std::array<int, 4> order; // corners in the set first
   int in = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -93,8 +94,8 @@ int countBits(unsigned int bits)
   return count;
 }
 
-// Marching tetrahedra over all cubes of a grid, each known by its lowest corner. The last node of a
-// row has a cube that runs into the next row, but no node near a face is in the set.
+// Marching tetrahedra over all cubes of a grid, each identified by its lowest corner. The cube of
+// the last node of a row extends into the next row, but no node near a face is in the set.
 //
 // A vertex lies on each edge with one node in the set. Edges of a node, which lead to the corners
 // of the cube above it, have consecutive numbers.
@@ -182,7 +183,7 @@ private:
       });
   }
 
-  // Corners of a node's cube that are in the set, as bits.
+  // Return the corners of a node's cube that are in the set, as bits.
   unsigned int cornersInside(int node) const
   {
     unsigned int set = 0;
@@ -193,7 +194,7 @@ private:
     return set;
   }
 
-  // Corners at the other end of a node's cut edges.
+  // Return the corners at the other ends of a node's cut edges, as bits.
   static unsigned int edgesCut(unsigned int corners)
   {
     return (corners & 1U) ? ~corners & 0xffU : corners;

@@ -1,4 +1,4 @@
-/// Extracts and smooths the surface of a set of grid nodes.
+/// Extract and smooth the surface of a set of grid nodes.
 
 #ifndef ConformalLevelSetSurface_h
 #define ConformalLevelSetSurface_h
@@ -13,19 +13,20 @@
 
 namespace conformal
 {
-/// The surface between a set of nodes and the others, by marching tetrahedra: one vertex on each
-/// edge with one node in the set. Always closed and manifold; of the topology of the set.
+/// Extract the surface between a set of nodes and its complement by marching tetrahedra \cite
+/// Gueziec2001. The surface has one vertex on each edge with one node in the set. It is always
+/// closed and manifold, and has the topology of the set's boundary.
 ///
-/// A vertex lies where the values pass the level if they rise through it from inside to outside,
-/// else, as where the set was cut, in the middle of its edge.
+/// A vertex lies where linear interpolation reaches the level, if values rise through it from
+/// inside to outside. Otherwise, such as at a cut, it lies in the middle of its edge.
 ///
-/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the grid's faces
+/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the faces of the grid
 /// @param[in] values  of each node
 Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, const Run& run = {});
 
-/// Smooth a closed surface without shrinking it: each pass moves vertices towards the centroid of
-/// their neighbors and back a little farther, \cite Taubin1995.
+/// Smooth a closed surface without shrinkage \cite Taubin1995. Each pass moves vertices toward the
+/// centroid of their neighbors, and then away from it by slightly more.
 void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run = {});
 }
 

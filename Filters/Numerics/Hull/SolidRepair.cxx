@@ -12,16 +12,17 @@ namespace conformal
 {
 namespace
 {
-/// What a node costs on a way or in a repair, besides how much the indicator is against it.
+/// Base cost of a node on a path or in a repair, added to its difference from the level of the
+/// indicator.
 constexpr double NodeCost = 0.02;
 
 constexpr double TinyPiece = 0.0005;  ///< of all nodes inside
-constexpr double ReachOfPiece = 1.0;  ///< in units of the side of a cube of as many nodes
-constexpr double FarthestReach = 0.1; ///< in units of the largest radius
+constexpr double ReachOfPiece = 1.0;  ///< in units of the side of a cube of equally many nodes
+constexpr double FarthestReach = 0.1; ///< in units of the maximum radius
 constexpr int NumberOfRounds = 3;
-constexpr double Definite = 0.25; ///< off the level
+constexpr double Definite = 0.25; ///< difference from the level
 
-/// A node and the cost of the way there; the lowest cost first, then the lowest node.
+/// Node with its path cost; ordered by the lowest cost, then by the lowest node.
 struct Reached
 {
   float Cost;
@@ -32,7 +33,7 @@ struct Reached
   }
 };
 
-/// Finds ways through the outside from a growing solid.
+/// Shortest paths through the outside from a growing solid.
 class Ways
 {
 public:
@@ -55,7 +56,7 @@ public:
     }
   }
 
-  /// The next node of the mark that is reached, or -1.
+  /// Return the next node reached that has the mark, or -1.
   int next(const std::vector<std::uint8_t>& marks, std::uint8_t mark, const Run& run)
   {
     constexpr Index nodesPerReport = 1 << 16;
@@ -92,7 +93,7 @@ public:
     return -1;
   }
 
-  /// Back from a node to the solid, both ends included.
+  /// Return the path from a node to the solid, both ends included.
   std::vector<int> way(int node) const
   {
     std::vector<int> nodes;
@@ -104,7 +105,7 @@ public:
   }
 
 private:
-  /// Nodes of the grid's three outer layers, which ways and what is around them keep off.
+  /// Test for nodes of the grid's three outer layers, which paths and their surroundings avoid.
   struct FaceTest
   {
     explicit FaceTest(const FreudenthalGrid& grid)
@@ -129,14 +130,14 @@ private:
   Index Looks = 0;
 };
 
-/// A change of some connected nodes that would open a handle.
+/// Change of some connected nodes that would open a handle.
 struct Repair
 {
   std::vector<int> Nodes;
   double Cost = 0.0;
 };
 
-/// The connected pieces of what differs between two sets.
+/// Append the connected components of the difference between two sets.
 void addRepairs(const FreudenthalGrid& grid, const Indicator& indicator,
   const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after,
   std::vector<Repair>& repairs)
@@ -162,7 +163,7 @@ void addRepairs(const FreudenthalGrid& grid, const Indicator& indicator,
   }
 }
 
-/// Joins the pieces of a solid into one, whose nodes are marked Joined.
+/// Join the components of a solid into one, whose nodes are marked Joined.
 class PieceJoin
 {
 public:
@@ -174,8 +175,8 @@ public:
   {
   }
 
-  /// Drop tiny pieces and mark the largest one; the others are Apart. The largest is first; of
-  /// equals, that of the lowest node.
+  /// Remove tiny components and mark the largest one; the others are Apart. The largest is first;
+  /// of equal ones, that of the lowest node.
   std::vector<std::vector<int>> largePieces()
   {
     std::vector<std::vector<int>> pieces;
@@ -204,7 +205,7 @@ public:
     return pieces;
   }
 
-  /// Join each piece to the first one by the cheapest way, or drop it if that is too long.
+  /// Join each component to the first one by the cheapest path, or remove it if that is too long.
   /// @return the number of nodes added
   Index joinToFirst(
     const std::vector<std::vector<int>>& pieces, const Indicator& indicator, const Run& run)
@@ -364,7 +365,7 @@ HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator
       }
     }
   }
-  // What the rounds have left, and anything that changes side by side may have made.
+  // Remove components that the rounds left, or that simultaneous changes may have created.
   keepLargestPiece(grid, inside);
   fillCavities(grid, inside);
   if (eulerNumber(grid, inside) != 1)

@@ -1,5 +1,6 @@
-/// Makes the solid of an indicator one ball, by the changes that the indicator minds least.
-/// Own construction: changes are ordered by their cost in the indicator.
+/// Make the solid of an indicator one ball, by the changes that fit the indicator best.
+/// Own construction: changes are ordered by their cost, the difference of the indicator from its
+/// level.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h
@@ -13,31 +14,33 @@
 
 namespace conformal
 {
-/// Join the pieces of a solid to the largest one, by the ways along which the indicator is missing
-/// least to its level. So limbs come back that are too thin for the points to hold together. What
-/// is tiny, farther away than it is wide, or farther than a tenth of the largest radius, is no part
-/// of the object and left out.
+/// Join the connected components of a solid to the largest one, along paths where the indicator is
+/// closest to its level. Thin limbs that sparse points have disconnected are reattached.
 ///
-/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the grid's faces
-/// @return the number of nodes on the ways
+/// A component that is tiny, farther away than it is wide, or farther than a tenth of the maximum
+/// radius is removed.
+///
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the faces of the grid
+/// @return the number of nodes on the paths
 Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 
-/// Fill what is outside of a solid but enclosed by it.
+/// Fill the cavities of a solid.
 /// @return the number of cavities
 Index fillCavities(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
-/// What openHandles() did.
+/// Changes made by openHandles().
 struct HandleRepair
 {
   Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
-  Index NumberOfDefiniteNodes = 0; ///< of both, those far inside or outside by the indicator
+  Index NumberOfDefiniteNodes =
+    0; ///< cut or filled nodes that the indicator places far inside or far outside
 };
 
-/// Free a solid from its handles: each is cut through, or what it goes around is filled, whichever
-/// the indicator minds less; the cheapest change first. A handle that the object has costs much
-/// either way.
+/// Remove the handles of a solid. Each handle is cut through or its opening is filled, whichever
+/// costs less in the indicator. The cheapest change is made first. Either change is expensive for a
+/// handle of the object itself.
 ///
 /// @param[in,out] inside  a connected set without cavities
 HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,

@@ -13,38 +13,36 @@
 
 namespace conformal
 {
-/// Learn a closed surface through the samples, \cite Liou2008 section 2, and map it to the sphere:
-/// a geodesic mesh by the positions of its neurons in the network, an adaptive mesh conformally
-/// (GlobalConformalMap.h).
+/// Learn a closed surface through the samples, \cite Liou2008 section 2, and map it to the sphere.
+/// The map of a geodesic mesh is given by the network positions of its neurons. An adaptive mesh is
+/// mapped conformally (GlobalConformalMap.h).
 ///
-/// Implementation note: the weights start as the unit sphere around the samples' centroid, scaled
-/// so that their largest radius is 1, the frame in which the paper's constants are meant. An
+/// Implementation note: the initial weights are the unit sphere around the centroid of the samples,
+/// which are scaled to a maximum radius of 1. The constants of the paper refer to this frame. An
 /// adaptive mesh may start from other surfaces (StartSearch.h).
 ///
-/// Implementation note: in Online mode a neuron farther than 4 sigma from r is not moved (its
-/// share in Eq. 3 is below 3.4e-4), which is what makes it fast; Documentation/Filters.md has the
-/// difference it makes.
+/// Implementation note: in Online mode, neurons farther than 4 sigma from r are not moved, which
+/// reduces the cost. Their factor in Eq. 3 is below 3.4e-4. Documentation/Filters.md lists the
+/// effect.
 ///
 /// @param[in] samples  at least one
-/// @param[in] mesh     may be null: a closed mesh of genus zero to start from, for an adaptive
-/// mesh,
-///                     or with SpherePositions in Online mode, where it gives the first weights.
-///                     With SpherePositions it is any mesh near the samples, of which only the
-///                     surface counts. Without SpherePositions it is the samples' own mesh, with
-///                     the samples as its vertices and triangles counter-clockwise seen from
-///                     outside. Not used for samples in a plane if MeshType is Automatic.
-/// @throws std::invalid_argument if there are no samples, an option is out of range, a geodesic
-/// mesh
-///         is to start from anything but the sphere, or the mesh to start from is not closed and of
-///         genus zero
+/// @param[in] mesh     closed mesh of genus zero to start from, or null. It requires an adaptive
+///   mesh, or SpherePositions in Online mode as the initial weights. With SpherePositions, it is
+///   any mesh near the samples, of which only the surface is used. Without, it is the samples' own
+///   mesh: its vertices are the samples, and triangles are counter-clockwise seen from outside. It
+///   is ignored for samples in a plane if MeshType is Automatic.
+/// @throws std::invalid_argument if there are no samples, or an option is out of range
+/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or a geodesic mesh is
+///   to start from anything but the sphere
 /// @throws Aborted
 /// @post the result depends only on the arguments: same input, same bits, any number of threads;
-///       points scaled by a power of two give weights scaled by it, bit by bit
+///   points scaled by a power of two give weights scaled by it, bit by bit
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const ConformalSOMOptions& options = {}, const MappedMesh* mesh = nullptr, const Run& run = {});
 
-/// Root mean square distance between each neuron and the patterns it stands for: those in whose
-/// simplex it has the largest barycentric weight. In the points' own unit; 0 without patterns.
+/// Compute the root mean square distance between each neuron and its patterns, in the points' own
+/// unit. A pattern belongs to the neuron of maximum barycentric weight in the triangle of its
+/// projection. Neurons without patterns get 0.
 /// @return #N values
 std::vector<double> quantizationErrors(
   const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run = {});

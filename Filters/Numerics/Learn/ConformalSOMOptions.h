@@ -21,29 +21,27 @@ namespace conformal
 enum class TrainingMode
 {
   Batch, ///< all patterns at a time, from coarse to fine, with a least-squares fit
-  Online ///< the paper's algorithm, one pattern at a time
+  Online ///< the paper's algorithm, one pattern per step
 };
 
 /// Mesh that is learned.
 enum class MeshType
 {
   Automatic, ///< Adaptive in Batch mode; Geodesic in Online mode and for points in a plane
-  Geodesic, ///< the paper's geodesic sphere, whose triangles keep their neighbors; learned from the
-            ///< sphere
-  Adaptive  ///< triangles of one size on the surface, on limbs too; Batch only
+  Geodesic,  ///< the paper's geodesic sphere with fixed connectivity; learned from the sphere
+  Adaptive   ///< triangles of equal size on the surface, including limbs; Batch only
 };
 
 /// Surface from which an adaptive mesh is learned.
 enum class StartingShape
 {
-  Automatic, ///< the points' own mesh, if there is one; else the sphere; where the result spans
-             ///< gaps or is bad, a hull of the points
+  Automatic, ///< the points' own mesh, else the sphere; a hull if the result spans gaps or is bad
   Sphere,    ///< always the unit sphere, as in the paper
   Hull,      ///< always a closed hull of the points
   Mesh       ///< always the points' own mesh
 };
 
-constexpr Index MinimumNeurons = 12; ///< those of an icosahedron
+constexpr Index MinimumNeurons = 12; ///< vertices of an icosahedron
 
 struct ConformalSOMOptions
 {
@@ -54,17 +52,17 @@ struct ConformalSOMOptions
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
   conformal::HullMethod HullMethod = conformal::HullMethod::Automatic; ///< of a hull to start from
 
-  /// In Batch mode used while learning from the sphere, not in the fit.
+  /// In Batch mode, used while learning from the sphere, not in the fit.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
 
   OnlineOptions Online;
   BatchOptions Batch;
   FitOptions Fit;              ///< Batch
   unsigned int RandomSeed = 1; ///< the only source of randomness
-  StageObserver Observer;      ///< called with all that learning goes through; may be empty
+  StageObserver Observer;      ///< called with each intermediate surface; may be empty
 };
 
-/// Properties of the surface that learning started from.
+/// Properties of the initial surface.
 struct StartReport
 {
   bool FromHull = false;
@@ -72,8 +70,8 @@ struct StartReport
   conformal::HullMethod Hull = HullMethod::Automatic; ///< method of the hull; Automatic without one
   bool NormalsUsed = false;                           ///< of the samples, for the hull
   bool HullLeaks = false;   ///< the points do not enclose anything at the hull's scale
-  double CutFraction = 0.0; ///< of the hull's area, where handles of the object were cut open:
-                            ///< it is not of genus zero, or limbs touch
+  double CutFraction = 0.0; ///< fraction of the hull's area on cuts through handles of the object,
+                            ///< which is not of genus zero or has touching limbs
   Index NumberOfSamplesOutside = 0; ///< samples far from the hull: outliers, or inner parts
 };
 
@@ -84,9 +82,8 @@ struct ConformalSOMResult
 {
   std::vector<double> Supported; ///< #N, in [0, 1]: see supportOfVertices()
   SurfaceQuality Quality;        ///< Batch
-  int NumberOfStarts = 1;        ///< that were tried; this is the best of the results
-  bool ConformalMapFits = true;  ///< false where a conformal map is out of the range of numbers;
-                                 ///< SpherePositions are then less conformal
+  int NumberOfStarts = 1;        ///< number of starts tried; the result is the best of them
+  bool ConformalMapFits = true;  ///< false after underflow; SpherePositions are then less conformal
 };
 }
 

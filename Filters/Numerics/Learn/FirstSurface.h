@@ -16,42 +16,43 @@
 
 namespace conformal
 {
-/// Closed surface in the samples' unit, with the settings of the fit that suit it.
+/// Closed surface in the samples' unit, with its settings of the fit.
 struct FirstSurface : AdaptiveStart
 {
   StartReport Report;
 };
 
 /// Learn from the sphere on a geodesic network of a quarter of the neurons, without a fit.
-/// @throws NumericalFailure as soon as a level of the network spans parts without samples or is
-///         stretched over limbs, unless options.StartingShape is Sphere
 /// @param[in] observer  called after each level; may be empty
+/// @throws NumericalFailure at the first level whose network spans parts without samples or is
+///   stretched over limbs, unless options.StartingShape is Sphere
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});
 
-/// Make a hull of the samples (GenusZeroHull.h), as fine as the samples are dense and no finer than
-/// the mesh needs.
+/// Make a hull of the samples (GenusZeroHull.h). Its spacing follows the density of the samples,
+/// but is no finer than the mesh requires.
 /// @throws Aborted
 FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
   const ConformalSOMOptions& options, HullMethod method, const Run& run = {});
 
-/// Take a mesh, in the samples' unit, and orient it outward.
+/// Orient a mesh outward as the initial surface.
+/// @param[in] mesh   in the samples' unit
 /// @param[in] guide  of the fit, if the samples are vertices of the mesh; may be null
-/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or reaches more than
-///         four times as far from the samples' middle as the samples do
+/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or extends more than
+///   four times as far from the samples' center as the samples do
 /// @throws Aborted
 FirstSurface firstSurfaceFromMesh(
   const Mesh& mesh, std::shared_ptr<const TriangleTree> guide, const Run& run = {});
 
-/// Throw unless a mesh, in the samples' unit, reaches at most four times as far from the samples'
-/// middle as the samples do: from farther away all samples would draw one or two of its vertices.
+/// Throw unless a mesh, in the samples' unit, extends at most four times as far from the samples'
+/// center as the samples do. On a larger mesh, all samples would be closest to one or two vertices.
 /// @throws std::invalid_argument
 void requireNear(const Points& mesh);
 
-/// Vertices of a surface, and points evenly spread over those of its triangles that are larger than
-/// an even share of its area.
-/// @param[in] wanted  number of shares; at most as many points are added
+/// Return the vertices of a surface and evenly spaced points on its large triangles. A triangle is
+/// large if its area exceeds the surface area divided by `wanted`.
+/// @param[in] wanted  divisor of the area; at most as many points are added
 Points withPointsBetween(const Mesh& surface, Index wanted);
 }
 

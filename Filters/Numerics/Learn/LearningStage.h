@@ -1,4 +1,4 @@
-/// Intermediate surfaces of learning, for figures and for finding the cause of a bad result; own
+/// Intermediate surfaces of learning, for figures and for the diagnosis of bad results; own
 /// construction.
 
 #ifndef ConformalLearningStage_h
@@ -12,10 +12,10 @@
 
 namespace conformal
 {
-/// Surface that learning went through, in the points' own coordinates.
+/// Intermediate surface of learning, in the points' own coordinates.
 struct LearningStage
 {
-  int StartNumber = 1;      ///< of the start that led to it, from 1, abandoned ones counted
+  int StartNumber = 1;      ///< number of the start, from 1, including abandoned starts
   std::string Start;        ///< such as "sphere" or "hull"
   std::string Name;         ///< such as "level 8", "turn 1", "fit" or "kept"
   Mesh Surface;             ///< closed, of genus zero

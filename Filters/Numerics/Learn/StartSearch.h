@@ -1,4 +1,4 @@
-/// Choice of the surface that learning starts from, by trying; own construction.
+/// Choice of the initial surface of learning by trial; own construction.
 
 #ifndef ConformalStartSearch_h
 #define ConformalStartSearch_h
@@ -10,23 +10,23 @@
 
 namespace conformal
 {
-/// Type of the mesh that is learned: options.MeshType, or what it stands for if it is Automatic.
+/// Return the type of the learned mesh: options.MeshType, or the selected type if it is Automatic.
 MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& samples);
 
-/// Learn in Batch mode from one start after the other, as far as each is wanted, and return the
-/// best result.
+/// Learn in Batch mode from several starts and return the best result.
 ///
-/// - A mesh with SpherePositions is the only start where it is given.
-/// - A mesh without SpherePositions, the samples' own mesh, comes first where it is given.
-/// - The sphere follows with StartingShape Sphere, or with Automatic while there is no good result.
-///   For a geodesic mesh it is the only start.
-/// - A hull follows with StartingShape Hull, or with Automatic while there is no good result.
-/// - The hull of the other method comes last, with HullMethod Automatic, where the best result is
-///   bad and a hull was tried.
+/// Starts are tried in this order, as long as their conditions hold:
+/// - A mesh with SpherePositions, if given, is the only start.
+/// - A mesh without SpherePositions, the samples' own mesh, is the first start if given.
+/// - The sphere is used for StartingShape Sphere, or for Automatic until a result is good. For a
+///   geodesic mesh, it is the only start.
+/// - A hull is used for StartingShape Hull, or for Automatic until a result is good.
+/// - The hull of the other method is used for HullMethod Automatic, if a hull was tried and the
+///   best result is bad.
 ///
-/// A result is bad where a defect of its quality (SurfaceQuality.h) is more than tolerated, and not
-/// good from the sphere where it has webs. Of two results the one with the lower defectScore() is
-/// better, and any result is better than one with webs. In points of rank below 3, nothing can be
+/// A result is bad if a defect of its quality exceeds the tolerance (SurfaceQuality.h). From the
+/// sphere, it is also not good if it has webs. Of two results, the one with the lower defectScore()
+/// is better. Any result is better than one with webs. Points of affine rank below 3 cannot be
 /// evaluated, and the first result is returned.
 ///
 /// A hull with HullMethod Automatic is chooseHull() of GenusZeroHull.h.
@@ -34,9 +34,9 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// @param[in] mesh  may be null; see trainConformalSOM()
 /// @return positions in the samples' unit; SpherePositions of a geodesic mesh only
 /// @throws std::invalid_argument if the mesh is not closed and of genus zero, or far from the
-/// samples
+///   samples
 /// @throws Aborted
-/// @post the result depends only on the arguments, not on threads or ranks
+/// @post the result depends only on the arguments, not on the number of threads or ranks
 ConformalSOMResult learnFromBestStart(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MappedMesh* mesh, const Run& run = {});
 }

@@ -1,4 +1,4 @@
-/// Surfaces whose maps to the sphere correspond, on one mesh.
+/// Remesh surfaces whose sphere maps correspond, on one common mesh.
 /// Own construction: one mesh of the sphere carries all surfaces.
 
 #ifndef ConformalConsistentRemesh_h
@@ -12,11 +12,11 @@
 
 namespace conformal
 {
-/// Where the common mesh has its points.
+/// Distribution of the points of the common mesh.
 enum class RemeshMeshType
 {
   Geodesic, ///< evenly over the sphere
-  Adaptive  ///< evenly over the surfaces, as dense as the mean of their densities
+  Adaptive  ///< evenly over the surfaces, by the mean of their densities
 };
 
 struct ConsistentRemeshOptions
@@ -28,17 +28,16 @@ struct ConsistentRemeshOptions
 
 struct ConsistentMeshes
 {
-  Mesh Sphere; ///< unit vectors, and the triangles of all: counter-clockwise on the surfaces
-  std::vector<Points> Positions;        ///< #S, each #V by 3: the surfaces in these directions
-  std::vector<ResampleWeights> Weights; ///< #S, of the points of each surface
+  Mesh Sphere; ///< unit vectors; common triangles, counter-clockwise on the surfaces
+  std::vector<Points> Positions; ///< #S, each #V by 3: surface points in the directions of Sphere
+  std::vector<ResampleWeights> Weights; ///< #S, interpolation weights of the points of each surface
 };
 
-/// The points of all surfaces in the directions of one mesh of the sphere, by linear interpolation
-/// in the triangle that holds the direction, as by resample().
-/// @param[in] surfaces  #S, at least one; isolated points do not count
+/// Sample all surfaces in the directions of one mesh of the sphere. Positions are interpolated
+/// linearly in the triangle that contains the direction, as by resampleSurface().
+/// @param[in] surfaces  #S, at least one; isolated points are ignored
 /// @throws std::invalid_argument if a surface is open, a map does not cover the sphere exactly
-/// once,
-///   some maps mirror their surfaces and others do not, or an option is out of range
+///   once, only some maps are mirrored, or an option is out of range
 /// @throws Aborted
 ConsistentMeshes remeshConsistently(const std::vector<MappedMesh>& surfaces,
   const ConsistentRemeshOptions& options = {}, const Run& run = {});

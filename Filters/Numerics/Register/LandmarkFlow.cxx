@@ -15,10 +15,12 @@ namespace
 constexpr double Met = 1e-6;
 constexpr double RepairedFraction = 0.25;
 constexpr double MinimumFraction = 1.0 / 64.0;
-constexpr double WorthARound = 0.95;  // of the sum of distances, by all widths once
-constexpr double Nearer = 1.0 - 1e-6; // of the sum of distances, by a step
+constexpr double WorthARound =
+  0.95; // maximum ratio of the summed distances after a round of all widths and before
+constexpr double Nearer =
+  1.0 - 1e-6; // maximum ratio of the summed distances after a step and before
 
-// The turn that brings one direction to another, no farther than a limit.
+// Compute the rotation vector from one direction to another, limited in length.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)
 {
   const Vector3 axis = from.cross(to);
@@ -33,7 +35,7 @@ Vector3 turned(const Vector3& place, const Vector3& turn)
                      : place;
 }
 
-// The sum of Gaussians with the given values at the landmarks.
+// Sum of Gaussians with given values at the landmarks.
 class TurnField
 {
 public:
@@ -75,7 +77,7 @@ private:
   double Scale;
 };
 
-// For each folded triangle the nearest landmark that is not where it is to be; each once.
+// Find the nearest landmark that is not at its target for each folded triangle; each landmark once.
 std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangles,
   const std::vector<int>& ids, const Eigen::VectorXd& left, double tolerance)
 {
@@ -104,7 +106,7 @@ std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangl
   return blocked;
 }
 
-// A flow of positions that brings some vertices, the landmarks, to their targets step by step.
+// Flow of positions that brings some vertices, the landmarks, to their targets step by step.
 class LandmarkFlow
 {
 public:
@@ -129,7 +131,7 @@ public:
       !(this->Left.maxCoeff() > this->Options.Tolerance);
   }
 
-  // Move the vertices, or change what keeps them from moving.
+  // Move the vertices, or reduce the obstacles to a move.
   void step(const Run& run)
   {
     Points moved = this->moved(run);
@@ -148,7 +150,7 @@ public:
   }
 
 private:
-  // Of each landmark to its target.
+  // Compute the distance of each landmark to its target.
   Eigen::VectorXd distances() const
   {
     Eigen::VectorXd result(static_cast<Index>(this->Ids.size()));
@@ -183,7 +185,7 @@ private:
     return moved;
   }
 
-  // Keep a step that brings the landmarks nearer; else go on with the next width.
+  // Keep a step that brings the landmarks closer; otherwise, continue with the next width.
   void accept(Points& moved)
   {
     std::swap(this->Places, moved);
@@ -200,8 +202,7 @@ private:
     }
   }
 
-  // Landmarks next to a folded triangle go on by a part of their way, so that the others get
-  // theirs.
+  // Shorten the steps of landmarks next to a folded triangle, so that the others can proceed.
   void shorten(const std::vector<int>& blocked)
   {
     for (const int i : blocked)
@@ -220,7 +221,8 @@ private:
     }
   }
 
-  // All widths begin anew while a round of them is worth it.
+  // Select the next width. After the last one, repeat all widths while a round makes enough
+  // progress.
   void nextWidth()
   {
     this->Fractions.setOnes();
@@ -238,8 +240,8 @@ private:
   const Points& Targets;
   Points& Places;
   const LandmarkFlowOptions& Options;
-  Eigen::VectorXd Left;      // distances that the landmarks still have to go
-  Eigen::VectorXd Fractions; // of their way that landmarks go in a step
+  Eigen::VectorXd Left;      // remaining distances of the landmarks
+  Eigen::VectorXd Fractions; // fractions of the remaining distance moved in a step
   std::size_t Width = 0;
   double LeftAtFirstWidth;
 };

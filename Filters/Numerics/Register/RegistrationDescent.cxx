@@ -30,7 +30,7 @@ Tangents tangentsAt(const Vector3& n)
   return result;
 }
 
-// What a vertex finds at its place.
+// Interpolated position of a vertex on the fixed surface.
 struct Found
 {
   int Triangle = -1;
@@ -39,23 +39,23 @@ struct Found
   Tangents Slope; // of the position
 };
 
-// All of them, with features: row i belongs to vertex i.
+// Interpolated positions and features of all vertices: row i is that of vertex i.
 struct Lookup
 {
   std::vector<Found> At;
   Rows Features;              // #V by #K
-  std::array<Rows, 2> Slopes; // of the features along both tangents, likewise
+  std::array<Rows, 2> Slopes; // of the features along both tangents, #V by #K
 };
 
-// A pair's place in the moving sphere.
+// Direction of a pair in the moving sphere.
 struct Anchor
 {
   std::array<int, 3> Ids;
   Vector3 Weights, To;
 };
 
-// A symmetric matrix of 2 by 2 blocks, one for each pair of neighbors and each vertex: its lower
-// half, as Eigen wants it.
+// Symmetric matrix of 2 by 2 blocks for adjacent vertices and for each vertex. Only the lower half
+// is stored, as Eigen's solver requires.
 class BlockMatrix
 {
 public:
@@ -74,7 +74,7 @@ public:
     std::fill(this->Beside.begin(), this->Beside.end(), Matrix2::Zero());
   }
 
-  // Add to the block of rows of i and columns of j; the one across the diagonal follows.
+  // Add to the block at rows of i and columns of j, and to its transpose.
   void add(int i, int j, const Matrix2& block)
   {
     if (i == j)
@@ -197,7 +197,7 @@ public:
         fell = this->goAlong(this->solve(damping), places, energy);
         damping = fell ? std::max(1e-5, damping / 3.0) : 30.0 * damping;
       }
-      // The stretch is never below 1.
+      // The minimum of the stretch is 1.
       if (!fell || before - energy.Total < options.Tolerance * (before - this->Weights.Stretch))
       {
         break;
@@ -210,7 +210,7 @@ public:
 private:
   static constexpr double LongestMove = 0.3;
 
-  // Look up what is at the places.
+  // Interpolate the fixed surface at the positions.
   void look(const Points& places, Lookup& found) const
   {
     const Rows& values = this->Fixed.Values;
@@ -261,7 +261,7 @@ private:
     return { m.dot(m), m.dot(n), n.dot(n) };
   }
 
-  // A triangle of what corresponds, and of the sphere, with these shares of either metric.
+  // Return a corresponding triangle and the sphere's, blended by shares of the metrics.
   MovingTriangle triangleAt(const Points& places, Index r, double surface, double sphere) const
   {
     const auto ids = this->Corners.row(r);
@@ -320,7 +320,7 @@ private:
     return place.normalized();
   }
 
-  // Slopes and stiffness of the energy at the places.
+  // Compute gradient and stiffness of the energy at the positions.
   void linearize(const Points& places)
   {
     this->Matrix.clear();
@@ -426,7 +426,7 @@ private:
     return result;
   }
 
-  // As far along a move as it takes for the energy to fall; whether it does.
+  // Shorten a move until the energy decreases; return whether it does.
   bool goAlong(const Eigen::VectorXd& move, Points& places, RegistrationEnergy& energy)
   {
     const double longest = this->longestOf(move);
@@ -455,10 +455,10 @@ private:
     return false;
   }
 
-  // Take back what moves of the corners of folded triangles, half of it at a time.
+  // Halve the moves of the corners of folded triangles until none is folded.
   bool unfold(const Points& places, Points& moved) const
   {
-    constexpr int attempts = 12, halvings = 8; // then all of it
+    constexpr int attempts = 12, halvings = 8; // afterward, the whole move is undone
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
       const double kept = attempt < halvings ? 0.5 : 0.0;

@@ -1,4 +1,4 @@
-/// Finds the map between two surfaces that stretches least and agrees on features.
+/// Find the map between two surfaces of minimum stretch and best agreement of features.
 /// Symmetric Dirichlet energy of \cite Smith2015.
 
 #ifndef ConformalRegistrationDescent_h
@@ -13,15 +13,15 @@
 
 namespace conformal
 {
-/// What both surfaces have in the directions of a geodesic sphere. Positions are of a surface whose
-/// area is that of the unit sphere.
+/// Values of a surface in the directions of a geodesic sphere. Positions are scaled so that the
+/// surface area is that of the unit sphere, 4 pi.
 struct SampledSurface
 {
   SphereGrid Grid;
   Rows Values; ///< #G by 3 + #K: positions, then features
 };
 
-/// A pair of places that are to correspond.
+/// Pair of corresponding directions.
 struct SpherePair
 {
   Vector3 From, To; ///< on the moving and on the fixed surface's sphere, unit vectors
@@ -29,18 +29,18 @@ struct SpherePair
 
 struct RegistrationWeights
 {
-  double Stretch = 1.0;         ///< of the symmetric Dirichlet energy
-  double Sphere = 0.1;          ///< of the sphere's metric in the surfaces'
-  double Barrier = 0.02;        ///< of the symmetric Dirichlet energy of the sphere itself, which
-                                ///< grows without limit where a triangle is about to fold
-  std::vector<double> Features; ///< #K, of the squared differences
-  double Landmarks = 0.0;       ///< of the squared distances
+  double Stretch = 1.0;  ///< weight of the symmetric Dirichlet energy
+  double Sphere = 0.1;   ///< share of the sphere's metric that is added to those of the surfaces
+  double Barrier = 0.02; ///< weight of the sphere's own symmetric Dirichlet energy; that energy is
+                         ///< infinite at a fold
+  std::vector<double> Features; ///< #K, weights of the squared differences
+  double Landmarks = 0.0;       ///< weight of the squared distances
 };
 
 struct RegistrationEnergy
 {
   double Stretch = 0.0;   ///< symmetric Dirichlet energy; 1 if both surfaces are isometric
-  double Barrier = 0.0;   ///< weighted, 0 where the sphere is only turned
+  double Barrier = 0.0;   ///< weighted; 0 for a rotation of the sphere
   double Features = 0.0;  ///< weighted mean square difference
   double Landmarks = 0.0; ///< mean square distance
   double Total = 0.0;
@@ -50,20 +50,23 @@ struct DescentOptions
 {
   RegistrationWeights Weights;
   int MaximumNumberOfSteps = 30;
-  double Tolerance = 5e-3; ///< relative fall of what the energy is above its least
+  double Tolerance = 5e-3; ///< ends at this relative decrease of the energy above its minimum
 };
 
-/// Move the vertices of the moving surface's sphere to where the energy is least, by Newton steps
-/// without the negative part of the stretch's second derivatives: first each vertex of a folded
-/// triangle goes back by halves until none is, then all are shortened until the energy falls.
+/// Move the vertices of the moving surface's sphere to minimize the energy, by projected Newton
+/// steps.
 ///
-/// With J the map of a triangle from one surface to the other, the stretch is the mean of
-/// (|J|^2 + |J^-1|^2) / 4 over both areas: 1 where the map keeps lengths, and more elsewhere. The
-/// metrics are those of the surfaces and, times Sphere, of the sphere, so that no triangle is
-/// without area.
-/// @param[in] pairs       places on both spheres that are to correspond
-/// @param[in,out] places  #V by 3 unit vectors, of a sphere without folds; so they stay
-/// @return the energy that is left
+/// The Hessian of the stretch has its negative part removed. If a step folds triangles, the moves
+/// of their vertices are halved until none is folded. Then all moves are shortened until the energy
+/// decreases.
+///
+/// With J the map of a triangle from one surface to the other, the stretch is the mean of (|J|^2 +
+/// |J^-1|^2) / 4 over both areas. It is 1 where the map is isometric, and larger elsewhere. The
+/// metrics are those of the surfaces plus Sphere times that of the sphere, so that no triangle has
+/// zero area.
+/// @param[in] pairs       corresponding directions on both spheres
+/// @param[in,out] places  #V by 3 unit vectors, of a sphere without folds before and after
+/// @return the final energy
 /// @throws Aborted
 RegistrationEnergy descend(const SampledSurface& moving, const SampledSurface& fixed,
   const std::vector<SpherePair>& pairs, const DescentOptions& options, Points& places,

@@ -9,11 +9,11 @@ namespace conformal
 {
 namespace
 {
-constexpr int NumberOfAxes = 120, NumberOfAngles = 14; // 23 degrees apart or so
+constexpr int NumberOfAxes = 120, NumberOfAngles = 14; // spaced by about 23 degrees
 constexpr int NumberImproved = 60, ImprovingSteps = 8;
 constexpr double Apart = Pi / 6.0;
 
-// Axes spread evenly over the sphere along a spiral.
+// Return an axis of a spiral of even spacing on the sphere.
 Vector3 axisOf(int i)
 {
   const double z = 1.0 - (2.0 * i + 1.0) / NumberOfAxes, golden = Pi * (3.0 - std::sqrt(5.0));
@@ -34,7 +34,7 @@ public:
     this->Shares /= this->Shares.sum();
   }
 
-  // The difference, and one Gauss-Newton step of the rotation.
+  // Compute the difference, and optionally one Gauss-Newton step of the rotation.
   double difference(const Eigen::Matrix3d& rotation, Eigen::Matrix3d* improved = nullptr) const
   {
     const Index count = this->Weights.size();
@@ -56,7 +56,7 @@ public:
         sum += weight * off * off;
         if (improved)
         {
-          // A turn by w moves the place by w x place.
+          // A rotation by w moves the position by w x position.
           const Vector3 turn = place.cross(at.Slopes.transpose() * corners);
           slope += weight * off * turn;
           matrix += weight * turn * turn.transpose();
@@ -108,7 +108,7 @@ std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
 {
   const Search search(moving, fixed, weights);
   std::vector<FoundRotation> all(NumberOfAxes * NumberOfAngles);
-  // The first axis goes to each of the others, after a turn about itself.
+  // The first axis is rotated to each of the others, after a rotation about itself.
   forBlocksReporting(run, static_cast<Index>(all.size()), 16,
     [&](Index begin, Index end)
     {
@@ -123,7 +123,7 @@ std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
       }
     });
   std::stable_sort(all.begin(), all.end(), isBetter);
-  // Distinct starts for the improvement, or all of it would go to one valley.
+  // Select distinct starts, so that refinements do not all converge to one minimum.
   std::vector<FoundRotation> starts;
   const auto isNew =
     [](const std::vector<FoundRotation>& list, const FoundRotation& one, double apart)

@@ -1,4 +1,4 @@
-/// Finds the rotations after which two surfaces agree best on features.
+/// Find the rotations after which two surfaces agree best on features.
 /// Own construction: exhaustive search with refinement finds all good rotations.
 
 #ifndef ConformalRotationSearch_h
@@ -18,10 +18,10 @@ struct FoundRotation
   double Difference = 0.0; ///< weighted mean square difference of the features
 };
 
-/// Rotations that differ from each other by 30 degrees or more, the best one first: the best of
-/// some 1,700 all over, each improved as far as it goes.
+/// Find rotations that differ from each other by at least 30 degrees, the best first. About 1,700
+/// rotations are evaluated, and the best ones are refined to convergence.
 /// @param[in] weights  #K, of the features
-/// @param[in] count    how many to find at most
+/// @param[in] count    maximum number of rotations
 std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
   const SampledSurface& fixed, const std::vector<double>& weights, int count, const Run& run = {});
 }

@@ -14,7 +14,7 @@ namespace conformal
 {
 namespace
 {
-/// Shares of the area around the vertices, of sum 1.
+/// Compute the areas around the vertices, normalized to sum 1.
 Eigen::VectorXd vertexShares(const Triangles& triangles, const std::vector<Points>& shapes)
 {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(shapes.front().rows());
@@ -46,13 +46,13 @@ Points meanOf(const std::vector<Points>& shapes)
   return mean / static_cast<double>(shapes.size());
 }
 
-/// Bring centered shapes together.
+/// Align centered shapes with each other.
 /// @return their mean
 Points alignShapes(std::vector<Points>& shapes, const Eigen::VectorXd& shares,
   ShapeAlignment alignment, const Run& run)
 {
   constexpr int maximum = 100;
-  constexpr double accuracy = 1e-24; // square of a share of the size
+  constexpr double accuracy = 1e-24; // squared change relative to the size
   const bool isSimilar = alignment == ShapeAlignment::Similarity;
   double size = 0.0;
   for (const Points& shape : shapes)
@@ -102,10 +102,10 @@ void addModes(ShapeModes& result, const std::vector<Points>& differences,
       { products(s, t) = products(t, s) = product(differences[s], differences[t], shares); });
     run.report((s + 1.0) / static_cast<double>(size));
   }
-  // Differences add up to 0, so that one eigenvalue fewer than shapes is above that.
+  // Differences have the sum 0, so that at most #S - 1 eigenvalues are above the minimum.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products);
   const double all = std::max(0.0, products.trace());
-  // What is below is rounding: of the points, and of the largest eigenvalue.
+  // Smaller values are rounding errors of the points or of the largest eigenvalue.
   const double minimum = std::max(1e-20 * product(result.Mean, result.Mean, shares), 1e-13 * all);
   const double freedom = std::sqrt(static_cast<double>(size) - 1.0);
   std::vector<Eigen::VectorXd> scores;
@@ -164,7 +164,7 @@ ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>&
     }
     const Points first = aligned.front();
     result.Mean = alignShapes(aligned, shares, options.Alignment, aligning);
-    // As the first shape lies; the rest of the alignment turns with it.
+    // Orient the result as the first shape.
     const Eigen::Matrix3d turn = closestRotation(result.Mean, first, shares).transpose();
     result.Mean = (result.Mean * turn).eval();
     for (Points& shape : aligned)

@@ -10,33 +10,35 @@
 
 namespace conformal
 {
-/// What is taken out of the shapes before they are compared.
+/// Transforms that are removed from the shapes before their comparison.
 enum class ShapeAlignment
 {
-  None,      ///< nothing: they lie where they lie
-  Rigid,     ///< where they lie and how they are turned
-  Similarity ///< and their size
+  None,      ///< none: compare the shapes as they are
+  Rigid,     ///< translation and rotation
+  Similarity ///< translation, rotation and scale
 };
 
 struct ShapeModesOptions
 {
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  int NumberOfModes = 10; ///< at most; there are fewer than shapes
+  int NumberOfModes = 10; ///< maximum; always less than the number of shapes
 };
 
-/// Shape s, aligned, is Mean + sum over k of Scores(s, k) Modes[k], if all modes are kept.
+/// Aligned shape s equals Mean + sum over k of Scores(s, k) Modes[k], if all modes are kept.
 struct ShapeModes
 {
-  Points Mean;                   ///< #V by 3, where the first shape lies and as it is turned
+  Points Mean;                   ///< #V by 3, with the position and orientation of the first shape
   std::vector<Points> Modes;     ///< #K, each #V by 3: displacements by one standard deviation
-  std::vector<double> Explained; ///< #K shares of the variance, falling
+  std::vector<double> Explained; ///< #K fractions of the variance, descending
   Eigen::MatrixXd Scores;        ///< #S by #K, in standard deviations
 };
 
-/// Generalized Procrustes alignment \cite Gower1975, then principal components. Vertices count by
-/// the area around them, in the mean over the shapes, so that it does not matter where the mesh is
-/// dense. Of the two signs of a mode the one is taken whose score of largest magnitude is positive,
-/// of several such scores, but for rounding, the first.
+/// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute principal
+/// components.
+///
+/// Vertices are weighted by their area, averaged over the shapes, so that the result does not
+/// depend on the mesh density. The sign of a mode makes its score of maximum magnitude positive. If
+/// several scores have that magnitude up to rounding, the first one decides.
 ///
 /// @param[in] triangles  of all shapes
 /// @param[in] shapes     #S, at least one, each #V by 3

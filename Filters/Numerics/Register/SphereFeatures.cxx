@@ -15,15 +15,15 @@ namespace conformal
 {
 namespace
 {
-// The edges of a mesh and the straight lines across pairs of triangles, with their lengths.
+// Edges of a mesh and straight lines across pairs of triangles, with their lengths.
 struct DistanceGraph
 {
   std::vector<int> Offsets;
   std::vector<std::pair<int, float>> Links;
 };
 
-// Between the corners opposite to an edge, both triangles laid flat; the way along the edges
-// where the line leaves them.
+// Compute the distance of the corners opposite to an edge, with both triangles unfolded. If the
+// line leaves the triangles, compute the path along the edges.
 double lengthAcross(const Vector3& a, const Vector3& b, const Vector3& left, const Vector3& right)
 {
   const Vector3 edge = b - a;
@@ -133,8 +133,8 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
   areas /= areas.sum();
   const DistanceGraph graph = distanceGraph(surface);
   const int count = static_cast<int>(std::min<Index>(options.NumberOfSources, size));
-  // Each source is the vertex that is farthest from those before it; then each vertex counts for
-  // the nearest one.
+  // Each source is the vertex farthest from the previous ones; each vertex is assigned to the
+  // nearest source.
   std::vector<std::vector<float>> distances(count);
   std::vector<float> nearest(size, std::numeric_limits<float>::infinity());
   std::vector<int> owner(size, 0);

@@ -1,4 +1,4 @@
-/// Features of a closed surface that do not depend on where it lies or how it is bent.
+/// Features of a closed surface that are invariant to position, orientation and bending.
 /// Own construction: features by geodesic distance do not change under bending.
 
 #ifndef ConformalSphereFeatures_h
@@ -15,21 +15,23 @@ namespace conformal
 {
 struct GeodesicFeatureOptions
 {
-  int NumberOfSources = 120; ///< spread evenly over the surface
-  /// Of the area's square root, each for a feature: how much area is that near.
+  int NumberOfSources = 120; ///< sources of geodesic distances, spread evenly over the surface
+  /// Radii of the features of nearby area, in units of the square root of the area.
   std::vector<double> Radii = { 0.17, 0.35 };
 };
 
-/// For each vertex the logarithm of its mean geodesic distance to the surface, then for each radius
-/// that of the area around it, weighted by a Gaussian of the geodesic distance. The first one is
-/// large at the ends of limbs, the others are small on thin ones.
-/// Distances are along edges and across pairs of triangles.
+/// Compute features by geodesic distance.
+///
+/// The first feature of a vertex is the logarithm of its mean geodesic distance to the surface. It
+/// is large at limb ends. The others are logarithms of the nearby area for each radius, weighted by
+/// a Gaussian of the geodesic distance. They are small on thin limbs. Paths run along edges and
+/// across pairs of triangles.
 /// @return #V rows, one column for the mean distance and one for each radius
 Rows geodesicFeatures(
   const Mesh& surface, const GeodesicFeatureOptions& options = {}, const Run& run = {});
 
-/// The mean curvature times the square root of the area, smoothed by a diffusion.
-/// @param[in] scale  of the area's square root: about how far it is smoothed
+/// Compute the mean curvature times the square root of the area, smoothed by diffusion.
+/// @param[in] scale  about the smoothing length, in units of the square root of the area
 Eigen::VectorXd smoothMeanCurvature(const Mesh& surface, double scale, const Run& run = {});
 
 /// Shift and scale each column to mean 0 and variance 1.

@@ -26,8 +26,8 @@ SphereWeights SphereGrid::weightsAt(const Vector3& direction, int hint) const
     result.Ids[k] = this->Sphere.Triangles(location.Triangle, k);
     corners.row(k) = this->Sphere.Positions.row(result.Ids[k]);
   }
-  // The line of a direction p meets the triangle where weights w with sum 1 are in the ratios of
-  // W p, the rows of W being the dual basis of the corners.
+  // The line of a direction p intersects the triangle at weights w with sum 1 in the ratios of W p.
+  // The rows of W are the dual basis of the corners.
   Eigen::Matrix3d dual;
   for (int k = 0; k < 3; ++k)
   {

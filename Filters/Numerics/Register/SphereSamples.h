@@ -1,4 +1,4 @@
-/// Values at the vertices of a geodesic sphere, linear in between.
+/// Values at the vertices of a geodesic sphere, interpolated linearly.
 /// Own construction: linear interpolation with a derivative, for descents.
 
 #ifndef ConformalSphereSamples_h
@@ -11,11 +11,10 @@
 
 namespace conformal
 {
-/// One row for each vertex or direction, so that a lookup reads one piece of memory.
+/// One row for each vertex or direction, so that a lookup reads contiguous memory.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A triangle of a sphere mesh seen from a direction in it: weights of its corners, and how they
-/// change with the direction.
+/// Barycentric weights of a direction in a triangle of a sphere mesh, and their gradients.
 struct SphereWeights
 {
   int Triangle = -1;
@@ -24,7 +23,7 @@ struct SphereWeights
   Eigen::Matrix3d Slopes = Eigen::Matrix3d::Zero(); ///< row k: gradient of weight k
 };
 
-/// A sphere mesh in which directions are looked up. Only reads; many threads may ask at once.
+/// Sphere mesh for point location. Queries only read, so several threads may query concurrently.
 class SphereGrid
 {
 public:
@@ -42,7 +41,7 @@ private:
   SphereLocator Locator;
 };
 
-/// Values in given directions.
+/// Interpolate values in given directions.
 /// @param[in] values  one row for each vertex of the grid
 Rows sampleAt(
   const SphereGrid& grid, const Rows& values, const Points& directions, const Run& run = {});

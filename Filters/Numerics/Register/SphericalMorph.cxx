@@ -18,7 +18,7 @@ namespace
 {
 constexpr Index BlockSize = 1024;
 
-/// The shapes that count, each around its center.
+/// Shapes of weight above 0, each relative to its center.
 struct Active
 {
   std::vector<const Points*> Shapes;
@@ -33,7 +33,7 @@ Vector3 rotationVector(const Eigen::Matrix3d& rotation)
   return turn.angle() * turn.axis();
 }
 
-/// Areas around the vertices, of all shapes together.
+/// Compute areas around the vertices, summed over all shapes.
 Eigen::VectorXd commonAreas(const Mesh& sphere, const std::vector<const Points*>& shapes)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(sphere.Positions.rows());
@@ -72,7 +72,7 @@ Active activeShapes(
   return active;
 }
 
-/// Weighted sums, of shapes or of centers.
+/// Blend shapes or centers linearly.
 Points linearBlend(const Active& active)
 {
   Points sum = active.Weights[0] * *active.Shapes[0];
@@ -93,7 +93,7 @@ Vector3 weighted(const std::vector<double>& weights, const std::vector<Vector3>&
   return sum;
 }
 
-/// Corners of each triangle as it should be, relative to the first of them.
+/// Corners of each blended triangle, relative to the first one.
 using Wanted = std::vector<Eigen::Matrix3d>;
 
 Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
@@ -121,7 +121,7 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
         for (std::size_t s = 0; s < active.Shapes.size(); ++s)
         {
           const Points& shape = *active.Shapes[s];
-          Eigen::Matrix3d own; // turned back to how the first shape has it
+          Eigen::Matrix3d own; // in the orientation of the first shape
           for (int k = 0; k < 3; ++k)
           {
             own.col(k) = shape.row(triangles(r, k)) - shape.row(triangles(r, 0));
@@ -139,7 +139,7 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
   return wanted;
 }
 
-/// Cotangents of the corners of triangles, within bounds.
+/// Compute the cotangents of the corners of triangles, clamped.
 Points cotangentsOf(const Wanted& wanted)
 {
   Points cotangents(static_cast<Index>(wanted.size()), 3);
@@ -196,7 +196,7 @@ Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
   {
     diagonal[v] = weights.sumAt(v);
   }
-  diagonal[0] *= 2.0; // vertex 0 stays where it is, since the forces add up to 0
+  diagonal[0] *= 2.0; // fixes vertex 0, since the sum of the forces is 0
   const MultifrontalCholesky solver(weights, diagonal, sphere.Positions, steps.next());
   steps.next();
   solver.solve(correction);

@@ -1,4 +1,4 @@
-/// Carries values from one surface to another by their maps to the sphere.
+/// Resample values of one surface at the points of another by their maps to the sphere.
 /// Methods of \cite Glasser2013.
 
 #ifndef ConformalSphericalResample_h
@@ -12,8 +12,8 @@ namespace conformal
 {
 enum class ResampleMethod
 {
-  Barycentric, ///< between the three points of the source around each point
-  AreaAdaptive ///< so that each point of the source counts by its area
+  Barycentric, ///< interpolate in the source triangle that contains each target point
+  AreaAdaptive ///< every source point contributes by its area
 };
 
 struct SphericalResampleOptions
@@ -23,28 +23,32 @@ struct SphericalResampleOptions
 
 struct SphericalResampling
 {
-  ResampleWeights Weights; ///< of the source's points, for each point of the target
-  Index NumberOfFolds = 0; ///< of the source's map: there it covers the sphere more than once
+  ResampleWeights Weights; ///< for each target point, weights of source points
+  Index NumberOfFolds = 0; ///< of the source's map, which then covers the sphere more than once
 };
 
-/// What the points of a target are made of, as Connectome Workbench defines it.
+/// Compute the weights of source points for each target point, as Connectome Workbench defines
+/// them.
 ///
-/// Barycentric: the point of the source's sphere, of flat triangles, that is closest to the
-/// target's point on the unit sphere; its barycentric coordinates are the weights.
+/// Barycentric: the weights are the barycentric coordinates of the closest point on the flat
+/// triangles of the source's sphere.
 ///
-/// AreaAdaptive, its ADAP_BARY_AREA: points of the target are made of the same points as above,
-/// or, if there are more that name it from the other side (a point of the source lies in a
-/// triangle of which it is a corner), of those, by their barycentric coordinates. Then weights are
-/// multiplied by the area around the target's point, those of each point of the source are scaled
-/// so that they add up to the area around that, and those of each target point divided by their
-/// sum. So all of the source counts where the target is coarser, and it is an interpolation where
-/// the target is finer.
+/// AreaAdaptive (ADAP_BARY_AREA of Connectome Workbench):
+/// 1. Compute Barycentric weights forward, from source to target, and in reverse, from target to
+///    source.
+/// 2. For each target point, use the reverse weights if they name more source points, else the
+///    forward ones.
+/// 3. Multiply the weights of each target point by its area.
+/// 4. Scale the weights of each source point so that their sum is its area.
+/// 5. Normalize the weights of each target point to sum 1.
 ///
-/// @param[in] source  its positions say what area is around each point; points of no triangle do
-///                    not count
-/// @param[in] target  Barycentric needs no triangles and no positions of it
+/// All of the source thus contributes to a coarser target, and a finer target is interpolated.
+///
+/// @param[in] source  its positions define the areas of points; points without triangles are
+///   ignored
+/// @param[in] target  Barycentric needs neither its triangles nor its positions
 /// @throws std::invalid_argument if a surface is open, or a map does not cover the sphere once,
-///   mirrored or not; those of the target need not with Barycentric
+///   mirrored or not; the target is not checked for Barycentric
 /// @throws Aborted
 SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& target,
   const SphericalResampleOptions& options = {}, const Run& run = {});

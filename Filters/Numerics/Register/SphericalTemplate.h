@@ -1,4 +1,4 @@
-/// Registers many mapped surfaces with their mean, so that all of them correspond.
+/// Register many mapped surfaces with their mean, so that all of them correspond.
 /// Own construction: rounds of registration with the mean of all surfaces.
 
 #ifndef ConformalSphericalTemplate_h
@@ -17,44 +17,48 @@ namespace conformal
 struct SphericalTemplateOptions
 {
   SphericalRegistrationOptions Registration;        ///< of each surface
-  ShapeAlignment Alignment = ShapeAlignment::Rigid; ///< before the mean is taken
+  ShapeAlignment Alignment = ShapeAlignment::Rigid; ///< before the mean is computed
   int MeanFrequency = 45;                           ///< f, for 10 f^2 + 2 points of the mean
-  int MaximumNumberOfRounds = 4; ///< in which all are registered with their mean; may be 0
-  double Tolerance = 0.01;       ///< change of the mean, in its size, with which rounds end
+  int MaximumNumberOfRounds = 4; ///< rounds of registration with the mean; at least 0
+  double Tolerance = 0.01;       ///< rounds end at this change of the mean, relative to its size
 };
 
-/// A surface, and its landmarks.
+/// Surface with landmarks.
 struct TemplateInput
 {
   std::string Name = "a surface"; ///< in messages
   RegisteredSurface Surface;
-  std::vector<int> Landmarks; ///< #L vertices, each once; of all surfaces in one order
+  std::vector<int> Landmarks; ///< #L distinct vertices, in one order for all surfaces
 };
 
 struct SphericalTemplateResult
 {
-  /// #S, with the mean; without rounds, or of a single surface, with the start.
+  /// #S, with the mean; without rounds, or for a single surface, with the start surface.
   std::vector<SphericalRegistrationResult> Registrations;
-  MappedMesh Mean;             ///< on a geodesic sphere, where the start lies and as it is turned
-  Index Start = 0;             ///< the surface with which all were registered first
+  MappedMesh Mean; ///< on a geodesic sphere, with position and orientation of the start surface
+  Index Start = 0; ///< surface with which all are registered first
   std::vector<double> Changes; ///< of the mean in each round: rms distance over the rms radius
 };
 
-/// Steps: all are registered with the first one, and the start is found, the surface that is
-/// closest to the mean of their shapes; all are registered with the start; then in each round with
-/// the mean of positions and features of the round before, until it changes no more. Each
-/// registration begins with the surface's own map, so that a round may find a better one than that
-/// before.
+/// Register all surfaces with a common mean shape.
 ///
-/// Landmarks of the mean are the vertices closest to the mean of where they lie.
+/// 1. Register all surfaces with the first one. The surface closest to their mean shape is the
+///    start.
+/// 2. Register all surfaces with the start.
+/// 3. In each round, register all surfaces with the mean of positions and features of the previous
+///    round. Stop when the mean converges.
 ///
-/// The order of the surfaces decides what the start is looked for with; it counts no more where the
-/// same one is found, but for rounding.
+/// Each registration begins with the surface's own map, so that a round may improve on the previous
+/// one. Landmarks of the mean are the vertices closest to the mean landmark positions.
+///
+/// The order of the surfaces matters only for the choice of the start. If the start is equal,
+/// results differ by rounding only.
 /// @param[in] inputs          #S, at least one, in one space
 /// @param[in] featureWeights  #K, at least 0
-/// @throws std::invalid_argument that names the surface that has no area, a map that does not cover
-/// the
-///   sphere once, or another number of landmarks than the first one; or as registerSpheres() does
+/// @throws std::invalid_argument if a surface has zero area, its map does not cover the sphere
+///   once, or its number of landmarks differs from that of the first one; the message names the
+///   surface
+/// @throws std::invalid_argument as registerSpheres() does
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& inputs,

@@ -1,4 +1,4 @@
-/// How the triangles of one shape turn to become those of another.
+/// Rotations between the triangles of two shapes.
 /// Polar decomposition as in \cite Alexa2000.
 
 #ifndef ConformalTriangleRotations_h
@@ -11,25 +11,25 @@
 
 namespace conformal
 {
-/// The rotation about an axis by its length in radians.
+/// Return the rotation about an axis by its length in radians.
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
-/// The rotation of a triangle's deformation: the orthogonal factor of the polar decomposition of
-/// its gradient, which takes the normal to the normal.
-/// @param[in] from, to  corners by columns
-/// @return the other rotation where a triangle has no area
+/// Compute the rotation of a triangle's deformation: the orthogonal factor of the polar
+/// decomposition of its gradient. The gradient maps the normal to the normal.
+/// @param[in] from, to   corners by columns
+/// @param[in] otherwise  returned if a triangle has zero area
 Eigen::Matrix3d triangleRotation(
   const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Eigen::Matrix3d& otherwise);
 
-/// For each triangle the vector of the rotation that is left of triangleRotation() after the turn
-/// of the whole shape: R = exp(whole) exp(vector).
+/// Compute the rotation vector of each triangle relative to the rotation of the whole shape: R =
+/// exp(whole) exp(vector), where R is triangleRotation().
 ///
-/// A rotation has many vectors, by full turns. The triangle that turns least gets its shortest one,
-/// and from there each triangle the one closest to that of a neighbor, those that turn most alike
-/// first: so a limb may be turned by more than half a turn. Not by a whole one: there rotations
-/// have no axis to be followed.
+/// Rotation vectors are unique up to full turns. The triangle of smallest rotation gets its
+/// shortest vector. From there, each triangle gets the vector closest to that of a neighbor; pairs
+/// of most similar rotations come first. Limbs may thus rotate by more than half a turn. A whole
+/// turn is not supported, since its axis is undefined.
 ///
-/// @param[in] neighbors  triangleNeighbors of the triangles
+/// @param[in] neighbors  triangleNeighbors() of the triangles
 /// @param[in] from, to   #V by 3
 /// @throws Aborted
 std::vector<Vector3> triangleRotations(const Triangles& triangles, const Triangles& neighbors,

@@ -1,4 +1,4 @@
-/// Repairs triangle meshes that are almost closed surfaces of genus zero.
+/// Repair triangle meshes that are almost closed surfaces of genus zero.
 /// Own construction: a sequence of repairs that moves no point.
 
 #ifndef ConformalGenusZeroRepair_h
@@ -15,33 +15,33 @@ namespace conformal
 {
 struct GenusZeroRepairOptions
 {
-  /// The largest hole that is filled: area of what fills it, as a share of the surface's.
+  /// Maximum area of the filling of a hole, as a fraction of the surface area.
   double MaximumHoleArea = 0.25;
 };
 
 enum class RepairLoopType
 {
-  FilledHole,   ///< a boundary that was filled
-  OpenHole,     ///< a boundary that was left: it is too large
-  CutHandle,    ///< around a handle, which was cut through there
-  FilledTunnel, ///< through a handle, whose hole was filled there
+  FilledHole,   ///< filled boundary
+  OpenHole,     ///< boundary left open: larger than the maximum
+  CutHandle,    ///< loop around a handle, along which it was cut
+  FilledTunnel, ///< loop through a handle, whose opening was filled
 };
 
-/// Where something was repaired, or was not.
+/// Location of a repair, or of a hole left open.
 struct RepairLoop
 {
   RepairLoopType Type = RepairLoopType::FilledHole;
-  Points Positions;          ///< #L by 3, in order, the first not again at the end
-  double AreaFraction = 0.0; ///< area of what fills it, once, over that of the surface at first
+  Points Positions;          ///< #L by 3, in order; the first is not repeated at the end
+  double AreaFraction = 0.0; ///< area of one filling over the area of the original surface
 };
 
-/// The mesh that is left and how it was made. Triangles that were not touched come first, in the
-/// order of the input; so do vertices, then copies of those along cuts, and new ones.
+/// Repaired mesh with its origin. Untouched triangles come first, in the order of the input.
+/// Untouched vertices come first, then their copies along cuts, then new ones.
 struct GenusZeroRepairResult : Mesh
 {
-  std::vector<int> TriangleIds; ///< #F, -1 for those that were added
-  std::vector<int> PointIds;    ///< #V, -1 for those that were added
-  /// What each added vertex lies between: the ids of points, one or more, that count the same.
+  std::vector<int> TriangleIds; ///< #F, -1 for added triangles
+  std::vector<int> PointIds;    ///< #V, -1 for added vertices
+  /// For each added vertex, the ids of one or more points of which it is the mean.
   std::vector<std::vector<int>> Parents;
   std::vector<RepairLoop> Loops;
 
@@ -50,23 +50,23 @@ struct GenusZeroRepairResult : Mesh
   Index NumberOfTrianglesAdded = 0;
   Index NumberOfTrianglesUntouched = 0;
   Index EulerNumber = 0;    ///< of the result, by checkGenusZero()
-  bool IsGenusZero = false; ///< likewise
+  bool IsGenusZero = false; ///< of the result, by checkGenusZero()
 
   Index count(RepairLoopType type) const;
 };
 
-/// Make a closed surface of genus zero of a mesh that has holes, handles, or other parts beside.
+/// Make a closed surface of genus zero from a mesh with holes, handles, or disconnected parts.
 ///
-/// 1. Points of open edges with equal coordinates are merged, and the triangles glued to a manifold
-///    of which the largest part is kept (GluedSurface.h).
-/// 2. Holes are filled (LoopCap.h), unless they are too large.
-/// 3. The mesh is turned outward.
-/// 4. As long as there are handles, each is cut along a short loop around it or through it
-///    (HandleLoops.h), whichever is shorter, and both sides of the cut are filled. The two sides,
-///    and the points along the cut, lie at the same places.
+/// 1. Merge points of open edges with equal coordinates. Glue the triangles to a manifold and keep
+///    its largest part (GluedSurface.h).
+/// 2. Fill holes up to the maximum area (LoopCap.h).
+/// 3. Orient the mesh outward.
+/// 4. While there are handles, cut each along a short loop around or through it, whichever is
+///    shorter (HandleLoops.h). Fill both sides of the cut. The two sides, and the points along the
+///    cut, coincide.
 ///
-/// Nothing is moved. A mesh that needs no repair is returned as it is, but for points of no
-/// triangle.
+/// No point is moved. A mesh that needs no repair is returned unchanged, except that unused points
+/// are removed.
 /// @param[in] points  finite where triangles use them
 /// @throws std::invalid_argument if there are no triangles, points are not finite, the largest part
 ///   is not orientable, or an option is out of range

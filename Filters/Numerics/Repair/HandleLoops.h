@@ -11,30 +11,32 @@
 
 namespace conformal
 {
-/// A loop of glued sides, each of which ends where the next begins, that passes no vertex twice.
+/// Simple loop of glued sides, each of which ends where the next begins.
 struct HandleLoop
 {
   std::vector<int> Sides;
   double Length = 0.0;
 };
 
-/// Loops along which a closed surface can be cut at the same time and stays in one piece: no two
-/// have a vertex in common. Short ones: for each of the 2 g loops that a tree of shortest paths and
-/// a tree across the other edges leave over (\cite Eppstein2003, \cite Erickson2005), the shortest
-/// loops that cut no piece off are looked for through the vertices along it, of which there is one
-/// around each handle and one through it; the shortest of all come first.
+/// Find short loops along which a closed surface can be cut simultaneously and stays connected. No
+/// two loops share a vertex.
 ///
-/// For many handles, or ones that share their loops, not all are found at once: cut, close and look
-/// again. There is at least one as long as the surface has handles.
+/// A tree of shortest paths and a dual tree across the other edges leave 2 g edges over (\cite
+/// Eppstein2003, \cite Erickson2005). Each of these defines a loop. The shortest loops through its
+/// vertices that do not separate the surface are candidates: one around each handle and one through
+/// it. Candidates are selected by length, the shortest first.
 ///
-/// The time is about that of a few sorts of the sides, and for each handle that of the shortest
-/// paths around it.
-/// @param[in] surface  closed, of one piece
-/// @param[in] lengths  #3F of the sides, at least 0, the same for glued ones
+/// Many handles, or handles with shared loops, may need several calls: cut, close and search again.
+/// Each call returns at least one loop if the surface has a handle.
+///
+/// The cost is about that of a few sorts of the sides and, for each handle, of the shortest paths
+/// around it.
+/// @param[in] surface  closed and connected
+/// @param[in] lengths  #3F of the sides, at least 0, equal for glued ones
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run = {});
 
-/// Number of handles of a closed, orientable surface of one piece.
+/// Compute the number of handles of a closed, orientable, connected surface.
 Index numberOfHandles(const GluedSurface& surface);
 }
 

@@ -12,29 +12,31 @@
 
 namespace conformal
 {
-/// Triangles of the corners of a loop, 0 to #C - 1, and of vertices added behind them. They turn as
-/// the loop does; each of its edges belongs to one of them.
+/// Triangles of the corners of a loop, 0 to #C - 1, and of added vertices, numbered from #C. They
+/// are oriented as the loop; each edge of the loop belongs to one triangle.
 struct LoopCap
 {
-  conformal::Triangles Triangles;           ///< #T by 3
-  Points Added;                             ///< #A by 3 positions
-  std::vector<std::pair<int, int>> Parents; ///< #A: the corners [first, last) nearest to each
+  conformal::Triangles Triangles; ///< #T by 3
+  Points Added;                   ///< #A by 3 positions
+  std::vector<std::pair<int, int>>
+    Parents; ///< #A: the range [first, last) of corners nearest to each
 };
 
-/// Fill a loop with rings of vertices, each of half as many as the one around it, down to a fan.
-/// Its triangles are about as well shaped as the loop is round. Three corners get one triangle.
+/// Fill a loop with rings of vertices, each with half as many as the one around it, and a fan at
+/// the center. The rounder the loop, the better shaped are its triangles. Three corners get one
+/// triangle.
 ///
-/// Where such rings would fold, as in bays of the loop, it is cut into triangles of its corners
-/// instead (PolygonTriangulation.h), if that is possible without joining two that are joined.
+/// If rings would fold, as in bays of the loop, its corners are triangulated instead
+/// (PolygonTriangulation.h), provided that no edge is duplicated.
 /// @param[in] corners   at least three
-/// @param[in] isJoined  whether corners i and j, which are not next to each other, have an edge
+/// @param[in] isJoined  whether corners i and j, which are not adjacent in the loop, share an edge
 LoopCap capLoop(const Points& corners, const std::function<bool(int, int)>& isJoined);
 
-/// Fill a loop with a fan around its middle, which is the mean of its edges' middles.
+/// Fill a loop with a fan around its center, the mean of the midpoints of its edges.
 /// @param[in] corners  at least two
 LoopCap fanOf(const Points& corners);
 
-/// Sum of the areas of a cap's triangles.
+/// Compute the total area of a cap's triangles.
 double areaOf(const LoopCap& cap, const Points& corners);
 }
 

@@ -12,19 +12,20 @@
 
 namespace conformal
 {
-/// A triangle by its squared sides, slightly rounded, so that needles and points, too, have a shape
-/// to be mapped. Areas are scaled to those of the unit sphere.
+/// Shapes of triangles by their squared edge lengths. The lengths are slightly regularized, so that
+/// needles and triangles of zero size have a shape, too. Areas are scaled to those of the unit
+/// sphere.
 class BoundedTriangles
 {
 public:
   enum class Weight
   {
     Area,
-    RegularArea ///< less for needles, whose angles would be kept at the cost of their neighbors'
+    RegularArea ///< smaller for needles, whose angles would otherwise distort their neighbors
   };
 
-  /// @param[in] points  kept by reference, about of size one
-  /// @param[in] weight  area that a triangle has in the energy
+  /// @param[in] points  stored by reference, about of size one
+  /// @param[in] weight  area of a triangle in the energy
   BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
 
   SourceTriangle triangle(int a, int b, int c) const;
@@ -38,8 +39,7 @@ private:
   double Scale = 1.0;
 };
 
-/// Move vertices one after the other, several times, each to where its energy is lower
-/// (relaxVertex).
+/// Move vertices serially, in several sweeps, each to a position of lower energy (relaxVertex).
 /// @param[in,out] positions  #V unit vectors
 /// @param[in] counted        called after each vertex
 void relaxVertices(std::vector<Vector3>& positions, const std::vector<int>& vertices,

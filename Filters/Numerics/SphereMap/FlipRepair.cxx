@@ -16,12 +16,12 @@ constexpr int Rounds = 14;
 constexpr int KernelPasses = 5;
 constexpr int SweepsAfter = 15;
 
-// Then, at the ends of limbs, of so many rings, as much as it takes.
+// Rings for limb ends, tried after the smaller neighborhoods.
 constexpr int LimbRings[] = { 10, 20 };
 constexpr double Weakenings[] = { 0.25, 0.5, 1.0, 1.5 };
-// Then, where limbs have so few vertices around that this shrinks beyond numbers, of fewer rings.
+// Rings for limbs with few vertices around, tried last, where weaker strings would underflow.
 constexpr int InsertionRings[] = { 2, 4, 6, 8, 10 };
-constexpr std::size_t MaximumInserted = 300; // the work grows with the square
+constexpr std::size_t MaximumInserted = 300; // the cost grows with the square
 constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
@@ -39,7 +39,8 @@ public:
   {
   }
 
-  // The vertices of bad triangles and so many rings around them, in connected sets.
+  // Return connected sets of the vertices of bad triangles and of the given number of rings around
+  // them.
   std::vector<std::vector<int>> patches(const std::vector<int>& bad, int rings)
   {
     const int mark = ++this->Mark;
@@ -88,7 +89,7 @@ public:
     return result;
   }
 
-  // Whether the patch is good now; otherwise it is as before.
+  // Return whether the patch is good now; otherwise, it is unchanged.
   bool layOut(const std::vector<int>& patch)
   {
     const std::vector<Vector3> before = this->placesOf(patch);
@@ -110,9 +111,9 @@ public:
     return false;
   }
 
-  // The same as a membrane that is weaker the smaller its triangles are now, which shrink less
-  // toward the end of a limb then: with a power p of their size by an exponent of sqrt(1 + p^2 / 4)
-  // - p / 2 instead of 1.
+  // Lay out the patch as a membrane that is weaker the smaller its triangles are, so that they
+  // shrink less toward a limb end. With a power p of their size, the exponent of shrinkage is
+  // sqrt(1 + p^2 / 4) - p / 2 instead of 1.
   bool inflate(const std::vector<int>& patch, double weakening)
   {
     const std::vector<Vector3> before = this->placesOf(patch);
@@ -128,15 +129,15 @@ public:
     return false;
   }
 
-  // The patch taken out and put back vertex by vertex, each into the middle of its ring, in an
-  // order that leaves room for all: for limbs of few vertices around, which strings cannot hold
-  // open.
+  // Remove the vertices of the patch and reinsert them one by one, each into the center of its
+  // ring, in an order that leaves area for all. This is for limbs with few vertices around, which
+  // strings cannot keep open.
   bool insertAnew(const std::vector<int>& patch)
   {
     const std::vector<Vector3> before = this->placesOf(patch);
     ProgressiveMesh mesh =
       takeOut(this->Rings, patch, std::min<Index>(patch.size(), this->Positions.size() - 4));
-    // As if all triangles were equal and equilateral.
+    // Treat all triangles as equal and equilateral.
     const double cotangent = 0.25 / std::sqrt(3.0);
     const SourceTriangle equal = { this->areaAround(patch) / (2.0 * patch.size()),
       { cotangent, cotangent, cotangent } };
@@ -176,7 +177,8 @@ public:
   }
 
 private:
-  // Of the sphere, under the triangles around the vertices, each counted as often as it has one.
+  // Compute the area on the sphere of the triangles around the vertices. A triangle counts once for
+  // each of its vertices in the patch.
   double areaAround(const std::vector<int>& patch) const
   {
     double area = 0.0;
@@ -238,7 +240,8 @@ private:
     }
   }
 
-  // False if the patch and its border do not lie well within one half of the sphere.
+  // Lay out the patch as a membrane. Return false if the patch and its border do not lie well
+  // within one hemisphere.
   bool asMembrane(const std::vector<int>& patch, double weakening = 0.0)
   {
     std::vector<int> ids = patch;
@@ -292,7 +295,7 @@ private:
       {
         positive.Neighbors.Ids.push_back(localIds[this->Strings.Neighbors.Ids[k]]);
         const int other = this->Strings.Neighbors.Ids[k];
-        constexpr double shortest = 1e-12; // that rounding leaves something of
+        constexpr double shortest = 1e-12; // above rounding errors
         const double length = (this->Positions[v] - this->Positions[other]).norm();
         positive.Weights.push_back(
           std::clamp(this->Strings.Weights[k], WeakestString, StrongestString) *

@@ -1,4 +1,4 @@
-/// Repairs flipped triangles of a map to the sphere.
+/// Repair flipped triangles of a map to the sphere. The planar layout is that of \cite Tutte1963.
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
@@ -13,26 +13,30 @@
 
 namespace conformal
 {
-/// Of a map to the sphere: triangles with a determinant below this are called bad. Other programs
-/// cannot tell smaller ones from flipped ones, since they round unit vectors by 1e-16.
+/// Determinant below which a triangle of a sphere map counts as bad. Other programs round unit
+/// vectors by 1e-16, so they may classify smaller triangles as flipped.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
-/// The energy of angles alone.
+/// Energy of angles alone.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
-/// Ids of the bad triangles, ascending.
+/// Return the ids of the bad triangles, ascending.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
-/// Take the surroundings of each set of bad triangles, ring after ring, until they can be laid out
-/// anew inside their border: by moving vertices into the kernels of their stars, or as a membrane
-/// of strings made positive \cite Tutte1963 in the plane in which straight lines are great circles,
-/// where triangles have the orientation they have on the sphere. At the ends of limbs, where
-/// nothing of the kind is large enough, the strings are weaker the shorter they are, so that
-/// triangles shrink less; and where only a few vertices lie around a limb, these are taken out and
-/// put back one by one.
-/// @param[in] strings        cotangentWeights of the surface
+/// Repair each set of bad triangles within the smallest sufficient neighborhood, which grows ring
+/// by ring.
+///
+/// A neighborhood is laid out anew inside its border by one of these methods:
+/// - Move vertices into the kernels of their stars.
+/// - Solve for a membrane of strings with positive constants \cite Tutte1963. The gnomonic plane
+///   maps great circles to lines and preserves the orientation of triangles.
+/// - Near limb ends, where no membrane has enough area, weaken short strings so that triangles
+///   shrink less.
+/// - If only a few vertices lie around a limb, remove them and reinsert them one by one.
+///
+/// @param[in] strings        cotangentWeights() of the surface
 /// @param[in,out] positions  unit vectors; no good triangle becomes bad
-/// @return whether none is bad any more
+/// @return whether no triangle is bad
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
   const Run& run = {});

@@ -35,12 +35,12 @@ void check(const GlobalConformalMapOptions& options)
 }
 
 // Map progressively with the smallest balance of areas at which no triangle is too small.
-// Insertions that first enlarge their surroundings last up to a second each, so few are allowed
-// while there is another attempt.
+// Insertions that first relax their surroundings cost up to a second each, so few are allowed
+// before the last attempt.
 Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 {
   constexpr Index fewRelaxations = 10;
-  constexpr double share = 0.8; // of what is left of the progress, for each attempt
+  constexpr double share = 0.8; // fraction of the remaining progress for each attempt
   double begin = 0.0, last = -1.0;
   for (double balance : { minimumBalance, 0.02, 0.05, 0.2, 0.5 })
   {
@@ -69,7 +69,7 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
   return mapToSphere(mesh, options, run.part(begin, 1.0)).Positions;
 }
 
-// Turned to where it agrees best with the directions from the surface's middle.
+// Rotate to the best agreement with directions from the center of the surface.
 void turn(Points& positions, const Mesh& mesh)
 {
   const Eigen::VectorXd areas = vertexAreas(mesh.Positions, mesh.Triangles);

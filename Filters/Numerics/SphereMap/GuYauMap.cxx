@@ -14,9 +14,9 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 1 << 11;
-constexpr double ShortestStep = 1e-6; // of the first one
+constexpr double ShortestStep = 1e-6; // relative to the first one
 
-// Normals, and where there is none the direction from the middle of the surface.
+// Compute vertex normals; where undefined, the direction from the center of the surface.
 Points gaussMap(const Points& points, const Triangles& triangles)
 {
   Points map = vertexNormals(points, triangles);
@@ -33,7 +33,7 @@ Points gaussMap(const Points& points, const Triangles& triangles)
   return map;
 }
 
-// Foresees at which iteration a descent will have converged.
+// Prediction of the iteration at which a descent converges.
 class Convergence
 {
 public:
@@ -42,9 +42,9 @@ public:
   {
   }
 
-  // The share of the iterations that has been made, never falling. As the logarithm of the changes
-  // has fallen in the second half of them, it will go on falling.
-  // @param[in] excess  how many times as large as it may be at the end a change is
+  // Return the completed fraction of the iterations, never decreasing. The logarithm of the changes
+  // is extrapolated from the second half of the iterations.
+  // @param[in] excess  ratio of a change to the tolerance
   double next(double excess)
   {
     const double before = this->Logarithms.empty() ? 0.0 : this->Logarithms.back();
@@ -78,7 +78,7 @@ public:
   {
   }
 
-  // Whether it converged.
+  // Return whether the descent converged.
   bool run(const EdgeWeights& strings, Index& iterations, const Run& run)
   {
     const double longest = firstStep(strings);
@@ -158,7 +158,7 @@ private:
   Points& Map;
   const Eigen::VectorXd& Areas;
   const GuYauOptions& Options;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
 };
 }
 
@@ -175,7 +175,8 @@ GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options, const Run&
   result.Positions = gaussMap(points, triangles);
   const Eigen::VectorXd areas = vertexAreas(points, triangles);
   Descent descent(result.Positions, areas, options, run);
-  // The second descent begins near its end, and takes between all and little of what the first did.
+  // The second descent starts near its end, and its cost varies between almost none and that of the
+  // first.
   Steps steps(run, { 2.0, 1.0 });
   const bool first = descent.run(equal, result.NumberOfIterations, steps.next());
   const bool second = descent.run(harmonic.Strings, result.NumberOfIterations, steps.next());

@@ -21,19 +21,20 @@ struct GuYauResult
   double Energy = 0.0;                       ///< of the second phase; 4 pi for a conformal map
   Index NumberOfIterations = 0;              ///< of both phases
   bool Converged = false;                    ///< both phases ended by the tolerance
-  Index NumberOfNegativeStringConstants = 0; ///< edges between angles that add up to more than pi
-  Index NumberOfInfiniteStringConstants = 0; ///< edges of triangles without area, held by nothing
+  Index NumberOfNegativeStringConstants = 0; ///< edges opposite to two angles with a sum above pi
+  Index NumberOfInfiniteStringConstants =
+    0; ///< edges of triangles of zero area; these edges exert no force
 };
 
-/// Start at the Gauss map; let strings of equal constants, then of the harmonic energy's constants,
-/// pull the vertices along the sphere, the weighted mean being put back to the center after each
-/// step \cite Gu2004, \cite Liou2008 section 4.1.
+/// Minimize the harmonic energy from the Gauss map \cite Gu2004, \cite Liou2008 section 4.1. The
+/// first phase uses equal string constants, the second those of the harmonic energy. Strings pull
+/// vertices along the sphere. After each step, the weighted mean is moved back to the center.
 ///
-/// With obtuse triangles string constants are negative and the result folds; with triangles of no
-/// area they are infinite. Both are counted; the latter are left out.
+/// Obtuse triangles have negative string constants, which may fold the result. Triangles of zero
+/// area have infinite ones, which are ignored. Both are counted.
 ///
-/// Implementation note: the time step is as long as the largest sum of constants allows and is
-/// halved whenever the energy rises, instead of being the same for every mesh.
+/// Implementation note: the time step is the longest that the maximum sum of constants allows, and
+/// is halved whenever the energy rises. The paper uses one time step for every mesh.
 ///
 /// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads

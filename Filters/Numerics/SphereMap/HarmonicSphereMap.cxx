@@ -94,7 +94,8 @@ private:
       this->Triangles(r, 0), this->Triangles(r, 1), this->Triangles(r, 2));
   }
 
-  // Without positions if the equations have no solution in floating point.
+  // Map with one puncture. The result has no positions if the equations have no floating-point
+  // solution.
   HarmonicSphereMap attempt(Index puncture, const Run& run) const
   {
     Steps steps(run, { 0.9, 0.02, 0.06, 0.02 }); // equations, center, repair, center
@@ -202,7 +203,8 @@ private:
     return ids;
   }
 
-  // Of areas on the sphere and on the surface, the largest one around a corner of the triangle.
+  // Compute the ratio of areas on the sphere and on the surface around each corner of the triangle,
+  // and return the maximum.
   double areaRatioAround(const Points& positions, Index puncture) const
   {
     double maximum = 0.0;
@@ -239,7 +241,7 @@ HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
 {
   const Points& points = mesh.Positions;
   const Triangles& triangles = mesh.Triangles;
-  Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, an attempt, another one that few surfaces need
+  Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, first attempt, rare second attempt
   steps.next();
   const Mapper mapper(points, triangles, run);
   return mapper.run(steps);

@@ -12,15 +12,19 @@ namespace conformal
 {
 struct HarmonicSphereMap
 {
-  Points Positions;         ///< #V by 3 unit vectors, centered by area
-  bool OneToOne = false;    ///< no triangle is bad (badTriangles); else Positions are of no use
-  bool Repaired = false;    ///< folds were taken out
-  Index NumberOfSolves = 0; ///< global ones
+  Points Positions;      ///< #V by 3 unit vectors, centered by area
+  bool OneToOne = false; ///< no triangle is bad (badTriangles()); otherwise, Positions are invalid
+  bool Repaired = false; ///< folds were repaired
+  Index NumberOfSolves = 0; ///< number of global linear solves
 };
 
-/// punctureToSphere; repairFlips where it folds; once more with another puncture, if the first one
-/// lies on a limb or left too much to be repaired; vertices of misshapen triangles, or all of a
-/// small mesh, moved to where angles are kept better.
+/// Map a closed surface of genus zero conformally to the unit sphere.
+///
+/// 1. Map by punctureToSphere(), and repair folds by repairFlips().
+/// 2. If the puncture lies on a limb, or repair fails, repeat once with another puncture.
+/// 3. Move the vertices of misshapen triangles, or all vertices of a small mesh, to preserve angles
+///    better.
+///
 /// @param[in] mesh  about of size one
 /// @post the result does not depend on the number of threads
 HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run = {});

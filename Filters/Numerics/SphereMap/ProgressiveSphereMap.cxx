@@ -20,7 +20,7 @@ namespace
 
 constexpr double LevelGrowth = 1.3; // of the number of vertices between sweeps over all
 
-// Few vertices are swept often: what is badly shared out between them is hard to move later.
+// Small meshes are swept often: an uneven distribution of few vertices is hard to correct later.
 int sweepsOfLevel(std::size_t numberOfVertices)
 {
   return 8 + std::min(400, static_cast<int>(10000 / numberOfVertices));
@@ -38,8 +38,9 @@ SphereEnergy energyFor(double balance)
   return energy;
 }
 
-// The worst triangles count for more: needles, which wrinkle where a surface made of them bends.
-// Measured on surfaces learned from such maps: exponents of 2 and 15 sweeps leave twice the folds.
+// Give more weight to the worst triangles: needles, which wrinkle where a surface made of them
+// bends. Measured on surfaces learned from these maps: exponents of 2 and 15 sweeps leave twice the
+// folds.
 SphereEnergy smoothing(SphereEnergy energy)
 {
   energy.AngleExponent = 4;
@@ -92,7 +93,7 @@ public:
   }
 
 private:
-  // Relaxations of a vertex, but for those that make room.
+  // Return the estimated number of relaxations of a vertex, without those before insertions.
   double countWork() const
   {
     std::size_t count = 4, level = 4;
@@ -147,7 +148,8 @@ private:
     }
   }
 
-  // As if all triangles were equal and equilateral, in ever larger surroundings of the ring.
+  // Relax increasingly large surroundings of the ring, as if all triangles were equal and
+  // equilateral, until its kernel is not empty.
   Vector3 makeRoom(const Ring& ring)
   {
     const double area = 4.0 * Pi / static_cast<double>(2 * this->Active.size() - 4);
@@ -194,7 +196,7 @@ private:
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
-  // With the corners in Scratch.
+  // Relax a vertex, with its corners in Scratch.
   void relax(int v, const SphereEnergy& energy)
   {
     relaxVertex(
@@ -225,7 +227,7 @@ private:
 
   const Points NoPlaces;        // all at one point: triangles without a shape count as equilateral
   BoundedTriangles FinalShapes; // of the surface
-  BoundedTriangles Shapes;      // while vertices are put back
+  BoundedTriangles Shapes;      // while vertices are reinserted
   const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;

@@ -30,7 +30,7 @@ constexpr double Fit = 1.4;             // the powers are fitted up to here, the
 
 constexpr double WorstIrregularity = 1e6;
 
-// 0 for an equilateral triangle.
+// Compute the irregularity of a triangle; 0 for an equilateral one.
 double irregularity(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
@@ -39,7 +39,7 @@ double irregularity(const Vector3& a, const Vector3& b, const Vector3& c)
                                                : WorstIrregularity;
 }
 
-// A triangle in its own plane, its first corner at 0.
+// Map a triangle to its own plane, with its first corner at 0.
 std::array<Complex, 2> flattened(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 base = b - a, side = c - a;
@@ -48,7 +48,7 @@ std::array<Complex, 2> flattened(const Vector3& a, const Vector3& b, const Vecto
     Complex(base.dot(side), base.cross(side).norm()) / std::max(length, 1e-300) };
 }
 
-// Works on the map to the plane from triangle to triangle.
+// Operations on the triangles of the map to the plane.
 class PlaneMap
 {
 public:
@@ -62,8 +62,8 @@ public:
     this->VertexAreas /= this->VertexAreas.sum();
   }
 
-  // Center at 0 and a size at which the sphere gets about half of the surface on either side: there
-  // |z| has the mean pi/2.
+  // Center at 0 and scale so that about half of the surface is mapped to each hemisphere: the mean
+  // of |z| on the sphere is then pi/2.
   void normalize()
   {
     const Complex mean = this->Map.dot(this->VertexAreas.cast<Complex>());
@@ -76,11 +76,11 @@ public:
     this->Map /= size;
   }
 
-  // Add sum d_k conj(z)^k, k = 1 ... powers, so that the Beltrami coefficients vanish in the mean
-  // over the sphere. Only up to a radius; `robustly` leaves out the triangles that are misshapen.
+  // Add sum d_k conj(z)^k, k = 1 ... powers, so that the mean of the Beltrami coefficients over the
+  // sphere vanishes. Only triangles up to a radius are used; `robustly` excludes misshapen ones.
   void correct(int powers, double radius, bool robustly)
   {
-    // Powers that are not wanted get coefficients of 0.
+    // Unused powers get coefficients of 0.
     using Matrix = Eigen::Matrix<Complex, MaximumPowers, MaximumPowers>;
     using Vector = Eigen::Matrix<Complex, MaximumPowers, 1>;
     const Index blocks = (this->Triangles.rows() + BlockSize - 1) / BlockSize;
@@ -94,7 +94,8 @@ public:
         for (Index r = begin; r < end; ++r)
         {
           const auto [z, weight, wanted] = this->beltrami(r);
-          const double maximum = robustly ? MaximumSquared : 1.0; // beyond 1 it is flipped
+          const double maximum =
+            robustly ? MaximumSquared : 1.0; // above 1, the triangle is flipped
           if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < maximum))
           {
             continue;
@@ -150,11 +151,12 @@ private:
   struct Beltrami
   {
     Complex Center; // of the triangle in the plane
-    double Area;    // on the sphere, about
-    Complex Wanted; // the derivative by conj(z) of what has to be added
+    double Area;    // approximate, on the sphere
+    Complex Wanted; // derivative by conj(z) of the required correction
   };
 
-  // The derivatives of z by the triangle's own plane and by its conjugate, up to a common factor.
+  // Compute the derivatives of z by the triangle's own plane and by its conjugate, up to a common
+  // factor.
   Beltrami beltrami(Index r) const
   {
     const int a = this->Triangles(r, 0), b = this->Triangles(r, 1), c = this->Triangles(r, 2);
@@ -173,12 +175,12 @@ private:
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
   Plane& Map;
   Eigen::VectorXd VertexAreas;
 };
 
-// The radius outside of which the cap lies.
+// Return the radius of the border of the cap.
 double capRadius(const Plane& map)
 {
   std::vector<double> radii(map.size());
@@ -259,7 +261,7 @@ Index choosePuncture(
     const double irregular = irregularity(corner(points, 0), corner(points, 1), corner(points, 2));
     if (irregular == WorstIrregularity)
     {
-      continue; // of no area
+      continue; // of zero area
     }
     const double score =
       std::pow(1.0 + irregular, -4.0) * twiceArea(spherePositions) / twiceArea(points);
@@ -277,14 +279,14 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run)
 {
   const Index size = points.rows();
-  // Equations, correction, equations of about a third of the vertices, and what is around them.
+  // Equations, correction, equations of about a third of the vertices, and their set-up.
   Steps steps(run, { 0.68, 0.1, 0.04, 0.17, 0.01 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));
   Columns values = Columns::Zero(size, 2);
   values.row(held[1]) << base.real(), 0.0;
-  values.row(held[2]) << side.real(), -side.imag(); // turned over: all others lie inside
+  values.row(held[2]) << side.real(), -side.imag(); // mirrored: all other vertices lie inside
   std::vector<int> free;
   for (int v = 0; v < size; ++v)
   {

@@ -1,4 +1,4 @@
-/// Fits curved triangles to a point cloud.
+/// Fit curved triangles to a point cloud.
 /// Gauss-Newton steps of \cite Pottmann2006.
 
 #ifndef ConformalCurvedTriangleFit_h
@@ -14,17 +14,19 @@ namespace conformal
 struct CurvedTriangleFitOptions
 {
   int NumberOfFitRounds = 6;   ///< at least 0
-  double FitSmoothness = 0.01; ///< not negative; larger values smooth noise
+  double FitSmoothness = 0.01; ///< at least 0; larger values smooth noise
 };
 
-/// In each round: the foot point of every sample on the curved triangles, then one Gauss-Newton
-/// step of the distances along the normals there. Unknown are, for each vertex, an offset d along
-/// its normal and two tilts of the normal, so that the surface slides nowhere along itself and its
-/// map to the sphere stays as it is. It is held by
-///     lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2,
-/// with L the uniform Laplacian, n' the mean normal of the triangles around and h the mean length
-/// of the edges around; lambda is the smoothness times the mean weight of the samples of a vertex.
-/// Samples much farther away than those around them are left out (LocalScale.h).
+/// Fit curved triangles to samples by least squares.
+///
+/// Each iteration finds the foot point of every sample on the curved triangles. It then makes one
+/// Gauss-Newton step for the distances along the normals at the foot points. The unknowns of a
+/// vertex are an offset d along its normal and two tilts of the normal. The surface therefore does
+/// not slide tangentially and its map to the sphere is preserved. The regularization is
+/// lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2.
+/// Here L is the uniform Laplacian, n' the mean normal of the adjacent triangles and h the mean
+/// length of the adjacent edges. lambda is the smoothness times the mean weight of the samples of a
+/// vertex. Outliers, samples much farther away than their neighbors, are ignored (LocalScale.h).
 ///
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted

@@ -14,40 +14,41 @@
 
 namespace conformal
 {
-/// A PN triangle (\cite Vlachos2001): the cubic, with vertices w, normals n and barycentric
-/// coordinates m,
-///     q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) n_k)
-///     n_k.
-/// An edge depends on its own ends only, so neighbors meet without a gap. Domes rise on ridges and
-/// sink in hollows, since a normal tells on which side of it the neighbors lie; a normal shorter
-/// than 1 gives a flatter corner. Where they meet the tangent planes agree at the vertices only.
+/// PN triangle \cite Vlachos2001: the cubic, with vertices w, normals n and barycentric coordinates
+/// m,
+/// q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) n_k) n_k.
+///
+/// An edge depends on its own ends only, so adjacent triangles join without a gap. Domes rise on
+/// ridges and sink in hollows, since the sign of (w_j - w_k) n_k changes. A normal shorter than 1
+/// gives a flatter corner. The tangent planes of adjacent triangles agree at the vertices only.
 class CurvedTriangle
 {
 public:
   CurvedTriangle() = default;
   CurvedTriangle(const std::array<Vector3, 3>& positions, const std::array<Vector3, 3>& normals);
 
-  /// q(m).
+  /// Return q(m).
   Vector3 position(const Vector3& barycentric) const;
 
-  /// Column k is the derivative of q with m_k.
+  /// Return the derivative of q by m; column k is that by m_k.
   Eigen::Matrix3d derivative(const Vector3& barycentric) const;
 
-  /// The surface's own normal, which jumps a little across edges. Unit, or zero without area.
+  /// Return the exact normal of the surface, which is slightly discontinuous across edges. Unit
+  /// length, or zero for zero area.
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
-  /// Whether it turns over somewhere, seen along the normal of the flat triangle: never reported
-  /// for one without area, and only where a point of a fine grid does unless the control points
-  /// exclude it.
+  /// Return whether the triangle folds over, relative to the normal of the flat triangle. Returns
+  /// false for zero area. If the control points do not exclude a fold, points of a fine grid are
+  /// tested.
   bool folds() const;
 
-  /// Bounds: of the control points.
+  /// Return the bounds of the control points, which contain the triangle.
   Box bounds() const;
 
   const std::array<Vector3, 3>& positions() const { return this->W; }
   const std::array<Vector3, 3>& normals() const { return this->N; }
 
-  /// Displacement of the middle of the edge opposite to a corner.
+  /// Return the displacement of the midpoint of the edge opposite to a corner.
   Vector3 rise(int edge) const;
 
 private:
@@ -57,15 +58,15 @@ private:
   Eigen::Matrix3d Rise; // (w_j - w_k) n_k at (k, j)
 };
 
-/// Normals for shading over a triangle, the same from both sides of an edge: the quadratic field of
-/// \cite Vlachos2001.
+/// Normals for shading over a triangle, continuous across edges: the quadratic field of \cite
+/// Vlachos2001.
 class ShadingNormals
 {
 public:
   ShadingNormals() = default;
   explicit ShadingNormals(const CurvedTriangle& triangle);
 
-  /// Unit, or zero where normals cancel.
+  /// Return a unit vector, or zero where normals cancel.
   Vector3 operator()(const Vector3& barycentric) const;
 
 private:
@@ -80,7 +81,7 @@ public:
 
   /// @param[in] positions  #V by 3, w
   /// @param[in] normals    #V by 3, n, of length 1 or less
-  /// @param[in] triangles      #F by 3 ids
+  /// @param[in] triangles  #F by 3 ids
   CurvedTriangles(
     const Points& positions, const Points& normals, const conformal::Triangles& triangles);
 
@@ -96,21 +97,22 @@ private:
   conformal::Triangles Triangles;
 };
 
-/// Vertices moved inwards on ridges and outwards in hollows, so that the curved triangles over them
-/// lie where the flat ones lay in the mean. A mesh that was fitted to points by least squares has
-/// its flat triangles in the middle of the points, its vertices outside of ridges: curved triangles
-/// through these would lie too far out.
+/// Move vertices inward on ridges and outward in hollows, so that the curved triangles coincide
+/// with the previous flat ones in the mean.
 ///
-/// This is one step of the projection of the curved on to the flat surface, with the mass matrix
-/// lumped: w_i + share n_i (n_i g_i) / c_i, where g_i is the domes' volume around the vertex,
-/// weighted by its hat function, and c_i a third of the area around.
+/// A mesh fitted to points by least squares has its flat triangles in the middle of the points, and
+/// its vertices outside of ridges. Curved triangles through these vertices would lie too far out.
 ///
-/// @param[in] around  vertexTriangles of the surface's triangles
+/// The result is one step of the projection of the curved onto the flat surface, with a lumped mass
+/// matrix: w_i + share n_i (n_i g_i) / c_i. Here g_i is the volume of the domes around the vertex,
+/// weighted by its hat function, and c_i a third of the adjacent area.
+///
+/// @param[in] around  vertexTriangles() of the surface's triangles
 Points lowerVertices(
   const CurvedTriangles& surface, const Adjacency& around, double share, const Run& run = {});
 
 /// Shorten normals until no triangle folds.
-/// @return #F, 1 for those that did
+/// @return #F, 1 for triangles that folded
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run = {});
 
 /// Angles between the surface normals of two triangles along their edges, in degrees.
@@ -123,16 +125,16 @@ NormalJumps measureNormalJumps(
 
 /// Closest points of curved triangles.
 ///
-/// Every triangle whose bounds are close enough is searched by Newton's method from its flat foot,
-/// step by step on the tangent triangle, so that edges and corners need no cases. A query only
-/// reads, so many threads may ask at once.
+/// Every triangle with sufficiently close bounds is searched by Newton's method from the foot point
+/// on its flat triangle. Each step minimizes over the tangent triangle, so that edges and corners
+/// need no special cases. Queries only read, so several threads may query concurrently.
 class CurvedTriangleTree
 {
 public:
   CurvedTriangleTree() = default;
   explicit CurvedTriangleTree(const CurvedTriangles& surface, const Run& run = {});
 
-  /// @param[in] hint  a triangle that may be close, or -1: saves time
+  /// @param[in] hint  a triangle that may be close, or -1: reduces the cost
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 
 private:
@@ -144,8 +146,8 @@ private:
   FootPoint footAt(int place, const Vector3& x, double worthwhile) const;
 
   BoxTree Tree;
-  std::vector<Item> Placed; // of the triangle at each place of Tree.Items
-  std::vector<int> PlaceOf; // of each triangle
+  std::vector<Item> Placed; // of the triangle at each position of Tree.Items
+  std::vector<int> PlaceOf; // position of each triangle in Tree.Items
 };
 }
 

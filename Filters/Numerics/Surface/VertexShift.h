@@ -1,4 +1,4 @@
-/// How far the vertices of a learned mesh are to be moved under curved triangles.
+/// Estimate the shift of the vertices of a learned mesh under curved triangles.
 /// Own construction: one share for all vertices, by least squares.
 
 #ifndef ConformalVertexShift_h
@@ -11,24 +11,26 @@
 
 namespace conformal
 {
-/// What lowerVertices() takes where nothing is known of the samples: the volume is kept.
+/// Share for lowerVertices() without samples to estimate it; preserves the volume.
 constexpr double UsualVertexShift = 1.0;
 constexpr double MaximumVertexShift = 2.0;
 
-/// The share for lowerVertices(), found from the samples that a mesh was fitted to.
+/// Estimate the share for lowerVertices() from the samples to which a mesh was fitted. It is the
+/// sum of two parts.
 ///
-/// It is the sum of two parts. The first brings the curved triangles as close to the samples as it
-/// can, in the sense of least squares, but keeps the volume at most: it is 1 where these have their
-/// feet anywhere on the triangles, and 0 where they are the vertices.
+/// The first part minimizes the squared distance of the curved triangles from the samples, up to
+/// the share that preserves the volume. It is 1 for samples with foot points all over the
+/// triangles, and 0 for samples at the vertices.
 ///
-/// The second is for samples that a decimation has left. These crowd where the object bends, and
-/// lie outside of it there, since their own flat triangles kept its shape. No sample tells, but the
-/// crowding does: the second part is 3 times the relative excess of the mean size of a vertex's
-/// move over the samples, compared with that over the area that has samples near. Samples that are
-/// spread without regard to curvature have none. The factor was found on decimated scans.
+/// The second part corrects for decimated samples. These are dense where the object is curved and
+/// lie outside of it there, since their flat triangles preserved its shape. Only their density
+/// reveals this. The mean move of a vertex is computed twice, over the samples and over the area
+/// with samples nearby. The second part is 3 times the relative excess of the first mean. It is
+/// zero for samples whose density is independent of curvature. The factor 3 was measured on
+/// decimated scans.
 ///
 /// @param[in] mesh  closed, in the samples' own unit
-/// @return in [0, MaximumVertexShift], in steps of 1/16; UsualVertexShift where nothing bends
+/// @return in [0, MaximumVertexShift], in steps of 1/16; UsualVertexShift for flat surfaces
 /// @throws Aborted
 double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& run = {});
 }

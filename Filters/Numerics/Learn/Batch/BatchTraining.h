@@ -1,4 +1,5 @@
-/// Batch training from the sphere, on ever finer geodesic networks; used by trainConformalSOM.
+/// Batch training from the sphere, on increasingly fine geodesic networks; used by
+/// trainConformalSOM().
 
 #ifndef ConformalBatchTraining_h
 #define ConformalBatchTraining_h
@@ -19,7 +20,7 @@ namespace conformal
 struct BatchOptions
 {
   int PassesPerLevel = 5;    ///< learning passes on each network, from coarse to fine
-  int SamplesPerNeuron = 12; ///< samples of a pass for each neuron, at most all there are
+  int SamplesPerNeuron = 12; ///< samples per neuron in a pass, at most all samples
 };
 
 struct BatchTrainingOptions : BatchOptions
@@ -31,25 +32,27 @@ struct BatchTrainingOptions : BatchOptions
   MeshObserver Observer; ///< called after each level and after the fit; may be empty
 };
 
-/// Whether to go on, from the mesh of a level and the weight of the samples in each triangle.
+/// Return whether to continue, given the mesh of a level and the weight of the samples in each
+/// triangle.
 using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double>&)>;
 
-/// Learn on networks of rising frequency up to options.Frequency, without a fit. Each pass is Eq. 3
-/// of \cite Liou2008 summed over its patterns, the weights kept still meanwhile: w_i becomes the
-/// mean of the patterns, weighted by h. A pattern stands for the foot point of its projection,
-/// shared by the three corners of that simplex by their barycentric weights, or by those of its
-/// reference point r (options.ReferencePoint); the neighborhood function is diffusion of these
-/// shares over the network, narrower from pass to pass.
+/// Learn on networks of increasing frequency up to options.Frequency, without a fit.
+///
+/// Each pass sums Eq. 3 of \cite Liou2008 over its patterns with fixed weights: w_i becomes the
+/// mean of the patterns, weighted by h. A pattern is assigned to the corners of the triangle that
+/// contains its projection. The shares are the barycentric weights of the projection, or of its
+/// reference point r (options.ReferencePoint). The neighborhood function is the diffusion of these
+/// shares over the network. It becomes narrower from pass to pass.
 ///
 /// @param[in] goesOn  called after each level; empty to learn all levels
-/// @return the mesh in the samples' unit (max radius 1), its noise estimated
+/// @return the mesh in the samples' unit (max radius 1), with its estimated noise
 /// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted
 FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,
   const LevelTest& goesOn, const Run& run = {});
 
-/// Learn on all levels, then fit the vertices to the samples (LeastSquaresFit.h). Noise that the
-/// levels show makes the fit smoother.
+/// Learn on all levels, then fit the vertices to the samples (LeastSquaresFit.h). The fit is
+/// smoother if the levels indicate noise.
 /// @return the mesh in the samples' unit
 /// @throws Aborted
 FittedMesh trainBatch(

@@ -1,5 +1,5 @@
-/// Fit of a mesh whose triangles follow the surface: remeshing and least squares in turns; own
-/// construction.
+/// Fit of a mesh whose triangles follow the surface, by alternating remeshing and least squares;
+/// own construction.
 
 #ifndef ConformalAdaptiveFit_h
 #define ConformalAdaptiveFit_h
@@ -19,9 +19,9 @@ namespace conformal
 struct AdaptiveFitOptions : FitOptions
 {
   Index NumberOfVertices = 12962;
-  Index SamplesPerVertex = 12; ///< in an iteration of the last fit
+  Index SamplesPerVertex = 12; ///< per iteration of the final fit
   unsigned int RandomSeed = 1;
-  MeshObserver Observer; ///< called with the start, remeshed; each turn; and the fit; may be empty
+  MeshObserver Observer; ///< called with the remeshed start, each turn, and the fit; may be empty
 };
 
 /// Closed surface of genus zero near the samples, in their unit, from which the fit starts.
@@ -34,20 +34,20 @@ struct AdaptiveStart : LearnedMesh
   std::shared_ptr<const TriangleTree> Guide;   ///< see LeastSquaresFit.h; may be null
 };
 
-/// Closed mesh of options.NumberOfVertices vertices through the samples, all of its triangles
-/// nearly equilateral and of one size, on limbs too; in the samples' unit, and not mapped to the
-/// sphere.
+/// Fit a closed mesh of options.NumberOfVertices vertices through the samples. Its triangles are
+/// nearly equilateral and of equal size, including those on limbs. It is in the samples' unit, and
+/// not mapped to the sphere.
 ///
-/// The start is remeshed (Remeshing.h) and fitted (LeastSquaresFit.h) in turns, from smooth to
-/// fine; the last fit keeps the connectivity. Then vertices move onto sharp edges that the
+/// The start is remeshed (Remeshing.h) and fitted (LeastSquaresFit.h) alternately, with decreasing
+/// smoothness. The final fit keeps the connectivity. Then vertices move onto sharp edges that
 /// triangles cut off (SharpEdges.h).
 ///
 /// The noise is estimated from the errors of this mesh and of a mesh of a quarter of its vertices
-/// (NoiseEstimate.h), and sets the smoothness of the last fit. Noise that is large against the
-/// edges shows after the first turn, which is then repeated with a stiffer surface.
+/// (NoiseEstimate.h). It determines the smoothness of the final fit. Noise that is large relative
+/// to the edges is detected after the first turn, which is then repeated with a stiffer surface.
 ///
 /// @throws Aborted
-/// @post the result depends only on the arguments, not on threads or ranks
+/// @post the result depends only on the arguments, not on the number of threads or ranks
 FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOptions& options,
   const AdaptiveStart& start, const Run& run = {});
 }

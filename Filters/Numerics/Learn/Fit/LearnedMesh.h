@@ -1,4 +1,4 @@
-/// Mesh that learning has arrived at, with the record of how it got there.
+/// Learned mesh with a record of its training.
 
 #ifndef ConformalLearnedMesh_h
 #define ConformalLearnedMesh_h
@@ -17,7 +17,7 @@ struct TrainingRecord
   int Frequency = 0;             ///< of the geodesic sphere with about as many triangles
   double NeighborhoodRadius = 0; ///< sigma(t), a length on the unit sphere
   double LearningRate = 0;       ///< alpha(t); 1 in batch training
-  double MeanSquareError = 0;    ///< of the patterns presented, to their projections; max radius 1
+  double MeanSquareError = 0;    ///< of the patterns presented to their projections; max radius 1
   double MeanDisplacement = 0;   ///< of the neurons' weight vectors; max radius 1
 };
 
@@ -28,16 +28,16 @@ struct LearnedMesh : MappedMesh
   std::vector<TrainingRecord> History;
 };
 
-/// Mesh fitted to samples by least squares, with what the fit measured.
+/// Mesh fitted to samples by least squares, with measurements of the fit.
 struct FittedMesh : LearnedMesh
 {
-  double NoiseToDetail = 0.0; ///< variance of the noise over that of detail too fine for the mesh
-  double Noise = 0.0;         ///< standard deviation of the noise; max radius 1
+  double NoiseToDetail = 0.0;       ///< variance of the noise over that of unresolved detail
+  double Noise = 0.0;               ///< standard deviation of the noise; max radius 1
   double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
   double AreaRatio = 1.0;           ///< area of the mesh over that of the surface before the fit
 };
 
-/// Function called with an intermediate mesh, in the samples' unit, and its name.
+/// Function called with the name of an intermediate mesh, and the mesh in the samples' unit.
 using MeshObserver = std::function<void(const std::string& name, const FittedMesh& mesh)>;
 }
 

@@ -19,37 +19,39 @@ namespace conformal
 struct LeastSquaresFitOptions
 {
   int Iterations = 10;
-  double FirstSmoothness = 0.01; ///< in the first iteration, then falling in equal ratios
+  double FirstSmoothness = 0.01; ///< in the first iteration, then decreasing geometrically
   double LastSmoothness = 0.01;  ///< in the last iteration
   double Evenness = 1.0;         ///< of triangles, see SurfaceEquations.h
   double OutlierRatio = 6.0;     ///< see LocalScale.h
 
-  /// Weight a sample by its distance from the surface, in units of the root mean square and between
-  /// 0.3 and 2.8, so that the fit reaches tips; and where there is no Guide, draw a vertex without
-  /// samples along its normal to the nearest sample there, so that lids over hollows come down.
+  /// Weight a sample by its distance from the surface, in units of the root mean square, clamped to
+  /// [0.3, 2.8], so that the fit reaches limb ends. Without a Guide, also pull each vertex without
+  /// samples along its normal to the nearest sample, so that fillings over hollows are pulled in.
   bool AutomaticPriority = true;
 
-  /// Surface between samples that lie far from each other, or null. Vertices between such samples
-  /// are drawn to it along their normals, with a tenth of the weight of a vertex's samples;
-  /// vertices over holes more than eight edges wide are then not drawn at all.
+  /// Surface between samples that are far apart, or null. Vertices between such samples are pulled
+  /// to it along their normals, with a tenth of the weight of a vertex's samples. Vertices over
+  /// holes wider than eight edges are then not pulled.
   std::shared_ptr<const TriangleTree> Guide;
 
-  Index SamplesPerIteration = 1000000; ///< of a larger cloud, other samples in each iteration
-  unsigned int RandomSeed = 1;         ///< of the choice of these samples
-  std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts; empty for all
+  Index SamplesPerIteration = 1000000; ///< of a larger cloud, different samples in each iteration
+  unsigned int RandomSeed = 1;         ///< for the selection of these samples
+  std::function<bool(const Vector3&)> Belongs; ///< whether to use a sample; empty for all
 };
 
-/// Fit a mesh to samples. Each iteration finds the foot point of every sample on the surface, then
-/// the vertices that minimize the distances in the sense of SurfaceEquations.h. The stiffness is
-/// the smoothness times the mean weight of a vertex's samples. It is raised at vertices without
-/// samples around, where the surface is drawn straight across, and in the last iterations at folds.
+/// Fit a mesh to samples.
 ///
-/// Samples much farther from the surface than the samples around them are left out (LocalScale.h).
+/// Each iteration finds the foot point of every sample on the surface, then the vertices that
+/// minimize the distances of SurfaceEquations.h. The stiffness is the smoothness times the mean
+/// weight of a vertex's samples. It is increased at vertices without samples nearby, where the
+/// surface is interpolated, and at folds in the last iterations.
+///
+/// Outliers, samples much farther from the surface than their neighbors, are ignored
+/// (LocalScale.h).
 ///
 /// @param[in,out] mesh  vertices in the samples' unit; the history gets one record per iteration
-/// @return for each triangle the weight of the samples that have their foot points in it in the
-/// last
-///         iteration; zeros without iterations
+/// @return for each triangle, the weight of the samples with foot points in it in the last
+///   iteration; zeros without iterations
 /// @throws Aborted
 std::vector<double> leastSquaresFit(const TrainingSamples& samples,
   const LeastSquaresFitOptions& options, LearnedMesh& mesh, const Run& run = {});

@@ -1,4 +1,4 @@
-/// How much of what a surface leaves of its patterns is noise.
+/// Separate noise from unresolved detail in the errors of a learned surface.
 /// Own construction: errors at two resolutions separate noise from detail.
 
 #ifndef ConformalNoiseEstimate_h
@@ -12,36 +12,36 @@
 
 namespace conformal
 {
-/// Variance of the noise over that of the detail that a surface is too coarse for, from the typical
-/// square errors of that surface and of one of a quarter of its vertices: by refinement the detail
-/// falls sixfold (measured on scans; sixteenfold would be the limit of a smooth object), the noise
-/// stays.
+/// Estimate the variance of the noise over that of unresolved detail, from the typical square
+/// errors of two surfaces. The coarse one has a quarter of the vertices of the fine one. Refinement
+/// divides the error by detail by six, as measured on scans (16 in the limit of smooth objects). It
+/// does not change the noise.
 /// @return in [0, 10]
 double noiseToDetail(double coarseError, double fineError);
 
-/// Variance of the noise along the normal, from the same errors, if it is Gaussian; 0 where detail
-/// explains them.
+/// Estimate the variance of Gaussian noise along the normal from the typical square errors of a
+/// coarse and a fine surface; 0 if detail explains them.
 double noiseVariance(double coarseError, double fineError);
 
-/// The geometric mean of square distances, which a few outliers do not change.
+/// Geometric mean of square distances, which is insensitive to a few outliers.
 class TypicalSquare
 {
 public:
   /// @param[in] square  up to 1e27
   void add(double square);
 
-  /// Of all processes.
-  /// @param[in] count  of what they have added
+  /// Compute the mean over all ranks.
+  /// @param[in] count  number of squares added on all ranks
   double mean(const Reduce& reduce, Index count);
 
 private:
   FixedPointSums Logarithms{ 1 };
 };
 
-/// The typical square distance of patterns to a surface.
+/// Compute the typical square distance of patterns to a surface.
 /// @param[in] positions  #V by 3, in the samples' unit
 /// @param[in] triangles  #F by 3
-/// @param[in] wanted     how many patterns, evenly spaced
+/// @param[in] wanted     number of patterns used, evenly spaced
 double typicalSquareError(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, Index wanted, const Run& run = {});
 }

@@ -14,45 +14,49 @@
 
 namespace conformal
 {
-/// Where the vertices w of a mesh should move, d, to meet its patterns x:
+/// Least-squares equations for displacements d that move the vertices w of a mesh toward its
+/// patterns x:
 ///
-///     minimize  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
+/// minimize  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
 ///
-/// with b the barycentric weights of the pattern's foot point, r = x - b w, L the uniform Laplacian
-/// and s_i a vertex's stiffness, times the evenness along the surface; the bending at the edges
-/// (HingeBending.h) is as stiff and keeps thin triangles from wrinkling. M measures distances:
-/// along the normal they count in full; along the surface hardly at all where the foot lies inside
-/// a triangle, for there it may as well lie beside: the feet of a round need not be those of the
-/// next. This is the squared distance of \cite Pottmann2006 without its curvature, and what makes a
-/// few rounds enough.
+/// Here b are the barycentric weights of the pattern's foot point, and r = x - b w. L is the
+/// uniform Laplacian. s_i is the stiffness of a vertex, multiplied by the evenness along the
+/// surface. The bending energy at the edges (HingeBending.h) has equal stiffness and prevents
+/// wrinkles of thin triangles.
+///
+/// M measures distances. The component along the normal has full weight. The tangential components
+/// have almost none if the foot point is inside a triangle, since foot points move from iteration
+/// to iteration. This is the squared distance of \cite Pottmann2006 without its curvature; a few
+/// iterations suffice with it.
 class SurfaceEquations
 {
 public:
-  /// @param[in] triangles      #F by 3, must outlive this
-  /// @param[in] neighbors  vertexNeighbors of the triangles, likewise
+  /// @param[in] triangles  #F by 3, must outlive this
+  /// @param[in] neighbors  vertexNeighbors() of the triangles, must outlive this
   SurfaceEquations(const conformal::Triangles& triangles, const Adjacency& neighbors);
 
-  /// Begin anew, without patterns.
+  /// Remove all patterns.
   void clear();
 
-  /// Draw the surface to a pattern.
+  /// Attract the surface to a pattern.
   /// @param[in] weight  p, in [0, 4]
   void add(const FootPoint& foot, const Vector3& x, double weight);
 
-  /// Draw one vertex along a direction: weight (direction . d - distance)^2.
+  /// Attract one vertex along a direction: weight (direction . d - distance)^2.
   void pull(int vertex, const Vector3& direction, double distance, double weight);
 
-  /// vertexTriangles of its triangles
+  /// vertexTriangles() of the triangles
   const Adjacency& around() const { return this->Around; }
 
-  /// Add what the other processes have added; not their single equations.
+  /// Sum the patterns of all ranks, but not the terms of pull().
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
-  /// Some steps of conjugate gradients from d = 0. The patterns are then forgotten.
-  /// @pre clear() since the last time
+  /// Run some iterations of conjugate gradients \cite Hestenes1952 from d = 0. The patterns are
+  /// then invalid.
+  /// @pre clear() since the last call
   /// @param[in] weights    w, #V by 3
   /// @param[in] stiffness  s, #V
-  /// @param[in] evenness   above 1 it makes triangles more even than the surface is smooth
+  /// @param[in] evenness   a value above 1 favors even triangles over a smooth surface
   /// @return d, #V by 3
   /// @throws Aborted
   Points solve(

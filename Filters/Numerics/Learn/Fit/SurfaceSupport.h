@@ -1,4 +1,4 @@
-/// Finds the parts of a learned surface that no samples support.
+/// Find unsupported area of a learned surface, far from all samples.
 /// Own construction: the mismatch error does not detect unsupported area.
 
 #ifndef ConformalSurfaceSupport_h
@@ -13,51 +13,55 @@
 
 namespace conformal
 {
-/// Vertices that have next to no patterns near where their share of them would be due: on webs
-/// between limbs, and on lids over holes in the data. E_mis cannot see them.
+/// Find unsupported vertices: those on webs (spurious membranes) between limbs, and on fillings of
+/// holes in the data. The mismatch error E_mis does not detect them.
 ///
-/// Patterns and areas are gathered from around each vertex, as far as it takes to expect about
-/// a hundred patterns; a vertex is unsupported if there are less than a quarter of those expected.
+/// The number of patterns around a vertex is compared with the number expected for the area. The
+/// neighborhood grows until about a hundred patterns are expected. A vertex is unsupported if it
+/// has less than a quarter of those.
 ///
 /// @param[in] positions  #V by 3
-/// @param[in] triangles      #F by 3
-/// @param[in] neighbors  vertexNeighbors of the triangles
-/// @param[in] masses     #F, the patterns that have their foot points in each triangle
+/// @param[in] triangles  #F by 3
+/// @param[in] neighbors  vertexNeighbors() of the triangles
+/// @param[in] masses     #F, number of patterns with foot points in each triangle
 /// @return #V
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Vertices around which lie less than a twentieth of the patterns due to a vertex.
+/// Find vertices without samples: those whose triangles have less than a twentieth of the mean
+/// number of patterns per vertex.
 std::vector<bool> idleVertices(
   const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices);
 
-/// Unsupported vertices, and the idle ones that reach from them to the rim of the data: all of a
-/// web, where the unsupported ones are its middle. Parameters as above.
+/// Find unsupported vertices, and vertices without samples that connect them to the border of the
+/// data. Together they cover a whole web, whereas unsupportedVertices() covers its center.
+/// Parameters are those of unsupportedVertices().
 std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Of the vertices marked, those twice as far from the nearest pattern as its sixth neighbor is
-/// from that: where patterns are only sparser than elsewhere, the surface has them all the same.
-/// So it has between rows of patterns, such as scan lines, that are far apart but evenly so.
+/// Select marked vertices that are far from patterns: at least twice as far from the nearest
+/// pattern as that is from its sixth neighbor. Vertices in sparse but evenly sampled regions, such
+/// as between scan lines, are not selected.
 /// @param[in] marked    #V
-/// @param[in] patterns  all of them, or a fair selection; not empty
+/// @param[in] patterns  all patterns, or an unbiased selection; not empty
 std::vector<bool> farFromPatterns(
   const Points& positions, const std::vector<bool>& marked, const Points& patterns);
 
-/// Share of such vertices in the surface's area, a third of each triangle's going to each corner;
-/// in [0, 1].
+/// Compute the fraction of the surface area at marked vertices, in [0, 1]. Each triangle
+/// contributes a third of its area to each corner.
 double areaFraction(
   const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
 
-/// Share of the area that has no patterns where some are due: bareVertices() that are
-/// farFromPatterns(). The same on all processes.
-/// @param[in] masses  as of unsupportedVertices()
+/// Compute the fraction of unsupported area: vertices in bareVertices() and farFromPatterns(). All
+/// ranks return the same value.
+/// @param[in] masses  as for unsupportedVertices()
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);
 
-/// How far each vertex has patterns nearby: 1 where the nearest lies no farther than twice the
-/// spacing of those around it, 0 where it lies farther than four times, smooth between and over the
-/// mesh. The spacing is that across scan lines too. The same on all processes.
+/// Compute the support of each vertex by nearby patterns. The support is 1 if the nearest pattern
+/// is closer than twice the local spacing, and 0 beyond four times. It is smooth in between, and
+/// smoothed over the mesh. The spacing includes that across scan lines. All ranks return the same
+/// values.
 /// @param[in] positions  #V by 3, in the samples' unit
 /// @param[in] triangles  #F by 3
 /// @return #V values in [0, 1]
@@ -65,8 +69,8 @@ double unsupportedFraction(const TrainingSamples& samples, const Points& positio
 std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const Run& run = {});
 
-/// Share of the triangles that have an angle of more than a right one: a lattice of nearly
-/// equilateral triangles that has been stretched over limbs and edges shows in it.
+/// Compute the fraction of triangles with an angle above 90 degrees. It indicates that a mesh of
+/// nearly equilateral triangles was stretched over limbs and edges.
 double obtuseFraction(const Points& positions, const Triangles& triangles);
 }
 

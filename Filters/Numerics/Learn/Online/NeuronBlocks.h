@@ -1,5 +1,4 @@
-/// Neurons in spatial blocks, so that the winner of a sample is found and its neighborhood
-/// moved without visiting the rest.
+/// Neurons in spatial blocks, for fast search of the winner and fast update of its neighborhood.
 /// Own construction: exact, unlike approximate searches for the winner.
 
 #ifndef ConformalNeuronBlocks_h
@@ -12,36 +11,36 @@
 
 namespace conformal
 {
-/// Neurons in blocks that are compact on the sphere, blocks in groups. Every block and group keeps
-/// a ball around its network positions n_i, which never changes, and a box around its weights w_i,
-/// which follows them.
+/// Neurons in blocks that are compact on the sphere, and blocks in groups. Every block and group
+/// has a fixed ball around its network positions n_i and a box around its current weights w_i.
 class NeuronBlocks
 {
 public:
   /// @param[in] network  #N by 3 unit vectors n_i
-  /// @param[in] weights  #N by 3, w_i at the start
+  /// @param[in] weights  #N by 3, initial w_i
   NeuronBlocks(const Points& network, const Points& weights);
 
-  /// The neuron whose weight vector is closest to x; of equals, the lowest id (step 3).
+  /// Find the neuron whose weight vector is closest to x (step 3); of equal ones, the lowest id.
   int findWinner(const Vector3& x) const;
 
-  /// Eq. 3:
-  /// w_i += learningRate exp(-|r - n_i|^2 / (2 radius^2)) (x - w_i).
-  /// Neurons farther than Reach radii from r have no share; the others' is right to 1e-4 relative.
+  /// Apply Eq. 3: w_i += learningRate exp(-|r - n_i|^2 / (2 radius^2)) (x - w_i). Neurons farther
+  /// than Reach times the radius are not moved. For others, the factor has a relative error of at
+  /// most 1e-4.
   void update(const Vector3& x, const Vector3& r, double learningRate, double radius);
 
   Vector3 weight(int neuron) const;
   Points weights() const; ///< #N by 3
 
   static constexpr float Reach = 4.0F;
-  static constexpr int BlockSize = 48; ///< measured: 32 and 64 are a little slower
+  static constexpr int BlockSize = 48; ///< measured: 32 and 64 are slightly slower
   static constexpr int GroupSize = 8;
 
 private:
   struct Block
   {
-    // Coordinate by coordinate, as vector units like them. Single precision is enough for a
-    // distance on the sphere that only a Gaussian looks at; weights add up small steps.
+    // Stored coordinate by coordinate, for vectorization. Single precision is sufficient for
+    // distances on the sphere, which are used in a Gaussian only. Weights accumulate small steps
+    // and need doubles.
     alignas(64) float Network[3][BlockSize];
     alignas(64) double Weights[3][BlockSize];
     int Ids[BlockSize];

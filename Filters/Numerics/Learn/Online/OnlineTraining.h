@@ -1,4 +1,4 @@
-/// Online training, the CSM Learning Algorithm step by step; used by trainConformalSOM.
+/// Online training by the CSM Learning Algorithm; used by trainConformalSOM().
 
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h
@@ -12,7 +12,7 @@
 
 namespace conformal
 {
-/// The paper's constants; t counts epochs from 0. A caller of trainConformalSOM() may set them.
+/// Constants of the paper, options of trainConformalSOM(). t counts epochs from 0.
 struct OnlineOptions
 {
   int NumberOfEpochs = 80;
@@ -33,8 +33,9 @@ struct OnlineTrainingOptions : OnlineOptions
 /// Learn by steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (max radius
 /// 1).
 ///
-/// Implementation note: priorities count in the second half of the epochs, when the neighborhood is
-/// narrow. Before, they would leave the rest of the object too few neurons.
+/// Implementation note: priorities are used in the second half of the epochs only, when the
+/// neighborhood is narrow. In the first half, they would leave too few neurons for the rest of the
+/// object.
 /// @param[in] network  n_i and triangles, a geodesic sphere of options.Frequency
 /// @param[in] start    w_i(0)
 /// @throws Aborted
