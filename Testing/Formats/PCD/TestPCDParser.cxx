@@ -227,7 +227,7 @@ TEST(PCDParser, RefusesBodiesThatAreWrong)
   EXPECT_TRUE(parse(sizes(size, whole)).Status.ok());
   ExpectRefused(sizes(size, whole + 1), ParseCode::Malformed, 0, "expected 160");
   ExpectRefused(sizes(1, whole), ParseCode::Malformed, 0, "expected 160");
-  ExpectRefused(sizes(size - 1, whole), ParseCode::Malformed, 0, "end before");
+  ExpectRefused(sizes(size - 1, whole), ParseCode::Malformed, 0, "shorter than the header");
   ExpectRefused(sizes(size + 1, whole), ParseCode::PrematureEnd, 0, "bytes");
   ExpectRefused(sizes(size + 1, whole) + "x", ParseCode::Malformed, 0, "after the last point");
 }
