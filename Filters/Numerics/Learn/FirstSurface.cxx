@@ -25,8 +25,8 @@ constexpr int IterationsFromSphere = 4, IterationsFromHull = 2;
 constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays = 0.001;
 
 // Tolerances for a coarse level, which has most of the webs and stretched triangles of the fitted
-// mesh. A start from a hull costs more than smaller defects. They are fractions of the area and of
-// the triangles that are obtuse; the fit adds a quarter to the latter (measured).
+// mesh. A start from a hull costs more than smaller defects. The tolerances are fractions of the
+// area, and of the triangles that are obtuse. The fit adds a quarter to the obtuse ones (measured).
 constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2, ObtuseByFit = 1.25;
 
 constexpr Index Coarser = 4;        // fewer neurons while learning from the sphere

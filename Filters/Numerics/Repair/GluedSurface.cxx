@@ -161,8 +161,7 @@ std::vector<SidePair> pairsOf(const PointView& points, Group first, Group last,
 // Return for each triangle whether it is reversed to agree with the majority of its part.
 std::vector<char> turnedTriangles(const std::vector<int>& used, Index size, TurnedSets& parts)
 {
-  std::vector<Index> majority(
-    size, 0); // by the first triangle of a part: kept minus reversed triangles
+  std::vector<Index> majority(size, 0); // by first triangle: kept minus reversed ones
   for (const int r : used)
   {
     majority[parts.first(r)] += parts.isTurned(r) ? -1 : 1;

@@ -208,8 +208,7 @@ void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vect
     sums[surface.Across[side] / 3] ^= own;
   }
   std::vector<int> order = { 0 }; // of triangles, each after its predecessor
-  std::vector<int> entries(
-    surface.numberOfTriangles(), -1); // side by which each triangle was reached
+  std::vector<int> entries(surface.numberOfTriangles(), -1); // side to each triangle
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const int triangle = order[i];

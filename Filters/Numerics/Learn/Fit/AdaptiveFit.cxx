@@ -20,8 +20,7 @@ namespace
 // Measured on scans, 12,962 vertices: more iterations increase the cost without a gain.
 constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
 constexpr Index SamplesOfTurn = 4;                 // in an iteration, for each vertex
-constexpr double FirstSmoothness =
-  0.2; // in the first iteration after remeshing, which moves vertices off the samples
+constexpr double FirstSmoothness = 0.2; // of a turn, since remeshing moves vertices off the samples
 
 // The noise is estimated beside a mesh of a quarter of the vertices.
 constexpr Index Coarser = 4;

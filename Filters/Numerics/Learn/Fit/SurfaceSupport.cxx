@@ -303,8 +303,7 @@ std::vector<double> supportOfVertices(const TrainingSamples& samples, const Poin
   const Triangles& triangles, const Run& run)
 {
   constexpr double near = 2.0, far = 4.0; // spacings
-  constexpr double widest =
-    4.0; // maximum spacing, in typical ones; larger ones are those of outliers
+  constexpr double widest = 4.0;          // maximum in typical spacings; larger ones are outliers
   constexpr int smoothings = 2;
   constexpr Index blockSize = 256;
   const Index size = positions.rows();
