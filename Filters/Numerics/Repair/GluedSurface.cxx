@@ -139,8 +139,8 @@ struct SidePair
 std::vector<SidePair> pairsOf(const PointView& points, Group first, Group last,
   const std::vector<char>& isTurned, TurnedSets& parts)
 {
-  constexpr int most = 16;       // edges of more triangles are left open
-  constexpr double digits = 1e6; // resolution of the comparison of angles
+  constexpr int most = 16;       // more triangles on one edge are no surface
+  constexpr double digits = 1e6; // of angles that are told apart
   const auto size = static_cast<int>(last - first);
   std::vector<SidePair> pairs;
   for (int i = 0; size <= most && i < size; ++i)
