@@ -46,7 +46,7 @@ conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::
   return points;
 }
 
-// What the points and their hull have that their user should know.
+// Warn of problems of the points and of their hull.
 void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples,
   const conformal::GenusZeroHullResult& hull)
 {

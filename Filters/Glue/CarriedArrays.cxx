@@ -37,7 +37,7 @@ bool IsLabels(vtkDataArray* array)
   return array->GetNumberOfComponents() == 1 && IsOfIntegers(array);
 }
 
-// The arrays that all have, and a list of the names of those that do not fit.
+// Find the arrays common to all surfaces, and list the names of incompatible ones.
 std::vector<Arrays> CommonArrays(const std::vector<vtkPolyData*>& surfaces, std::string& misfits)
 {
   std::vector<Arrays> common;
@@ -107,7 +107,7 @@ void SetLabels(vtkDataArray* output, const Arrays& arrays, const std::vector<int
     }
     else if (arrays[surface]->GetDataType() == output->GetDataType())
     {
-      output->SetTuple(place, id, arrays[surface]); // all digits of large integers
+      output->SetTuple(place, id, arrays[surface]); // preserves all digits of large integers
     }
     else
     {

@@ -30,7 +30,7 @@ vtkDataArray* RequiredColumn(vtkTable* table, const char* name)
   return column;
 }
 
-// The columns behind those of positions.
+// Return the columns after those of positions.
 std::vector<vtkDataArray*> OtherColumns(vtkTable* table)
 {
   std::vector<vtkDataArray*> others;
@@ -48,7 +48,8 @@ std::vector<vtkDataArray*> OtherColumns(vtkTable* table)
   return others;
 }
 
-// The length of most columns, of equally many the smallest: a column of another length is wrong.
+// Return the most frequent length of the columns; of equally frequent ones, the smallest. A column
+// of another length is invalid.
 vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
 {
   std::map<vtkIdType, int> counts;
@@ -61,7 +62,7 @@ vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
     ->first;
 }
 
-// Where a row belongs.
+// Compute the row of a harmonic.
 conformal::Index PlaceOf(double degree, double order, int maximum)
 {
   const bool isHarmonic = degree >= 0.0 && degree <= maximum && degree == std::floor(degree) &&

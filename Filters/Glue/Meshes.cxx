@@ -24,7 +24,7 @@
 
 namespace
 {
-// Collects triangles with the cell they come from.
+// Collector of triangles with their source cells.
 class TriangleCollector
 {
 public:
@@ -77,8 +77,8 @@ public:
   }
 
 private:
-  // Ears are cut; where that fails, as it may on crossing or flat polygons, a fan has the same
-  // border and keeps a closed surface closed.
+  // Triangulate a polygon by ear clipping. If that fails, as on self-intersecting or flat polygons,
+  // use a fan, which has an equal border and keeps a closed surface closed.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
   {
     const conformal::Triangles ears = size > ManyCorners
@@ -97,7 +97,7 @@ private:
     }
   }
 
-  // VTK's, which chooses ears of a good shape, takes time that grows with the square.
+  // Triangulate by VTK, which selects well-shaped ears at a cost that grows with the square.
   conformal::Triangles EarsOfFew(vtkIdType size, const vtkIdType* ids)
   {
     this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
@@ -157,7 +157,7 @@ struct Repairs
   conformal::Index Merged = 0, Repeated = 0, Turned = 0, Isolated = 0;
 };
 
-// Repair what can be without a loss; the rest of the mesh is made only if it is of genus zero then.
+// Make lossless repairs; the rest of the mesh is made only if it then has genus zero.
 Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   conformal::GenusZeroReport& report, const conformal::Run& run = {})
 {
@@ -189,7 +189,7 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   {
     mesh.Positions.row(v) = points.row(kept[v]);
   }
-  // Points that were merged away are of no triangle either, but are counted already.
+  // Merged points belong to no triangle either, but are already counted.
   done.Isolated = points.rows() - mesh.Positions.rows() - done.Merged;
   return done;
 }

@@ -1,4 +1,4 @@
-// With MPI; see also vtkProcessSignalsWithoutMPI.cxx.
+// Implementation with MPI; ProcessSignalsWithoutMPI.cxx is the alternative.
 #include "Glue/ProcessSignals.h"
 
 #include "vtkCommunicator.h"
@@ -35,7 +35,7 @@ struct ProcessSignals::Messages
   {
   }
 
-  // The process that has sent such a message, or -1. Takes the message.
+  // Receive a message with a tag. Return the rank of its sender, or -1 if there is none.
   int take(int from, int tag)
   {
     int found = 0, source = -1;
@@ -51,7 +51,7 @@ struct ProcessSignals::Messages
 
   void await(int from, int tag, const std::function<void()>& idle)
   {
-    // Most are about to come. For the others it is no use to keep a processor busy.
+    // Most messages arrive soon. While waiting for the others, do not occupy a processor.
     constexpr std::chrono::milliseconds soon(1);
     constexpr std::chrono::microseconds nap(200);
     const Clock::time_point start = Clock::now();
@@ -73,9 +73,9 @@ struct ProcessSignals::Messages
 
   vtkMPIController* Controller;
   const int Rank, Size;
-  const int Word = 1; ///< what is sent; the tag says all
+  const int Word = 1; ///< content of all messages; only the tag matters
   bool Asked = false;
-  std::vector<bool> Heard; ///< from whom
+  std::vector<bool> Heard; ///< by rank of the sender
   std::vector<vtkMPICommunicator::Request> Requests;
   Clock::time_point LastLook;
 };
@@ -141,7 +141,7 @@ bool ProcessSignals::heardStop()
 //------------------------------------------------------------------------------
 void ProcessSignals::meet(const std::function<void()>& idle)
 {
-  // Up a binary tree when all below have come, and down again when all have.
+  // Messages move up a binary tree when all children have arrived, and down again from the root.
   Messages& link = *this->Link;
   const int parent = (link.Rank - 1) / 2;
   const int first = 2 * link.Rank + 1;
@@ -163,7 +163,8 @@ void ProcessSignals::meet(const std::function<void()>& idle)
 //------------------------------------------------------------------------------
 void ProcessSignals::settle()
 {
-  // Who did not look in time still has the message, and would find it in the next run.
+  // A rank that did not test for the message in time must receive it now, or it would interfere
+  // with the next run.
   Messages& link = *this->Link;
   std::vector<int> own(link.Size, 0), asked(link.Size, 0);
   own[link.Rank] = link.Asked;

@@ -31,14 +31,14 @@
 
 namespace
 {
-/// An error that all processes know of.
+/// Error that is reported on all ranks.
 class SharedError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// A request to stop that all processes know of.
+/// Abort that is reported on all ranks.
 class SharedStop : public conformal::Aborted
 {
 };
@@ -51,7 +51,7 @@ void Require(int success)
   }
 }
 
-// A text of one process, on all of them.
+// Broadcast a text of one rank to all ranks.
 std::string Broadcast(vtkMultiProcessController* controller, std::string text, int from)
 {
   vtkMultiProcessStream stream;
@@ -70,7 +70,7 @@ vtkNew<vtkIdTypeArray> IdsFrom(vtkIdType begin, vtkIdType end, const char* name)
   return ids;
 }
 
-// The triangles [begin, end) with the points they use; the rest of the surface is gone.
+// Keep the triangles [begin, end) with their points; remove the rest of the surface.
 void KeepTriangles(vtkPolyData* surface, vtkIdType begin, vtkIdType end)
 {
   constexpr vtkIdType unused = -1;
@@ -128,7 +128,7 @@ conformal::Reduce Processes::reduce()
   {
     reduce.Sum = [this](std::int64_t* values, conformal::Index count)
     {
-      // Piece by piece: MPI counts in ints, and the sums need room of their own.
+      // Sum in pieces: MPI counts in ints, and the sums need a buffer.
       constexpr conformal::Index pieceSize = 1 << 17;
       this->agree();
       std::vector<std::int64_t> sums(std::min(count, pieceSize));
@@ -180,7 +180,7 @@ void Processes::call()
 //------------------------------------------------------------------------------
 std::string Processes::meet()
 {
-  // Observers are called as often as while the filter works.
+  // Call observers as often as during the work of the filter.
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds interval(50);
   Clock::time_point last = Clock::now();
@@ -238,7 +238,7 @@ void Processes::agree(const std::string* error)
     observersError = this->meet();
     error = error || observersError.empty() ? error : &observersError;
   }
-  // The first process with an error, or else their number; then whether all want to go on.
+  // The first rank with an error, or the number of ranks; then whether all continue.
   const std::int64_t own[] = { error ? this->Rank : this->Size, this->StopWanted ? 0 : 1 };
   std::int64_t all[2];
   Require(this->Controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP));
@@ -267,7 +267,7 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   {
     glue::RequireConsistentInputs(self);
     core(processes);
-    processes.run().report(1.0); // the last time that a request to stop is noticed
+    processes.run().report(1.0); // last check for an abort
   };
   return RunRequest(self,
     [&]()

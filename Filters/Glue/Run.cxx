@@ -52,8 +52,8 @@ conformal::Run SMPRun()
 //------------------------------------------------------------------------------
 conformal::Progress ProgressOf(vtkAlgorithm* self)
 {
-  // Observers may draw, and may abort: they are told of every visible step, and of a slow
-  // run every 50 ms, or every thousandth of its time so far, which bounds their number.
+  // Observers may render, and may abort. They are called for every visible step. During a slow run,
+  // they are called every 50 ms or every thousandth of the elapsed time, which bounds their number.
   constexpr double minimumStep = 0.002;
   using Clock = std::chrono::steady_clock;
   struct State
@@ -61,7 +61,7 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
     Clock::time_point Start = Clock::now(), Last = Start;
     double Reached = 0.0, Next = 0.0;
   };
-  // One of all copies, which parts of the progress hold.
+  // State shared by all copies of the callback, which parts of the progress store.
   const auto state = std::make_shared<State>();
   return [=](double reached)
   {
@@ -114,7 +114,7 @@ int RunCore(vtkAlgorithm* self, const std::function<void()>& core)
     {
       glue::RequireConsistentInputs(self);
       core();
-      RunOf(self).report(1.0); // the last time that a request to stop is noticed
+      RunOf(self).report(1.0); // last check for an abort
     });
 }
 

@@ -49,7 +49,8 @@ void RequireFreeName(vtkDataArray* values)
   }
 }
 
-// A sink that passes places on to the painter and stores their positions, unless there is no room.
+// Return a sink that passes surface points on to the painter and, unless `positions` is empty,
+// stores their positions.
 conformal::PixelSink PositionPainter(
   conformal::PixelSink painter, const conformal::Points& body, conformal::Points& positions)
 {

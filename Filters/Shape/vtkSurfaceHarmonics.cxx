@@ -210,7 +210,7 @@ std::vector<double> PowerOf(const conformal::Columns& coefficients)
   return { power.begin(), power.end() };
 }
 
-// Whatever is said of the harmonics before they were aligned.
+// Add the field data that describe the harmonics before their alignment.
 void AddSummary(vtkFieldData* data, const conformal::Columns& coefficients,
   const std::vector<ChosenArray>& arrays, const conformal::CoordinateFrame& frame)
 {

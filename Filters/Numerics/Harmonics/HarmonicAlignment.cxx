@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 
 constexpr int ComparedDegree = 12;
 
-// Degrees up to one, or all, without degree 0.
+// Return coefficients up to a degree, or all, without degree 0.
 Columns shapeOf(const Columns& coefficients, int degree)
 {
   Columns shape = coefficients.topRows(std::min(coefficients.rows(), numberOfHarmonics(degree)));
@@ -26,7 +26,7 @@ Columns shapeOf(const Columns& coefficients, int degree)
   return shape;
 }
 
-// The axes of the ellipsoid, by falling length: on the sphere and in space, right-handed.
+// Axes of the ellipsoid by descending length, on the sphere and in space, right-handed.
 struct EllipsoidAxes
 {
   Matrix3d OnSphere = Matrix3d::Identity(); ///< columns
@@ -41,7 +41,7 @@ EllipsoidAxes axesOf(const Columns& coefficients)
   {
     return axes;
   }
-  Matrix3d linear; // of the ellipsoid's point for a place p on the sphere
+  Matrix3d linear; // map from a position p on the sphere to the ellipsoid
   linear.col(0) = coefficients.row(harmonicIndex(1, 1));
   linear.col(1) = coefficients.row(harmonicIndex(1, -1));
   linear.col(2) = coefficients.row(harmonicIndex(1, 0));
@@ -78,7 +78,7 @@ Matrix3d turn(double angle, int axis)
   return AngleAxisd(angle, Vector3::Unit(axis)).toRotationMatrix();
 }
 
-// Turns about which axes the lengths leave open.
+// Return the axes about which rotations are undetermined by the lengths.
 std::vector<int> openAxes(const Vector3& lengths)
 {
   constexpr double alike = 0.9;
@@ -90,7 +90,7 @@ std::vector<int> openAxes(const Vector3& lengths)
   return first ? std::vector<int>{ 2 } : last ? std::vector<int>{ 0 } : std::vector<int>{};
 }
 
-// Close enough for turns of falling size to find the best from there.
+// Return candidates close enough together for a local search of decreasing angles.
 std::vector<Matrix3d> candidateTurns(const std::vector<int>& open)
 {
   std::vector<Matrix3d> turns;

@@ -21,7 +21,7 @@ namespace conformal
 {
 namespace
 {
-// The triangles counter-clockwise on the sphere, seen from outside.
+// Return the triangles counter-clockwise on the sphere seen from outside.
 Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
 {
   Triangles triangles = mesh.Triangles;
@@ -52,8 +52,8 @@ struct SurfaceSamples
 {
   Eigen::VectorXd VertexAreas;
   Columns Values;          ///< on the grid, linear in the triangles
-  Eigen::VectorXd Density; ///< there, area of the surface for area of the sphere
-  Eigen::VectorXd Counted; ///< the same in large triangles, 0 in small ones
+  Eigen::VectorXd Density; ///< on the grid, area of the surface per area of the sphere
+  Eigen::VectorXd Counted; ///< density in large triangles, 0 in small ones
 };
 
 double longestSide(const Points& positions, const Triangles& triangles, Index triangle)
@@ -68,7 +68,7 @@ double longestSide(const Points& positions, const Triangles& triangles, Index tr
   return longest;
 }
 
-// Which triangles are small; their areas go to their vertices.
+// Find the small triangles, and distribute their areas to their vertices.
 std::vector<char> countSmallTriangles(
   const MappedMesh& mesh, const Triangles& triangles, double longest, Eigen::VectorXd& vertexAreas)
 {
@@ -118,15 +118,15 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
         const double area = areaVector(mesh.Positions, triangles, hint).norm();
         const double onSphere = areaVector(mesh.SpherePositions, triangles, hint).norm();
         samples.Density[i] = area / std::max(onSphere, minimumArea);
-        // A node in a sliver stands for no more than the sliver.
+        // A node in a sliver represents at most the area of the sliver.
         samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : area / std::max(onSphere, share);
       }
     });
   return samples;
 }
 
-// Three columns, zeros behind the last, each divided by a power of two so that no column is small
-// beside another.
+// Three columns, padded with zeros, each divided by a power of two so that their magnitudes are
+// similar.
 struct ColumnGroup
 {
   Points Values;
@@ -149,7 +149,7 @@ constexpr int MaximumNumberOfSteps = 200;
 constexpr double WantedAccuracy = 1e-28; // of the square of the residual
 constexpr double MaximumResidual = 1e-8;
 
-// Reports how far the residual has fallen, which it does by a factor from step to step.
+// Progress of the residual, which decreases by a nearly constant factor per step.
 class Descent
 {
 public:
@@ -196,7 +196,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   {
     throw std::invalid_argument("the surface has no area");
   }
-  // Where the surface is shrunk to almost nothing, no more than this is asked of the solution.
+  // Where the surface is almost collapsed, limit the preconditioner.
   const double minimumDensity = 1e-3 * area / (4.0 * Pi);
   const Eigen::VectorXd inverse = samples.Density.cwiseMax(minimumDensity).cwiseInverse();
   const auto timesDensity = [&](const Eigen::VectorXd& factor, const Points& coefficients)

@@ -14,7 +14,8 @@ namespace conformal
 {
 namespace
 {
-// At least so many, with factors that fast Fourier transforms like.
+// Return the smallest number of at least the minimum with small prime factors, for fast Fourier
+// transforms.
 Index smoothNumber(Index minimum)
 {
   for (Index number = (minimum + 3) / 4 * 4;; number += 4)
@@ -34,7 +35,7 @@ Index smoothNumber(Index minimum)
   }
 }
 
-// Of 64 parallels; where there are fewer, the last is repeated.
+// Block of 64 parallels; an incomplete block repeats the last one.
 struct ParallelBlock
 {
   LegendreLane Heights, LogRadii;
@@ -63,7 +64,7 @@ std::vector<ParallelBlock> blocksOf(const std::vector<double>& nodes)
   return blocks;
 }
 
-// Fourier coefficients of each parallel and column, orders up to a degree: of cos and of sin.
+// Fourier coefficients of each parallel and column up to a degree, of cos and of sin.
 class Spectra
 {
 public:

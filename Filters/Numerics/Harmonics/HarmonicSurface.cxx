@@ -10,7 +10,8 @@ namespace conformal
 {
 namespace
 {
-// Six times what the triangles enclose, from any point; positive if they are seen from outside.
+// Compute six times the enclosed volume; positive if triangles are counter-clockwise seen from
+// outside.
 double enclosedVolume(const Points& positions, const Triangles& triangles)
 {
   double volume = 0.0;

@@ -7,11 +7,11 @@ namespace conformal
 {
 namespace
 {
-// Numbers below 2^Tiny are stored as multiples of 2^-Step, so many times that they are above.
+// Values below 2^Tiny are stored multiplied by 2^Step, repeatedly until they are above it.
 constexpr double Tiny = -900.0;
 constexpr double Step = 512.0;
 
-// P_mm at the places of a block, and how many times each was multiplied by 2^Step.
+// P_mm at the heights of a block, and the number of multiplications by 2^Step for each.
 struct Sector
 {
   LegendreLane Values;
@@ -34,7 +34,7 @@ struct Sector
   }
 };
 
-// Takes one multiplication back where numbers have grown.
+// Undo one multiplication where values have grown.
 void rescale(Sector& sector, LegendreLane& before)
 {
   static const double large = std::exp2(Tiny + Step + 88.0), back = std::exp2(-Step);
@@ -93,7 +93,7 @@ void LegendreFunctions::evaluate(
     rescale(current, before);
     for (int i = 0; i < LegendreLanes; ++i)
     {
-      column[i] = current.Scales[i] > 0 ? 0.0 : current.Values[i]; // or less than 2^-812
+      column[i] = current.Scales[i] > 0 ? 0.0 : current.Values[i]; // or below 2^-812
     }
   }
 }

@@ -14,7 +14,7 @@ namespace
 {
 using Waves = Eigen::Array<double, LegendreLanes, 2>; // cos and sin of a multiple of the longitude
 
-// Directions that are evaluated together. Where there are fewer, the last is repeated.
+// Directions evaluated together. An incomplete block repeats the last one.
 struct Block
 {
   LegendreLane Heights, LogRadii;
@@ -33,7 +33,8 @@ struct Block
     }
   }
 
-  // Of a multiple, by the power of a complex number: exact to some m units of the last digit.
+  // Evaluate a multiple by the power of a complex number; the error is about m units of the last
+  // digit.
   Waves wavesOf(int order) const
   {
     Waves waves;
@@ -60,7 +61,7 @@ struct Block
   }
 };
 
-// Coefficients of one order, a row for each degree: those of cos, then those of sin.
+// Return the coefficients of one order, a row for each degree: those of cos, then those of sin.
 Columns coefficientsOfOrder(const Columns& coefficients, int degree, int order)
 {
   const Index columns = coefficients.cols();
@@ -95,7 +96,7 @@ void evaluateBlock(const LegendreFunctions& functions, const std::vector<Columns
   values.middleRows(begin, end - begin) = sum.topRows(end - begin);
 }
 
-// The moments of one order, of some directions.
+// Add the moments of one order over some directions.
 void addMoments(const LegendreFunctions& functions, int order, const std::vector<Block>& blocks,
   const Columns& values, Index begin, Index end, Columns& moments)
 {
@@ -166,8 +167,8 @@ Columns evaluateHarmonics(const Columns& coefficients, const Points& directions,
 //------------------------------------------------------------------------------
 Columns harmonicMoments(const Points& directions, const Columns& values, int degree, const Run& run)
 {
-  // Each order is summed by itself, some directions after the others: in the same order on any
-  // number of threads.
+  // Each order is summed separately over consecutive chunks of directions, so that the order of
+  // summation does not depend on the number of threads.
   constexpr Index chunkSize = Index(32) * LegendreLanes;
   const LegendreFunctions functions(degree);
   Columns moments = Columns::Zero(numberOfHarmonics(degree), values.cols());

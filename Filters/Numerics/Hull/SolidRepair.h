@@ -34,8 +34,7 @@ Index fillCavities(
 struct HandleRepair
 {
   Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
-  Index NumberOfDefiniteNodes =
-    0; ///< cut or filled nodes that the indicator places far inside or far outside
+  Index NumberOfDefiniteNodes = 0; ///< far inside or outside by the indicator
 };
 
 /// Remove the handles of a solid. Each handle is cut through or its opening is filled, whichever

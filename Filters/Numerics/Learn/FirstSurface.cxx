@@ -15,29 +15,29 @@ namespace conformal
 {
 namespace
 {
-// Measured on scans, 12,962 neurons: more of these cost time and gain nothing. What was learned
-// from the sphere fits the samples already.
+// Measured on scans, 12,962 neurons: more turns increase the cost without a gain. A surface learned
+// from the sphere already fits the samples.
 constexpr int TurnsFromSphere = 1, TurnsFromHull = 3, TurnsFromOwnMesh = 1;
 constexpr int IterationsFromSphere = 4, IterationsFromHull = 2;
 
-// A tip lies far from a surface that has not reached it yet. Where the hull leaves samples out,
-// there are others like them near it; what was learned from the sphere has reached all tips.
+// Limb ends are far from a surface that has not reached them. Near samples left out by the hull,
+// there are other outliers. A surface learned from the sphere has reached all limb ends.
 constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays = 0.001;
 
-// A coarse level has most of the webs and stretched triangles that the fitted mesh would have. A
-// start from a hull does not pay for less: share of the area, and of the triangles that are obtuse,
-// a quarter more after the fit (measured).
+// Tolerances for a coarse level, which has most of the webs and stretched triangles of the fitted
+// mesh. A start from a hull costs more than smaller defects. The tolerances are fractions of the
+// area, and of the triangles that are obtuse. The fit adds a quarter to the obtuse ones (measured).
 constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2, ObtuseByFit = 1.25;
 
 constexpr Index Coarser = 4;        // fewer neurons while learning from the sphere
 constexpr int MinimumFrequency = 4; // of that network
 
 // Finer than the hull's default: pockets such as the hollow of an ear fold less often when the
-// surface is drawn into them. Measured: 0.016 is faster by a third, 0.010 no better.
+// surface is pulled into them. Measured: 0.016 is faster by a third, 0.010 no better.
 constexpr double FinestSpacing = 0.012;
 
-// Area of an object whose largest radius is 1. Few samples lie far apart, and a finer grid would
-// have gaps between them. The grid is no finer than half an edge of the mesh.
+// Area of an object of maximum radius 1. Sparse samples would have gaps on a finer grid. The
+// minimum spacing is half an edge of the mesh.
 constexpr double TypicalArea = 5.0, SpacingForEdge = 0.5;
 
 bool spansGapsOrLimbs(
@@ -52,8 +52,8 @@ double edgeFor(double area, Index vertices)
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
 }
 
-/// Spacing of the hull's grid, in units of the largest radius. Winding numbers find no gaps between
-/// samples on a grid that is finer than the samples are dense.
+/// Compute the spacing of the hull's grid, in units of the maximum radius. For winding numbers, the
+/// grid may be finer than the samples are dense.
 double hullSpacing(const TrainingSamples& samples, Index neurons, HullMethod method)
 {
   constexpr double coarsest = GenusZeroHullLimits::MaximumSpacing;
@@ -174,7 +174,7 @@ Points withPointsBetween(const Mesh& surface, Index wanted)
     const Vector3 a = surface.Positions.row(surface.Triangles(r, 0)),
                   ab = Vector3(surface.Positions.row(surface.Triangles(r, 1))) - a,
                   ac = Vector3(surface.Positions.row(surface.Triangles(r, 2))) - a;
-    // Cut into n^2 equal triangles, each with a point in its middle.
+    // Divide into n^2 equal triangles, each with a point at its center.
     const int n = static_cast<int>(std::sqrt(0.5 * ab.cross(ac).norm() / share));
     const auto add = [&](double u, double v)
     {

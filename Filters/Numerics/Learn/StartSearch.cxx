@@ -76,7 +76,7 @@ Points moved(Points points, const TrainingSamples& from, const TrainingSamples& 
   return normalized(restored(std::move(points), from), to);
 }
 
-/// Whether this process has the first of the samples.
+/// Return whether this rank has the first of the samples.
 bool isFirst(const TrainingSamples& samples)
 {
   return samples.size() > 0 && samples.firstOfTotal() == 0;
@@ -272,7 +272,7 @@ private:
     return result;
   }
 
-  /// Return nothing where the sphere is no shape to start from.
+  /// Return nothing if the sphere is not suitable as a start.
   std::optional<ConformalSOMResult> learnFromSphere(const Run& first, const Run& rest) const
   {
     FirstSurface surface;

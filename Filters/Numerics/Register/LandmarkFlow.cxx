@@ -15,10 +15,8 @@ namespace
 constexpr double Met = 1e-6;
 constexpr double RepairedFraction = 0.25;
 constexpr double MinimumFraction = 1.0 / 64.0;
-constexpr double WorthARound =
-  0.95; // maximum ratio of the summed distances after a round of all widths and before
-constexpr double Nearer =
-  1.0 - 1e-6; // maximum ratio of the summed distances after a step and before
+constexpr double WorthARound = 0.95;  // maximum ratio of distances after and before a round
+constexpr double Nearer = 1.0 - 1e-6; // maximum ratio of distances after and before a step
 
 // Compute the rotation vector from one direction to another, limited in length.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)

@@ -24,24 +24,24 @@ namespace
 {
 constexpr int CoarsestFrequency = 8, FeatureFrequency = 20;
 constexpr int NumberOfStarts = 8, NumberKept = 6, NumberOfFinalists = 2;
-constexpr double NearMinimum = 1.05; // what a finalist's score may be above the lowest one
-constexpr double PoseWeight = 3.0;   // of 1 less the correlation of positions, in the score
-constexpr double HoldAtTheEnd = 0.1; // of the sphere's weights
+constexpr double NearMinimum = 1.05; // maximum ratio of a finalist's score to the minimum score
+constexpr double PoseWeight = 3.0;   // weight of 1 minus the correlation of positions in the score
+constexpr double HoldAtTheEnd = 0.1; // factor of the sphere's weights in the last descent
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
-constexpr double Tolerance = 2e-3; // of the energy's fall in a step
+constexpr double Tolerance = 2e-3; // relative decrease of the energy in a step
 constexpr double LandmarkWeight = 200.0;
-constexpr double SphereWeight = 0.2; // of the sphere's metric in the surfaces'
-// Of the mean distance, the areas around and the curvatures, against a stretch of 1.
+constexpr double SphereWeight = 0.2; // share of the sphere's metric added to those of the surfaces
+// Weights of the mean distance, the nearby areas and the curvatures, relative to a stretch of 1.
 constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2, 0.2 };
 const std::vector<double> AreaRadii = { 0.17, 0.35 };
-// Radius to which a curvature is smoothed, and the curvature at which its arc tangent saturates.
+// Smoothing radius of a curvature, and the curvature at which its arc tangent saturates.
 struct CurvatureFeature
 {
   double Scale, Saturation;
 };
 constexpr CurvatureFeature CurvatureFeatures[] = { { 0.21, 8.5 }, { 0.07, 17.0 } };
 
-// A surface of the unit sphere's area, its map turned right side out, with all features.
+// Surface scaled to the area of the unit sphere, with an outward map and all features.
 class PreparedSurface
 {
 public:
@@ -79,7 +79,7 @@ public:
     }
   }
 
-  // In the directions of a geodesic sphere.
+  // Sample the surface in the directions of a geodesic sphere.
   SampledSurface sampled(int frequency) const
   {
     SampledSurface result;
@@ -124,12 +124,12 @@ private:
     normalizeFeatures(this->Shape, vertexAreas(even.Positions, even.Triangles));
   }
 
-  // Means of the given features around a grid's vertices, so that details that it cannot show do
-  // not turn up as others.
+  // Average features around the vertices of a grid, so that details below its resolution are not
+  // aliased.
   Rows averagedOn(const SphereGrid& grid) const
   {
     const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
-    constexpr double few = 1e-6; // of the area: where no vertex is near
+    constexpr double few = 1e-6; // fraction of the area without a nearby vertex
     const double minimum = few * areas.sum() / static_cast<double>(grid.size());
     Rows sums = minimum * sampleAt(this->Own, this->Given, grid.mesh().Positions);
     Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), minimum);
@@ -159,7 +159,7 @@ Points carried(const SphereGrid& grid, const Points& places, const Points& direc
   return result;
 }
 
-// A deformation of the moving surface's sphere, from coarse to fine.
+// Deformation of the moving surface's sphere, from coarse to fine.
 class Registration
 {
 public:
@@ -207,7 +207,7 @@ public:
       candidates.resize(1);
       if (frequency == frequencies.back())
       {
-        // What keeps triangles from folding on the way also keeps the map what it was.
+        // Weights that prevent folds also restrain the map.
         this->Options.Weights.Sphere *= HoldAtTheEnd;
         this->Options.Weights.Barrier *= HoldAtTheEnd;
         this->descendFrom(candidates, sampled, FineSteps, part.part(0.7, 1.0));
@@ -223,7 +223,8 @@ public:
     return carried(this->Grid.Grid, this->Places, directions);
   }
 
-  // Part of the way from the rotation that is closest to the deformation, of all of it.
+  // Interpolate between the rotation closest to the deformation, fraction 0, and the deformation,
+  // 1.
   Points placesAt(double fraction, const Points& directions) const
   {
     const Points& rest = this->Grid.Grid.mesh().Positions;
@@ -247,7 +248,7 @@ private:
   {
     Points Places;
     RegistrationEnergy Energy;
-    double Score = 0.0; // the energy, and what the surfaces differ as rigid ones
+    double Score = 0.0; // energy plus the weighted difference of rigid poses
   };
 
   std::vector<Eigen::Matrix3d> rotations(const Run& run) const
@@ -284,11 +285,12 @@ private:
     return descend(this->Grid, target, this->Pairs, options, places, run);
   }
 
-  // Descend from each of them; the best one comes first.
+  // Descend from each candidate; the best one is moved to the front.
   void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
     int numberOfSteps, const Run& run) const
   {
-    // Few at a time, since each is long and progress is reported in between; one reports its own.
+    // Two descents run concurrently, since each is long and progress is reported in between. A
+    // single one reports its own progress.
     constexpr std::size_t together = 2;
     const auto size = static_cast<double>(candidates.size());
     for (std::size_t start = 0; start < candidates.size(); start += together)
@@ -315,8 +317,8 @@ private:
       [](const Candidate& a, const Candidate& b) { return a.Score < b.Score; });
   }
 
-  // 1 less the correlation of corresponding positions, after the best rotation. A head and a tail
-  // may look alike where nothing but distances along the surface is seen.
+  // Compute 1 minus the correlation of corresponding positions, after the best rotation. It
+  // distinguishes a head from a tail, whose geodesic features may be similar.
   double poseDifference(const Points& places) const
   {
     Points here = this->Grid.Values.leftCols<3>(),
@@ -333,7 +335,8 @@ private:
     return 1.0 - weights.dot(turned.cwiseProduct(there).rowwise().sum());
   }
 
-  // A few steps from each rotation, then all from the best ones: those that end near the lowest.
+  // Run a few steps from each rotation, then full descents from the best ones. Return those that
+  // end near the minimum.
   std::vector<Candidate> bestStarts(const std::vector<Eigen::Matrix3d>& rotations,
     const SampledSurface& target, const Run& run) const
   {
@@ -360,7 +363,7 @@ private:
   Points Before;
 };
 
-// Removes flipped triangles from a map of a mesh.
+// Repair of flipped triangles in a map of a mesh.
 class FoldRepair
 {
 public:
@@ -372,7 +375,7 @@ public:
   {
   }
 
-  // Return whether no triangle is flipped any more.
+  // Return whether no triangle is flipped.
   bool operator()(Points& places) const
   {
     std::vector<Vector3> positions(places.rows());
@@ -396,8 +399,8 @@ private:
   BoundedTriangles Shapes;
 };
 
-// The moving surface's vertices along with a part of the deformation, or with as much of it as
-// leaves no triangle flipped.
+// Move the moving surface's vertices by the largest fraction of the deformation without flipped
+// triangles.
 Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& registration,
   const FoldRepair& repair, double maximum)
 {
@@ -412,11 +415,11 @@ Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& re
     }
   }
   const Points turned = registration.placesAt(0.0, mesh.SpherePositions);
-  // Where not even that leaves them as they are, triangles are as small as rounding.
+  // If even fraction 0 flips triangles, they are as small as rounding errors.
   return countFlippedTriangles(turned, mesh.Triangles) == 0 ? turned : mesh.SpherePositions;
 }
 
-// Landmarks: vertices of the moving surface, where they are, and where they are to be.
+// Landmarks: vertices of the moving surface, their positions, and their targets.
 struct LandmarkPairs
 {
   LandmarkPairs(
@@ -441,7 +444,7 @@ struct LandmarkPairs
       .Transform;
   }
 
-  // The largest distance to a target.
+  // Compute the maximum distance to a target.
   double errorOf(const Points& places) const
   {
     double error = 0.0;
@@ -457,7 +460,7 @@ struct LandmarkPairs
   std::vector<SpherePair> Pairs;
 };
 
-// Weights of the shape's features, where these are used, then of the given ones.
+// Return the weights of the built-in features, if used, then of the given ones.
 std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& featureWeights)
 {
   std::vector<double> weights;
@@ -472,8 +475,8 @@ std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& fea
   return weights;
 }
 
-// The moving surface's vertices along with the deformation and then to the landmarks. Landmarks
-// that cannot be met after the whole deformation may be after less of it.
+// Move the moving surface's vertices by the deformation and then to the landmarks. If the landmarks
+// are unreachable after the whole deformation, smaller fractions are tried.
 Points carriedToLandmarks(const PreparedSurface& moving, const Registration& registration,
   const LandmarkPairs& landmarks, Index& numberOfUnmet, const Run& run)
 {
@@ -502,7 +505,7 @@ Points carriedToLandmarks(const PreparedSurface& moving, const Registration& reg
   return best;
 }
 
-// The closest rotation or Moebius transform to a deformation.
+// Fit a rotation or Moebius transform to a deformation.
 MoebiusTransform transformOf(const Registration& registration, AlignmentKind kind, const Run& run)
 {
   const SampledSurface& grid = registration.Grid;

@@ -19,12 +19,13 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-// Positions on the sphere are rounded, in files to floats: a smaller weight is one of 0.
+// Positions on the sphere are rounded, in files to floats, so that smaller weights are treated as
+// 0.
 constexpr double MinimumWeight = 1e-7;
 
 using Parts = std::vector<std::pair<int, double>>;
 
-/// @return folds
+/// @return number of folds
 Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
 {
   const Index open = countOpenEdges(mesh.Triangles, mesh.SpherePositions.rows(), run.unwatched());
@@ -45,7 +46,7 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
                              : mesh.Triangles.rows() - coverage.NumberOfFolds;
 }
 
-/// For each direction the corners of the closest triangle.
+/// Find the closest triangle for each direction, and return its corners with barycentric weights.
 std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, const Run& run)
 {
   Steps steps(run, { 0.5, 0.5 }); // tree, foot points
@@ -69,7 +70,7 @@ std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, c
   return parts;
 }
 
-/// For each point of the target the points of the source that lie in its triangles.
+/// Return the source points in the triangles of each target point.
 std::vector<Parts> partsBack(const MappedMesh& source, const MappedMesh& target, const Run& run)
 {
   std::vector<char> isUsed(source.SpherePositions.rows(), 0);
@@ -125,7 +126,7 @@ void scaleByAreas(std::vector<Parts>& rows, const MappedMesh& source, const Mapp
       weight *= sums[id] > 0.0 ? area * sourceAreas[id] / sums[id] : 0.0;
       sum += weight;
     }
-    if (sum > 0.0) // else there are no areas to go by
+    if (sum > 0.0) // otherwise, no areas are defined
     {
       rows[i] = std::move(scaled);
     }

@@ -57,7 +57,7 @@ void requireUsable(const std::vector<TemplateInput>& inputs)
   }
 }
 
-// A template by its surfaces, one step after the other.
+// Steps of the construction of a template.
 class TemplateSearch
 {
 public:
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  // Each surface with another one; that one is left as it is.
+  // Register each surface with one of them; that one is left unchanged.
   Registrations registeredWith(std::size_t one, const Run& run) const
   {
     return this->registered(this->Inputs[one].Surface, this->Inputs[one].Landmarks, one, run);
@@ -88,7 +88,7 @@ public:
     return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), run);
   }
 
-  // Of positions and features, as the surface in front lies.
+  // Average positions and features, aligned to the first surface.
   RegisteredSurface meanOf(
     const Registrations& registrations, std::size_t front, const Run& run) const
   {
@@ -107,8 +107,8 @@ public:
     return mean;
   }
 
-  // Of all shapes, of which an earlier one is taken unless a later one is closer by more than
-  // rounding.
+  // Find the surface closest to the mean of all shapes. Of surfaces equal up to rounding, the first
+  // is returned.
   std::size_t closestToMean(const Registrations& registrations, const Run& run) const
   {
     Steps steps(run, { 1.0, 1.0 });
@@ -173,7 +173,7 @@ private:
     return result;
   }
 
-  // The mean's vertices for them, each once.
+  // Find a distinct vertex of the mean for each landmark.
   std::vector<int> landmarksOf(const RegisteredSurface& mean, const Registrations& last) const
   {
     const Points& vertices = mean.Surface.SpherePositions;
@@ -187,7 +187,7 @@ private:
         place += last[s].SpherePositions.row(this->Inputs[s].Landmarks[i]);
       }
       const Eigen::VectorXd closeness = vertices * place;
-      int closest = 0; // or the first that is not taken yet
+      int closest = 0; // or the first vertex not yet used
       for (Index v = 0; v < vertices.rows(); ++v)
       {
         if (!isTaken[v] && (isTaken[closest] || closeness[v] > closeness[closest]))
@@ -253,7 +253,7 @@ private:
   std::vector<Rows> Features; // normalized
 };
 
-// Rms distance over the rms radius.
+// Compute the rms distance over the rms radius.
 double changeOf(const MappedMesh& mean, const MappedMesh& last)
 {
   const Eigen::VectorXd areas = vertexAreas(mean.Positions, mean.Triangles);

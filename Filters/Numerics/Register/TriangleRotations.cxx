@@ -32,7 +32,7 @@ struct Flat
   Eigen::Matrix2d Edges;
 };
 
-/// @return false if it has no area
+/// @return false if it has zero area
 bool flatten(const Eigen::Matrix3d& corners, Flat& flat)
 {
   constexpr double minimumArea = 1e-12; // of the square of an edge
@@ -50,7 +50,7 @@ bool flatten(const Eigen::Matrix3d& corners, Flat& flat)
   return true;
 }
 
-/// Of all vectors of a rotation the one closest to another vector.
+/// Return the rotation vector closest to another vector, among those that differ by full turns.
 Vector3 closestVector(const Vector3& shortest, const Vector3& other)
 {
   const double angle = shortest.norm(), turn = 2.0 * Pi;
@@ -65,19 +65,19 @@ Vector3 closestVector(const Vector3& shortest, const Vector3& other)
   return (angle + turn * std::round((axis.dot(other) - angle) / turn)) * axis;
 }
 
-/// Grows with the angle between two rotations.
+/// Compute a measure that increases with the angle between two rotations.
 double differenceOf(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b)
 {
   return (a - b).squaredNorm();
 }
 
-/// From triangle to triangle, those that turn most alike first.
+/// Propagate from triangle to triangle, the most similar rotations first.
 void followNeighbors(const Triangles& neighbors, const std::vector<Eigen::Matrix3d>& rotations,
   std::vector<Vector3>& vectors, const Run& run)
 {
   const auto size = static_cast<Index>(vectors.size());
   constexpr Index reportEvery = 16384;
-  using Step = std::tuple<double, int, int>; // difference, triangle, the neighbor it comes from
+  using Step = std::tuple<double, int, int>; // difference, triangle, neighbor of origin
   std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
   std::vector<char> isDone(size, 0);
   std::vector<int> order(size);
@@ -88,7 +88,7 @@ void followNeighbors(const Triangles& neighbors, const std::vector<Eigen::Matrix
   std::stable_sort(order.begin(), order.end(),
     [&](int a, int b) { return vectors[a].squaredNorm() < vectors[b].squaredNorm(); });
   Index done = 0;
-  for (const int seed : order) // one is enough where the mesh is in one piece
+  for (const int seed : order) // a connected mesh needs one seed
   {
     if (isDone[seed] == 0)
     {

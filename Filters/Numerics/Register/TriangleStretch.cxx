@@ -12,7 +12,8 @@ namespace
 {
 using Matrix2 = Eigen::Matrix2d;
 
-// |J|^2 a^2 for the map between two metrics, and |J^-1|^2 b^2: a form that is linear in either.
+// Compute |J|^2 a^2 for the map between two metrics, or |J^-1|^2 b^2: a form that is linear in
+// either metric.
 double mixed(const TriangleMetric& g, const TriangleMetric& h)
 {
   return g[0] * h[2] + g[2] * h[0] - 2.0 * g[1] * h[1];
@@ -51,12 +52,12 @@ TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangl
   const TriangleMetric h = { now.P.squaredNorm(), now.P.dot(now.Q), now.Q.squaredNorm() };
   const double a = areaOf(rest), b = areaOf(h), product = mixed(rest, h);
   const double inverses = 1.0 / (a * a) + 1.0 / (b * b), cube = b * b * b;
-  // By the product and by b.
+  // Derivatives by the product and by b.
   const double byProduct = 0.125 * (a + b) * inverses;
   const double byArea = 0.125 * product * inverses - 2.0 - 0.25 * (a + b) * product / cube;
   const double byBoth = 0.125 * inverses - 0.25 * (a + b) / cube;
   const double byAreaTwice = -0.5 * product / cube + 0.75 * (a + b) * product / (cube * b);
-  // Those by the entries of h.
+  // Derivatives of both by the entries of h.
   const Vector3 productSlope = { rest[2], -2.0 * rest[1], rest[0] },
                 areaSlope = Vector3(h[2], -2.0 * h[1], h[0]) / (8.0 * b);
   Eigen::Matrix3d areaCurve = -areaSlope * areaSlope.transpose() / b;
@@ -95,7 +96,7 @@ TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangl
   TriangleForm form;
   form.Slope = (entries * planar).transpose() * slope;
   form.Stiffness = planar.transpose() * withoutNegative(inPlane) * planar;
-  // Across the plane only the tension counts.
+  // Only tension contributes across the plane.
   tension = withoutNegative(tension);
   const std::array<const Eigen::Matrix<double, 6, 6>*, 2> edges = { &now.PByUnknowns,
     &now.QByUnknowns };

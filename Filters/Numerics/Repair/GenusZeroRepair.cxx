@@ -31,7 +31,7 @@ void requireFinite(const PointView& points, const Triangles& triangles)
   }
 }
 
-// A loop's place, before it is closed.
+// Record the location of a loop before it is closed.
 RepairLoop describeLoop(
   const GluedSurface& surface, const std::vector<int>& loop, const LoopCap& cap, double wholeArea)
 {
@@ -60,7 +60,7 @@ double surfaceArea(const GluedSurface& surface)
   return area;
 }
 
-// Six times the volume.
+// Compute six times the volume.
 double volumeOf(const GluedSurface& surface)
 {
   const Vector3 origin = surface.Positions.front();
@@ -107,7 +107,8 @@ void turnOver(GluedSurface& surface)
   }
 }
 
-// Of all sides. Loops go over what fills a hole that stays open only if there is no other way.
+// Compute the lengths of all sides. Fillings of holes that remain open are expensive, so that loops
+// cross them only if there is no other path.
 std::vector<double> sideLengths(const GluedSurface& surface)
 {
   constexpr double detour = 1e6;
@@ -128,8 +129,8 @@ std::vector<double> sideLengths(const GluedSurface& surface)
   return lengths;
 }
 
-// A loop around a handle has the handle's inside within it, one through a handle the outside: there
-// its middle is where the normals point to.
+// Return whether a loop passes through a handle. A loop around a handle encloses the inside, one
+// through a handle the outside: its center then lies on the side of the normals.
 bool isTunnel(const GluedSurface& surface, const std::vector<int>& loop)
 {
   Vector3 middle = Vector3::Zero();
@@ -159,7 +160,7 @@ void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& do
   const auto whole = static_cast<double>(numberOfHandles(surface));
   for (Index left = numberOfHandles(surface); left > 0; left = numberOfHandles(surface))
   {
-    // Most are found the first time.
+    // The first search finds most handles.
     const double begin = 1.0 - static_cast<double>(left) / whole;
     const std::vector<HandleLoop> loops =
       findHandleLoops(surface, sideLengths(surface), run.part(begin, 0.2 * begin + 0.8));
@@ -177,7 +178,7 @@ void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& do
   }
 }
 
-// What is left in the end: what was there before, then what was added.
+// Assemble the result: original vertices and triangles first, then added ones.
 void collect(const GluedSurface& surface, GenusZeroRepairResult& result)
 {
   std::vector<int> triangles, vertices(surface.PointIds.size()), places(surface.PointIds.size());

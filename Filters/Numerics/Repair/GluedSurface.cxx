@@ -16,7 +16,7 @@ namespace conformal
 {
 namespace
 {
-// A side of a triangle by the edge that it lies on and the corner across from it.
+// Half-edge, identified by its edge and its opposite corner.
 struct EdgeSide
 {
   int Low, High, Apex, Side;
@@ -36,7 +36,7 @@ struct EdgeSide
 using EdgeSides = std::vector<EdgeSide>;
 using Group = EdgeSides::const_iterator;
 
-// Sides of one edge lie next to each other. First put together by their smaller id, then sorted.
+// Sort sides by edge: first distribute them by the smaller id, then sort each group.
 EdgeSides sidesByEdge(const int* corners, const std::vector<int>& triangles, Index numberOfVertices)
 {
   std::vector<int> ends(numberOfVertices + 1, 0);
@@ -78,8 +78,8 @@ void forEachEdge(const EdgeSides& sides, const Body& body)
   }
 }
 
-// Connected triangles, and for each whether it is turned over relative to the first one of its set.
-// Triangle r is id r as it is, and id r + Size when turned over.
+// Connected sets of triangles, with the relative orientation of each triangle. Triangle r is id r
+// as given, and id r + Size if reversed.
 class TurnedSets
 {
 public:
@@ -89,13 +89,13 @@ public:
   {
   }
 
-  // Return the smallest triangle of the set of a triangle.
+  // Return the smallest triangle in the set of a triangle.
   int first(int r) { return std::min(this->Sets.find(r), this->Sets.find(r + this->Size)); }
 
   bool isTurned(int r) { return this->Sets.find(r) > this->Sets.find(r + this->Size); }
 
-  // Connect two triangles, one turned over relative to the other or not. Return false, and do
-  // nothing, if they are connected already the other way.
+  // Connect two triangles with equal or opposite orientation. Return false, without a change, if
+  // they are already connected with the other orientation.
   bool join(int a, int b, bool turned)
   {
     const int same = turned ? b + this->Size : b, opposite = turned ? b : b + this->Size;
@@ -113,7 +113,7 @@ private:
   DisjointSets Sets;
 };
 
-// Of a triangle on an edge, the direction away from the edge.
+// Return the direction from the edge into a triangle.
 Vector3 awayFromEdge(const PointView& points, const EdgeSide& side)
 {
   const Vector3 a = points[side.Low];
@@ -121,12 +121,12 @@ Vector3 awayFromEdge(const PointView& points, const EdgeSide& side)
   return (apex - apex.dot(edge) * edge).normalized();
 }
 
-// Two sides of one edge that may be glued, in the order in which that is tried.
+// Two sides of one edge that may be glued, ordered by preference.
 struct SidePair
 {
-  bool Disagree; // in orientation, as far as that is known
-  double Bend;   // -1 for triangles that go on straight, 1 for those that lie on each other
-  bool Apart;    // of two parts, as of bodies that only touch
+  bool Disagree; // whether the known orientations are inconsistent
+  double Bend;   // -1 for coplanar continuation, 1 for triangles folded onto each other
+  bool Apart;    // of two parts, such as touching bodies
   int First, Second;
 
   bool operator<(const SidePair& other) const
@@ -158,10 +158,10 @@ std::vector<SidePair> pairsOf(const PointView& points, Group first, Group last,
   return pairs;
 }
 
-// For each triangle whether it is turned to agree with the most of its part.
+// Return for each triangle whether it is reversed to agree with the majority of its part.
 std::vector<char> turnedTriangles(const std::vector<int>& used, Index size, TurnedSets& parts)
 {
-  std::vector<Index> majority(size, 0); // by the first of a part: those not turned less the turned
+  std::vector<Index> majority(size, 0); // by first triangle: kept minus reversed ones
   for (const int r : used)
   {
     majority[parts.first(r)] += parts.isTurned(r) ? -1 : 1;
@@ -174,11 +174,11 @@ std::vector<char> turnedTriangles(const std::vector<int>& used, Index size, Turn
   return isTurned;
 }
 
-// All triangles glued, before a part is chosen.
+// All glued triangles, before the selection of a part.
 struct Gluing
 {
-  std::vector<int> Across;    // by sides of the input as they are, whether or not turned later
-  std::vector<int> Conflicts; // triangles at edges that no turning makes agree
+  std::vector<int> Across;    // by sides of the input, before any reversal
+  std::vector<int> Conflicts; // triangles at edges that no orientation makes consistent
 };
 
 Gluing glueSides(const PointView& points, const EdgeSides& sides, const std::vector<int>& used,
@@ -204,7 +204,7 @@ Gluing glueSides(const PointView& points, const EdgeSides& sides, const std::vec
         result.Conflicts.push_back(first->Side / 3);
       }
     });
-  // Only now is it known how most triangles turn.
+  // The majority orientation is determined only after all edges are glued.
   const std::vector<char> isTurned = turnedTriangles(used, numberOfTriangles, parts);
   forEachEdge(sides,
     [&](Group first, Group last)
@@ -225,7 +225,7 @@ Gluing glueSides(const PointView& points, const EdgeSides& sides, const std::vec
   return result;
 }
 
-// Triangles that a surface can be made of.
+// Return the triangles without repeated points and duplicates.
 std::vector<int> usableTriangles(
   const Triangles& triangles, Index numberOfPoints, EdgeSides& sides, GluingReport& report)
 {
@@ -259,7 +259,7 @@ std::vector<int> usableTriangles(
   return used;
 }
 
-// The first triangle of the part of the largest area.
+// Find the first triangle of the part of largest area.
 int largestPart(const PointView& points, const Triangles& triangles, const std::vector<int>& used,
   TurnedSets& parts, GluingReport& report)
 {
@@ -290,7 +290,7 @@ int largestPart(const PointView& points, const Triangles& triangles, const std::
   return largest;
 }
 
-// A vertex for each fan of triangles, in the order of the points.
+// Make one vertex for each fan of triangles, in the order of the points.
 void makeVertices(GluedSurface& surface, const PointView& points)
 {
   std::vector<int> vertices(surface.Corners.size(), -1), pointIds;
@@ -330,7 +330,8 @@ void makeVertices(GluedSurface& surface, const PointView& points)
   }
 }
 
-// Turned triangles have their second and third corner swapped, so their sides 0 and 2.
+// Return the side of a reversed triangle, whose second and third corners are swapped, and so are
+// sides 0 and 2.
 int sideIfTurned(int side, bool turned)
 {
   return turned ? side - side % 3 + 2 - side % 3 : side;
@@ -350,7 +351,7 @@ int addTriangle(GluedSurface& surface, int a, int b, int c, int triangleId)
   return 3 * (surface.numberOfTriangles() - 1);
 }
 
-// @param[in] parents  vertices between which it lies
+// @param[in] parents  vertices of which it is the mean
 int addVertex(GluedSurface& surface, const Vector3& position, const std::vector<int>& parents)
 {
   std::vector<int> points;
@@ -375,7 +376,7 @@ int addCopy(GluedSurface& surface, int vertex)
   return surface.numberOfVertices() - 1;
 }
 
-// Whether an edge joins the vertex from which a side runs to another one.
+// Return whether an edge joins the start of a side to another vertex.
 bool reaches(const GluedSurface& surface, int side, int vertex)
 {
   int other = side;
@@ -398,7 +399,7 @@ bool reaches(const GluedSurface& surface, int side, int vertex)
   return false;
 }
 
-// Corner j of the cap of a loop is where this side of the loop begins.
+// Return the side of a loop that begins at corner `corner` of its cap.
 int placeInLoop(int corner, int size)
 {
   return (size - corner) % size;
@@ -582,8 +583,7 @@ std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop)
     surface.Across[surface.Across[side]] = -1;
     surface.Across[side] = -1;
   }
-  // Each side on the right begins at a vertex where the fan on the right is open now: it ends with
-  // that side.
+  // Each side on the right begins at a vertex whose right fan is now open and ends with that side.
   for (const int first : right)
   {
     const int vertex = addCopy(surface, surface.from(first));
@@ -602,7 +602,7 @@ Index splitDoubleEdges(GluedSurface& surface)
   std::iota(all.begin(), all.end(), 0);
   const EdgeSides sides =
     sidesByEdge(surface.Corners.data(), all, static_cast<Index>(surface.Positions.size()));
-  std::vector<int> doubles; // one side of each edge that has to be split
+  std::vector<int> doubles; // one side of each edge to be split
   forEachEdge(sides,
     [&](Group first, Group last)
     {
@@ -622,7 +622,7 @@ Index splitDoubleEdges(GluedSurface& surface)
     const Vector3 middle =
       0.5 * surface.Positions[surface.from(side)] + 0.5 * surface.Positions[surface.to(side)];
     const int vertex = addVertex(surface, middle, { surface.from(side), surface.to(side) });
-    // Each triangle keeps its side up to the new vertex; the rest becomes a triangle of its own.
+    // Each triangle keeps its side up to the new vertex; the rest becomes a new triangle.
     std::array<int, 2> rest = {};
     for (const int k : { 0, 1 })
     {

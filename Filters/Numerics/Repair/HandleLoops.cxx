@@ -16,12 +16,13 @@ namespace conformal
 {
 namespace
 {
-/// What tells loops apart: the sum, modulo 2, of the classes of a loop's edges does not change when
-/// the loop is moved over triangles. That of a loop that cuts a piece off is 0. The 2 g binary
-/// numbers that say all are hashed to so many, which keeps sums: what differs here does differ.
+/// Homology class of a loop: the sum, modulo 2, of the classes of its edges, which is invariant
+/// when the loop moves over triangles. It is 0 for separating loops. The exact class has 2 g bits.
+/// These are hashed to a fixed number of bits, which preserves sums: loops with different hashes
+/// have different classes.
 using LoopClass = std::bitset<256>;
 
-// The vertices around each vertex, with the edges to them.
+// Adjacent vertices of each vertex, with the connecting edges.
 struct SidesOfVertices
 {
   std::vector<int> Begin, Sides; // those from vertex v: Sides[Begin[v]] to Sides[Begin[v + 1] - 1]
@@ -43,7 +44,7 @@ struct SidesOfVertices
   }
 };
 
-// A surface with the lengths and classes of its edges.
+// Surface with the lengths and classes of its edges.
 struct LoopSpace
 {
   LoopSpace(const GluedSurface& surface, const std::vector<double>& lengths)
@@ -71,7 +72,7 @@ using Queue = std::priority_queue<Place, std::vector<Place>, std::greater<Place>
 struct PathTree
 {
   std::vector<double> Distances;
-  std::vector<int> SidesTo; // by which each vertex is reached; -1 for the first
+  std::vector<int> SidesTo; // side by which each vertex is reached; -1 for the first
 };
 
 PathTree shortestPaths(const LoopSpace& space, int root)
@@ -105,7 +106,7 @@ PathTree shortestPaths(const LoopSpace& space, int root)
   return tree;
 }
 
-// The loop of a side and the paths to its ends, without what these have in common.
+// Return the loop of a side and the paths to its ends, without their common part.
 HandleLoop loopOf(const LoopSpace& space, const std::vector<int>& sidesTo, int side)
 {
   const auto pathTo = [&](int vertex)
@@ -139,9 +140,9 @@ HandleLoop loopOf(const LoopSpace& space, const std::vector<int>& sidesTo, int s
   return loop;
 }
 
-// One side of each edge that is neither in the tree of paths nor in one of triangles across the
-// other edges: 2 g of them. Edges of long loops go into the latter first, so that those of short
-// loops are left.
+// Return one side of each of the 2 g edges outside of both trees: the tree of paths, and a tree of
+// triangles across the other edges. Edges of long loops are added to the second tree first, so that
+// those of short loops remain.
 std::vector<int> looseEdges(
   const LoopSpace& space, const PathTree& paths, std::vector<char>& isCrossed)
 {
@@ -181,8 +182,9 @@ std::vector<int> looseEdges(
   return loose;
 }
 
-// Each loose edge closes a loop across edges, through the tree of triangles, that crosses its own
-// loop once, and those of the others never. What crosses an edge is its class.
+// Set the classes of edges. Each remaining edge defines a loop across edges, through the tree of
+// triangles. It crosses its own loop once, and those of the other edges never. An edge gets the
+// class of the loops that cross it.
 void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vector<char>& isCrossed)
 {
   const GluedSurface& surface = space.Surface;
@@ -205,8 +207,8 @@ void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vect
     sums[side / 3] ^= own;
     sums[surface.Across[side] / 3] ^= own;
   }
-  std::vector<int> order = { 0 }; // of triangles, each behind the one that it was reached from
-  std::vector<int> entries(surface.numberOfTriangles(), -1); // the side by which it was
+  std::vector<int> order = { 0 }; // of triangles, each after its predecessor
+  std::vector<int> entries(surface.numberOfTriangles(), -1); // side to each triangle
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const int triangle = order[i];
@@ -232,7 +234,7 @@ void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vect
   }
 }
 
-// Looks for short loops that cut no piece off, around one vertex after another.
+// Search for short nonseparating loops through given vertices.
 class LoopSearch
 {
 public:
@@ -243,8 +245,8 @@ public:
   {
   }
 
-  /// The shortest such loop through a vertex, or a part of it that is one.
-  /// @param[in,out] best  replaced if it is longer
+  /// Find the shortest nonseparating loop through a vertex, or a nonseparating part of it.
+  /// @param[in,out] best  replaced by a shorter loop
   bool shorten(int root, HandleLoop& best)
   {
     this->Number += 2;
@@ -266,7 +268,7 @@ public:
       {
         continue;
       }
-      here.Number = this->Number + 1; // its distance is final
+      here.Number = this->Number + 1; // the distance is final
       for (int i = this->Space.Around.Begin[vertex]; i < this->Space.Around.Begin[vertex + 1]; ++i)
       {
         const int side = this->Space.Around.Sides[i], other = this->Space.Surface.to(side);
@@ -305,7 +307,7 @@ public:
 private:
   struct Visit
   {
-    int Number = -1; // of the search in which it was reached; one more if that is final
+    int Number = -1; // search in which it was reached; one more if its distance is final
     double Distance = 0.0;
     LoopClass Class; // of the path
   };
@@ -322,7 +324,7 @@ private:
   int Number = 0;
 };
 
-// Vertices along a loop, so far apart.
+// Select vertices along a loop at a given spacing.
 std::vector<int> placesAlong(const LoopSpace& space, const HandleLoop& loop, double spacing)
 {
   std::vector<int> places;
@@ -339,8 +341,8 @@ std::vector<int> placesAlong(const LoopSpace& space, const HandleLoop& loop, dou
   return places;
 }
 
-// The shortest loop that is found along the one of a loose edge. A shorter one crosses that, since
-// else it would be no loop of this handle; then it slides to where it is shortest.
+// Find the shortest loop near that of a remaining edge. A shorter loop of the same handle must
+// cross it. The loop then slides to where it is shortest.
 HandleLoop shortestAlong(
   const LoopSpace& space, const PathTree& paths, int edge, LoopSearch& search)
 {
@@ -365,8 +367,8 @@ HandleLoop shortestAlong(
   return best;
 }
 
-// The same loop from its smallest vertex on, towards the smaller of the two beside it: it does not
-// matter from where it was found.
+// Rotate a loop to begin at its smallest vertex, toward the smaller neighbor, so that it does not
+// depend on the start of the search.
 void order(const GluedSurface& surface, HandleLoop& loop)
 {
   const auto bySmallest = [&]()
@@ -388,11 +390,11 @@ void order(const GluedSurface& surface, HandleLoop& loop)
   }
 }
 
-// Sums of some of the classes taken so far.
+// Linear span of the classes added.
 class ClassBasis
 {
 public:
-  /// False if it is one of these sums already.
+  /// Return false if the class is already in the span.
   bool add(LoopClass value)
   {
     for (const auto& [pivot, row] : this->Rows)
@@ -421,7 +423,7 @@ private:
 //------------------------------------------------------------------------------
 Index numberOfHandles(const GluedSurface& surface)
 {
-  // Three sides of a triangle, two of an edge.
+  // A triangle has three sides, an edge two.
   const Index euler = surface.numberOfVertices() - surface.numberOfTriangles() / 2;
   return (2 - euler) / 2;
 }

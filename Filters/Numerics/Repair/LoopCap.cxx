@@ -11,7 +11,8 @@ namespace conformal
 {
 namespace
 {
-// Weighted by the length of the edges, so that it does not depend on how densely they are divided.
+// Compute the center, weighted by edge lengths, so that it does not depend on the subdivision of
+// the edges.
 Vector3 middleOf(const Points& corners)
 {
   Vector3 sum = Vector3::Zero();
@@ -26,12 +27,12 @@ Vector3 middleOf(const Points& corners)
   return length > 0.0 ? Vector3(sum / length) : Vector3(corners.row(0));
 }
 
-// A ring of vertices: what they are, and the corners nearest to each.
+// Ring of vertices, with the corners nearest to each.
 struct CapRing
 {
   std::vector<int> Ids;
   std::vector<std::pair<int, int>> Parents;
-  Points Around; ///< before they were drawn to the middle: means of the corners' places
+  Points Around; ///< before contraction to the center: means of the corners' positions
 
   int size() const { return static_cast<int>(this->Ids.size()); }
 };
@@ -49,7 +50,8 @@ CapRing outermost(const Points& corners)
   return ring;
 }
 
-// Every vertex of the inner ring stands behind two of the outer one, the last perhaps behind one.
+// Make the inner ring: each vertex is adjacent to two of the outer ring, the last one possibly to
+// one.
 CapRing halved(const CapRing& outer, int firstId)
 {
   const int count = (outer.size() + 1) / 2;
@@ -97,7 +99,7 @@ Triangles toTriangles(const Corners& corners)
     corners.empty() ? nullptr : corners.front().data(), static_cast<Index>(corners.size()), 3);
 }
 
-// Rings until one has no more than so many vertices, which a fan closes.
+// Make rings until one has at most the given number of vertices, which a fan closes.
 LoopCap ringsOf(const Points& corners, int maximumOfFan)
 {
   constexpr double pitch = 1.3 * 2.0 * Pi; // of rings, in edges of the outer one, around a circle
@@ -140,7 +142,7 @@ Points positionsOf(const LoopCap& cap, const Points& corners)
   return all;
 }
 
-// Whether some triangle is turned away from where the cap as a whole looks.
+// Return whether a triangle is oriented against the mean normal of the cap.
 bool folds(const LoopCap& cap, const Points& corners)
 {
   const Points positions = positionsOf(cap, corners);

@@ -16,10 +16,9 @@ namespace conformal
 /// are oriented as the loop; each edge of the loop belongs to one triangle.
 struct LoopCap
 {
-  conformal::Triangles Triangles; ///< #T by 3
-  Points Added;                   ///< #A by 3 positions
-  std::vector<std::pair<int, int>>
-    Parents; ///< #A: the range [first, last) of corners nearest to each
+  conformal::Triangles Triangles;           ///< #T by 3
+  Points Added;                             ///< #A by 3 positions
+  std::vector<std::pair<int, int>> Parents; ///< #A: range [first, last) of the nearest corners
 };
 
 /// Fill a loop with rings of vertices, each with half as many as the one around it, and a fan at

@@ -22,8 +22,7 @@ struct GuYauResult
   Index NumberOfIterations = 0;              ///< of both phases
   bool Converged = false;                    ///< both phases ended by the tolerance
   Index NumberOfNegativeStringConstants = 0; ///< edges opposite to two angles with a sum above pi
-  Index NumberOfInfiniteStringConstants =
-    0; ///< edges of triangles of zero area; these edges exert no force
+  Index NumberOfInfiniteStringConstants = 0; ///< edges of triangles of zero area; exert no force
 };
 
 /// Minimize the harmonic energy from the Gauss map \cite Gu2004, \cite Liou2008 section 4.1. The

@@ -94,8 +94,7 @@ public:
         for (Index r = begin; r < end; ++r)
         {
           const auto [z, weight, wanted] = this->beltrami(r);
-          const double maximum =
-            robustly ? MaximumSquared : 1.0; // above 1, the triangle is flipped
+          const double maximum = robustly ? MaximumSquared : 1.0; // flipped above 1
           if (!(weight > 0.0) || std::norm(z) > radius * radius || !(std::norm(wanted) < maximum))
           {
             continue;

@@ -23,12 +23,12 @@ using Blocks = std::vector<Eigen::Matrix3d>;
 
 constexpr double OutlierRatio = 6.0;
 constexpr double NormalShare = 0.1;   // of the smoothness, for the normals
-constexpr double MaximumTilt = 0.5;   // of a normal in one round
-constexpr double MaximumSlant = 0.95; // cosine, below which a foot lies on a crease
+constexpr double MaximumTilt = 0.5;   // of a normal in one iteration
+constexpr double MaximumSlant = 0.95; // cosine, below which a foot point lies on a crease
 constexpr int MaximumNumberOfSteps = 60;
 constexpr double Accuracy = 1e-8; // of the square of the preconditioned residual
 
-/// Two directions across each normal.
+/// Two directions perpendicular to each normal.
 struct Frame
 {
   Vector3 N, E1, E2;
@@ -56,7 +56,8 @@ std::vector<Frame> framesOf(const CurvedTriangles& surface, const Adjacency& nei
   return frames;
 }
 
-/// The normal equations: for every triangle 9 by 9, gathered to blocks of vertex and neighbor.
+/// Normal equations: a 9 by 9 matrix for every triangle, assembled into blocks of vertex and
+/// neighbor.
 class Equations
 {
 public:
@@ -86,10 +87,10 @@ public:
     this->Sums.back() += weight;
   }
 
-  /// All that was added, and nothing else, to be carried on by another process.
+  /// Return the sums so far, to be continued by another rank.
   std::vector<double>& sums() { return this->Sums; }
 
-  /// The weight of all that was added.
+  /// Return the total weight so far.
   double weight() const { return this->Sums.back(); }
 
   /// @return the right-hand side
@@ -177,7 +178,7 @@ private:
   Blocks Diagonal, Across;
 };
 
-/// Preconditioned by the blocks of the vertices.
+/// Solve by conjugate gradients, preconditioned with the diagonal blocks of the vertices.
 Unknowns solve(Equations& equations, Unknowns right, double stiffness, const Run& run)
 {
   Blocks inverse = equations.diagonal();
@@ -198,7 +199,7 @@ Unknowns solve(Equations& equations, Unknowns right, double stiffness, const Run
   return conjugateGradients(right, product, precondition, { MaximumNumberOfSteps, Accuracy }, run);
 }
 
-/// How a point of a triangle, seen along a direction, moves with the unknowns of its corners.
+/// Compute the derivative of a triangle point along a direction by the unknowns of its corners.
 Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::vector<Frame>& frames,
   const FootPoint& foot, const Vector3& direction)
 {
@@ -231,8 +232,8 @@ Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::ve
   return row;
 }
 
-/// The feet of all samples on all threads, handed out in order on the calling one. Several
-/// processes keep theirs until it is their turn to carry on the sums of the body.
+/// Find the foot points of all samples on all threads, and deliver them in order on the calling
+/// one. With several ranks, each stores its foot points until the sums of the previous rank arrive.
 template <typename Body>
 void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
   std::vector<int>& hints, std::vector<double>& sums, const Run& run, Body body)
@@ -274,7 +275,7 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
   }
 }
 
-/// Lengths in the samples' unit, or back in their own.
+/// Convert lengths to the samples' normalized unit, or back.
 CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& samples, bool restore)
 {
   Points positions = surface.positions();
@@ -286,7 +287,7 @@ CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& sa
   return CurvedTriangles(positions, surface.normals(), surface.triangles());
 }
 
-/// The surface with the unknowns taken in.
+/// Apply the unknowns to a surface.
 CurvedTriangles moved(
   const CurvedTriangles& surface, const std::vector<Frame>& frames, const Unknowns& step)
 {
@@ -303,7 +304,7 @@ CurvedTriangles moved(
   return CurvedTriangles(positions, normals, surface.triangles());
 }
 
-/// What holds the surface where samples do not.
+/// Add the regularization, which determines the surface without samples.
 void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames, double stiffness,
   double minimum, Equations& equations, Unknowns& right)
 {
@@ -318,7 +319,8 @@ void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames,
   }
 }
 
-/// A cloud may cover a part of the surface, or more than it, but not be of another unit.
+/// Throw if the cloud is of another unit; it may cover a part of the surface, or more than the
+/// surface.
 void requireOneSize(const Points& positions)
 {
   constexpr double maximum = 0x1p16, minimum = 0x1p-16;
@@ -330,7 +332,7 @@ void requireOneSize(const Points& positions)
   }
 }
 
-/// Vertices where normals cancel take any direction across.
+/// Compute vertex normals; vertices where normals cancel get an arbitrary perpendicular direction.
 CurvedTriangles withNormals(const CurvedTriangles& surface)
 {
   Points normals = surface.normals();
@@ -363,7 +365,7 @@ CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingS
   LocalScale scale(size, OutlierRatio);
   std::vector<int> hints(samples.size(), -1);
   const double steps = options.NumberOfFitRounds + 1.0;
-  // Before anything moves: outliers must not pull even once.
+  // Iteration -1 only measures the scale, so that outliers never contribute.
   for (int round = -1; round < options.NumberOfFitRounds; ++round)
   {
     const std::vector<Frame> frames = framesOf(surface, neighbors);

@@ -36,7 +36,7 @@ ShadingNormals::ShadingNormals(const CurvedTriangle& triangle)
   }
   for (int k = 0; k < 3; ++k)
   {
-    // The mean of the two normals, mirrored at the plane across the edge.
+    // Mean of the two normals, reflected at the plane perpendicular to the edge.
     const Vector3 edge = w[previous(k)] - w[next(k)];
     const Vector3 sum = this->Ends[next(k)] + this->Ends[previous(k)];
     const double square = edge.squaredNorm();
@@ -60,8 +60,8 @@ Vector3 CurvedTriangle::position(const Vector3& barycentric) const
 {
   const Vector3& m = barycentric;
   const double bubble = 0.5 * m[0] * m[1] * m[2];
-  // Sums over the corners in pairs, and flat and dome apart: on an edge the third corner adds
-  // zeros, so that both sides come to the same bits.
+  // Sum over pairs of corners, flat part and dome separately. On an edge the third corner adds
+  // zeros, so that both sides give equal bits.
   const Vector3 flat = m[0] * this->W[0] + m[1] * this->W[1] + m[2] * this->W[2];
   Vector3 dome = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
@@ -144,8 +144,8 @@ bool CurvedTriangle::folds() const
   {
     return false;
   }
-  // Control points b_ijk at (i, j, k) / 3. Derivatives towards corners 1 and 2 are means of their
-  // differences, so that they turn the same way everywhere if all pairs of these do.
+  // Control points b_ijk at (i, j, k) / 3. Derivatives toward corners 1 and 2 are means of their
+  // differences. If all pairs of differences have one orientation, so has the surface.
   const Vector3 b300 = this->W[0], b030 = this->W[1], b003 = this->W[2],
                 b210 = this->controlPoint(0, 1), b120 = this->controlPoint(1, 0),
                 b021 = this->controlPoint(1, 2), b012 = this->controlPoint(2, 1),
@@ -209,7 +209,7 @@ Points lowerVertices(
   struct Domes
   {
     double Area;
-    std::array<Vector3, 3> Heights; // over the middle of the edge opposite
+    std::array<Vector3, 3> Heights; // at the midpoint of the opposite edge
   };
   const Points& normals = surface.normals();
   const conformal::Triangles& triangles = surface.triangles();
@@ -260,7 +260,7 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run
   const conformal::Triangles& triangles = surface.triangles();
   std::vector<unsigned char> flattened(triangles.rows(), 0), folds(triangles.rows(), 0);
   std::vector<unsigned char> changed(surface.positions().rows(), 1);
-  const int maximumRounds = 20; // after which normals are of no length
+  const int maximumRounds = 20; // afterward, normals have zero length
   for (int round = 0; round < maximumRounds; ++round)
   {
     forBlocks(run, triangles.rows(), BlockSize,
@@ -384,7 +384,7 @@ FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwh
   {
     FootPoint foot;
     foot.Triangle = this->Tree.Items[place];
-    foot.Barycentric = barycentric.cwiseMax(0.0); // steps end on edges to rounding only
+    foot.Barycentric = barycentric.cwiseMax(0.0); // steps end on edges up to rounding
     foot.Position = patch.position(foot.Barycentric);
     foot.SquareDistance = (x - foot.Position).squaredNorm();
     return foot;
@@ -400,7 +400,7 @@ FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwh
                           tangent + derivative.col(1), tangent + derivative.col(2))
                           .Barycentric -
       best.Barycentric;
-    // The foot moves by this, and by less and less from there.
+    // The remaining moves of the foot point are at most this one.
     const double move = (derivative * way).norm();
     const bool hopeless = std::sqrt(best.SquareDistance) - 2.0 * move > std::sqrt(worthwhile);
     if (share * way.cwiseAbs().maxCoeff() < 1e-15 || hopeless)

@@ -42,7 +42,7 @@ double SphereDomes::height(Index triangle, const Vector3& barycentric) const
   const auto ids = this->Triangles->row(triangle);
   const Vector3 n0 = this->Sphere->row(ids[0]), n1 = this->Sphere->row(ids[1]),
                 n2 = this->Sphere->row(ids[2]);
-  // |p - p'| = 1 - |p'|, without the difference: 1 - |p'|^2 is a sum over the edges.
+  // |p - p'| = 1 - |p'|, without cancellation: 1 - |p'|^2 is a sum over the edges.
   const double deficit = l[0] * l[1] * (n1 - n0).squaredNorm() +
     l[1] * l[2] * (n2 - n1).squaredNorm() + l[2] * l[0] * (n0 - n2).squaredNorm();
   return deficit / (1.0 + std::sqrt(std::max(0.0, 1.0 - deficit)));
@@ -78,7 +78,7 @@ bool SphereDomes::edgeDirection(Index triangle, int opposite, Vector3& direction
 // Steps 8 and 9: n_q', Eq. 11.
 Vector3 SphereDomes::direction(Index triangle, const Vector3& barycentric) const
 {
-  // q' = s c_w + ...: of the three subtriangles, that with the smallest s holds it.
+  // q' = s c_w + ...: the subtriangle with the smallest s contains it.
   const Vector3 center = this->Centers.row(triangle);
   int k = 0;
   double s = 2.0;
@@ -95,9 +95,9 @@ Vector3 SphereDomes::direction(Index triangle, const Vector3& barycentric) const
   const double betaI = std::max(0.0, barycentric[i] - s * center[i]);
   const double betaJ = std::max(0.0, barycentric[j] - s * center[j]);
 
-  // Along the edge from w_i to w_j, of length 1, the foot of c_w is at x, that of q' at
-  // s x + betaJ. The subtriangle rises evenly from w_i to c_w and falls evenly from there to w_j,
-  // so that |q' - a| / |b - a| is, on these two sides:
+  // Along the edge from w_i to w_j, of length 1, the foot of c_w is at x, that of q' at s x +
+  // betaJ. The subtriangle rises linearly from w_i to c_w and falls linearly to w_j. On these two
+  // parts, |q' - a| / |b - a| is:
   const auto ids = this->Triangles->row(triangle);
   const Vector3 wI = this->Model->row(ids[i]);
   const Vector3 edge = Vector3(this->Model->row(ids[j])) - wI;

@@ -29,7 +29,7 @@ double areaOf(const Points& positions, const Triangles& triangles, Index r)
   return 0.5 * (b - a).cross(c - a).norm();
 }
 
-/// Mean over the triangles marked of what their corners have.
+/// Average a vertex quantity over the area of marked triangles.
 double meanOverArea(const Points& positions, const Triangles& triangles,
   const Eigen::VectorXd& values, const std::vector<bool>& marked)
 {
@@ -47,7 +47,7 @@ double meanOverArea(const Points& positions, const Triangles& triangles,
   return whole > 0.0 ? sum / whole : 0.0;
 }
 
-/// The triangles marked, and rings of others around them.
+/// Extend the marked triangles by rings.
 std::vector<bool> widened(
   const Triangles& triangles, Index numberOfVertices, std::vector<bool> marked)
 {
@@ -122,7 +122,8 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
       const double fall = bounded(normal.dot(low - high));
       sums.add(Product, bounded(normal.dot(x - high)) * fall);
       sums.add(Square, fall * fall);
-      // Of the triangle, since feet gather on the edges and corners that stick out.
+      // Use the mean of the triangle, since foot points concentrate on protruding edges and
+      // corners.
       sums.add(Moves, (moves[ids[0]] + moves[ids[1]] + moves[ids[2]]) / (3.0 * MaximumOfMean));
       sums.add(Feet + foot.Triangle, 1.0);
     },
@@ -143,7 +144,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   }
   const double fit = std::clamp(sums[Product] / sums[Square], 0.0, UsualVertexShift);
   const double crowding = std::max(0.0, overSamples / overArea - 1.0);
-  constexpr double digits = 16.0; // more would be rounding's
+  constexpr double digits = 16.0; // further digits are rounding errors
   const double shift = std::round(digits * (fit + FactorOfCrowding * crowding)) / digits;
   return std::min(shift, MaximumVertexShift);
 }

@@ -30,10 +30,10 @@ constexpr Index BlockSize = 1024;
 // Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
 constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5;
 
-/// Learning leaves the network well spread, and evening it further costs little fit.
+/// Learning spreads the network evenly, so that more evenness hardly affects the fit.
 constexpr double Evenness = 3.0;
 
-constexpr int WidestDiffusion = 5; ///< steps over the lattice in the first pass of a level
+constexpr int WidestDiffusion = 5; ///< steps over the network in the first pass of a level
 
 std::vector<int> frequencies(int finest)
 {
@@ -46,11 +46,10 @@ std::vector<int> frequencies(int finest)
   return levels;
 }
 
-/// For each neuron the mass C of its patterns, then their sum S.
+/// For each neuron, the mass C of its patterns, then their sum S.
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// One step of diffusion over the lattice: every neuron keeps half and hands half to its
-/// neighbors in equal parts.
+/// Diffuse by one step: every neuron keeps half and distributes half equally to its neighbors.
 void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
 {
   Shares spread(shares.rows(), 4);
@@ -69,8 +68,8 @@ void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
   shares.swap(spread);
 }
 
-/// The width of so many steps of diffusion as a radius sigma on the unit sphere: a step's variance
-/// in one direction is a quarter of the square edge length, half of the neighbors' half share.
+/// Return the radius sigma on the unit sphere of a number of diffusion steps. The variance of a
+/// step in one direction is a quarter of the square edge length, half of the neighbors' share.
 double diffusionRadius(int steps, Index triangles)
 {
   const double area = 4.0 * Pi / static_cast<double>(triangles);
@@ -78,7 +77,7 @@ double diffusionRadius(int steps, Index triangles)
   return std::sqrt(0.25 * steps * squareEdge);
 }
 
-/// S / C. A neuron without patterns follows its neighbors.
+/// Compute S / C. A neuron without patterns follows its neighbors.
 Points means(
   const Shares& shares, const Adjacency& neighbors, const Points& weights, const Run& run)
 {
@@ -101,7 +100,8 @@ Points means(
   return moved;
 }
 
-/// Of the patterns in each triangle, about: each neuron's, shared out to the triangles around it.
+/// Estimate the mass of patterns in each triangle: the mass of each neuron is distributed to its
+/// triangles.
 std::vector<double> massesOf(
   const Shares& shares, const Triangles& triangles, const Adjacency& neighbors)
 {
@@ -116,8 +116,8 @@ std::vector<double> massesOf(
   return masses;
 }
 
-/// How a pattern is shared out to the corners of the triangle that it is projected on: the
-/// barycentric weights of its reference point.
+/// Shares of a pattern for the corners of the triangle of its projection: the barycentric weights
+/// of its reference point.
 class CornerShares
 {
 public:
@@ -159,7 +159,8 @@ private:
   NetworkShapes Shapes;
 };
 
-/// Levels share the time by their numbers of neurons; a fifth of each prepares the level.
+/// Levels have progress in proportion to their numbers of neurons; a fifth of each is for its
+/// preparation.
 Steps stepsOf(const std::vector<int>& levels, const Run& run)
 {
   std::vector<double> shares;
@@ -183,14 +184,14 @@ void refine(FittedMesh& network, int frequency, bool isFirst, const Run& run)
   network.Triangles = std::move(finer.Triangles);
 }
 
-/// What a pass over the samples finds.
+/// Sums of a pass over the samples.
 struct PassResult
 {
   conformal::Shares Shares;
   double SumOfSquareErrors = 0.0, TypicalSquareError = 0.0;
 };
 
-/// The passes of one level, all on one lattice.
+/// Passes of one level, all on one network.
 class Level
 {
 public:
@@ -243,7 +244,7 @@ public:
   const std::vector<double>& masses() const { return this->Masses; }
 
 private:
-  /// Share the next samples out to the corners of the triangles that they are projected on.
+  /// Distribute the next samples to the corners of the triangles of their projections.
   PassResult shareOut(const Run& run)
   {
     const Index neurons = this->Network.SpherePositions.rows();
@@ -301,7 +302,7 @@ FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOp
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   FittedMesh result;
-  double typicalErrors[2] = {}; // of the last passes of the coarser lattice and of this one
+  double typicalErrors[2] = {}; // of the last passes of the coarser network and of this one
   SampleRotation rotation(samples, options.RandomSeed);
   Steps steps = stepsOf(levels, run);
   for (int f : levels)
@@ -342,7 +343,7 @@ FittedMesh trainBatch(
   const double noise = result.NoiseToDetail;
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;
-  // The more noise, the smoother; far samples are noise then, not tips.
+  // Increase the smoothness with the noise; distant samples are then noise, not limb ends.
   fit.LastSmoothness = options.Fit.Smoothness + SmoothnessForNoise * noise * noise;
   fit.FirstSmoothness = fit.LastSmoothness;
   fit.Evenness = Evenness;

@@ -17,23 +17,23 @@ namespace conformal
 {
 namespace
 {
-// Measured on scans, 12,962 vertices: more of these cost time and gain nothing.
+// Measured on scans, 12,962 vertices: more iterations increase the cost without a gain.
 constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
 constexpr Index SamplesOfTurn = 4;                 // in an iteration, for each vertex
-constexpr double FirstSmoothness = 0.2; // of a turn: a remeshed surface lies beside the samples
+constexpr double FirstSmoothness = 0.2; // of a turn, since remeshing moves vertices off the samples
 
 // The noise is estimated beside a mesh of a quarter of the vertices.
 constexpr Index Coarser = 4;
 constexpr Index MinimumCoarse = 50; // vertices that are enough for an estimate
 constexpr double LittleNoise = 0.5;
 
-// By how much vertices of objects lie off the middle of their neighbors, in squares of the edge
-// length where the largest radius is 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01
-// this gives the best smoothness within a factor of two.
+// Distance of vertices from the center of their neighbors, in squares of the edge length at maximum
+// radius 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01, this gives the best
+// smoothness within a factor of two.
 constexpr double TypicalBending = 4.0;
 
-// The residue of clean scans after a turn is less than this in edges, whatever the scan and the
-// number of vertices; that of noise is more, once the noise is a sixth of an edge.
+// The residue of clean scans after a turn is smaller, in edge lengths, for any scan and number of
+// vertices. It is larger if the noise exceeds a sixth of an edge.
 constexpr double LargeResidue = 0.12;
 constexpr double SmoothnessOfResidue = 5.0; // of its square
 constexpr double SameResidue = 1.1;         // ratio
@@ -47,7 +47,7 @@ RemeshingOptions remeshingTo(Index vertices, int iterations)
   return options;
 }
 
-/// Edge length of so many vertices spread evenly over an area.
+/// Compute the edge length of the given number of vertices spread evenly over an area.
 double edgeFor(double area, Index vertices)
 {
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
@@ -81,8 +81,8 @@ Noise noiseBeside(const LearnedMesh& result, const TrainingSamples& samples,
   return { noiseToDetail(rough, fine), noiseVariance(rough, fine) };
 }
 
-/// Smoothness at which the noise weighs as much as the bending, per sample of a vertex: that of the
-/// likeliest surface where both are Gaussian.
+/// Compute the smoothness, per sample of a vertex, at which noise and bending have equal weight. It
+/// gives the most likely surface if both are Gaussian.
 double smoothnessFor(const Noise& noise, const LearnedMesh& result, Index count)
 {
   const auto vertices = static_cast<double>(result.Positions.rows());
@@ -94,7 +94,8 @@ double smoothnessFor(const Noise& noise, const LearnedMesh& result, Index count)
     : 0.0;
 }
 
-/// Standard deviation of noise that explains the whole error of the surface, in edge lengths.
+/// Compute the standard deviation of noise that explains the whole error of the surface, in edge
+/// lengths.
 double residue(const TrainingSamples& samples, const LeastSquaresFitOptions& fitting,
   const LearnedMesh& result, const Run& run)
 {
@@ -104,9 +105,9 @@ double residue(const TrainingSamples& samples, const LeastSquaresFitOptions& fit
   return std::sqrt(noiseVariance(error, error)) / edgeFor(area, result.Positions.rows());
 }
 
-/// Fit the first turn. A surface that follows noise crumples, and hides how large the noise is. So
-/// where the residue is large, repeat the turn with a surface stiff enough for that residue, until
-/// the residue is as expected; later turns are as stiff.
+/// Fit the first turn. A surface that follows noise crumples, which hides the noise. If the residue
+/// is large, repeat the turn with a stiffness for that residue, until the residue is as expected.
+/// Later turns use that stiffness.
 void firstFit(const TrainingSamples& samples, LeastSquaresFitOptions& fitting, LearnedMesh& result,
   const Run& run)
 {

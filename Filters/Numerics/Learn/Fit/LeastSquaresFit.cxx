@@ -21,18 +21,19 @@ namespace conformal
 {
 namespace
 {
-/// Where there are no patterns the surface shall be drawn straight across, not carry on bending.
+/// Without patterns, interpolate straight instead of extrapolating the curvature.
 constexpr double BareStiffness = 30.0;
 
-/// Folds are pressed flat in the last rounds only; earlier it would cost fit without need.
+/// Folds are flattened in the last iterations only; earlier, this would reduce the quality of the
+/// fit.
 constexpr int FoldIterations = 5;
 constexpr double FoldStiffening = 3.0, MaximumFoldStiffness = 30.0;
 
-/// Idle neurons are drawn in the second half of the rounds, when outliers are known, half as hard
-/// as patterns draw.
+/// Vertices without samples are pulled in the second half of the iterations, when outliers are
+/// classified, with half of the weight of patterns.
 constexpr double IdleWeight = 0.5;
 constexpr double GuideWeight = 0.1;   // of a neuron's patterns
-constexpr Index TargetsPerNeuron = 1; // patterns kept for them to look for
+constexpr Index TargetsPerNeuron = 1; // patterns stored as targets of vertices without samples
 
 /// Factor of a sample's weight, see LeastSquaresFitOptions::AutomaticPriority.
 double automaticPriority(double squareDistance, double meanSquare)
@@ -61,7 +62,7 @@ public:
   {
   }
 
-  /// Before anything moves: outliers must not pull even once.
+  /// Measure the scale before the first move, so that outliers never contribute.
   void measureScale(const Run& run)
   {
     this->Rotation.turn(this->Options.SamplesPerIteration);
@@ -115,11 +116,11 @@ public:
     return record;
   }
 
-  /// For each triangle the weight of its patterns in the last round.
+  /// Return the weight of the patterns of each triangle in the last iteration.
   const std::vector<double>& masses() const { return this->Masses; }
 
 private:
-  /// The body gets the place of a pattern in its turn, itself, its foot and its weight.
+  /// Call body(i, x, foot, weight) for each pattern: its index, position, foot point and weight.
   void forEachFoot(const std::function<void(Index, const Vector3&, const FootPoint&, double)>& body,
     const Run& run) const
   {
@@ -136,7 +137,7 @@ private:
       run);
   }
 
-  /// The patterns' part of the equations.
+  /// Add the terms of the patterns to the equations.
   void draw(bool keepTargets, const Run& run)
   {
     this->Rotation.turn(this->Options.SamplesPerIteration);
@@ -207,7 +208,7 @@ private:
         const Vector3 place = this->Positions.row(i), normal = normals.row(i);
         const Vector3 way = Vector3(this->Targets.row(this->TargetTree.nearest(place).Id)) - place;
         const double along = normal.dot(way);
-        // Over a hole in the data the nearest pattern is at the rim, beside the neuron.
+        // Over a hole in the data, the nearest pattern lies at the border, beside the vertex.
         if (2.0 * along * along > way.squaredNorm())
         {
           this->Equations.pull(static_cast<int>(i), normal, along, IdleWeight * this->meanMass());
@@ -216,8 +217,8 @@ private:
     }
   }
 
-  /// Neurons between patterns that are far apart, not those at the rims of larger holes: as wide as
-  /// the marks of the others reach, and back.
+  /// Find vertices between distant patterns, excluding those at borders of larger holes, by
+  /// dilation and erosion of the marks.
   std::vector<bool> idleBetweenPatterns() const
   {
     constexpr int rings = 4;
@@ -281,7 +282,7 @@ private:
     }
   }
 
-  /// Stiffen the neurons at edges whose triangles are folded on to each other.
+  /// Increase the stiffness of vertices at edges with folded triangles.
   void stiffenFolds()
   {
     const auto normal = [&](Index r)
@@ -317,7 +318,7 @@ private:
 
   const TrainingSamples& Samples;
   const LeastSquaresFitOptions& Options;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
   Points& Positions;
   const conformal::Triangles& Triangles;
   const Adjacency Neighbors;
@@ -325,7 +326,7 @@ private:
   SurfaceEquations Equations;
   LocalScale Scale;
   SampleRotation Rotation;
-  Points Targets; ///< for idle neurons
+  Points Targets; ///< for vertices without samples
   PointTree TargetTree;
   Eigen::VectorXd Bareness, Folds;
   std::vector<double> Masses;

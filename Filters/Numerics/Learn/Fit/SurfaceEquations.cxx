@@ -13,21 +13,21 @@ namespace conformal
 {
 namespace
 {
-/// Of a pattern's distance along the surface, against that along the normal. Measured: 0.1 fits
-/// half as well in as many rounds, 0.003 no better, with worse triangles.
+/// Weight of a pattern's tangential distance, relative to that along the normal. Measured: 0.1
+/// halves the progress per iteration; 0.003 is no better, with worse triangles.
 constexpr double SlidingWeight = 0.02;
 
 constexpr int NumberOfSteps = 25; // of conjugate gradients
 constexpr double Converged = 1e-12;
 constexpr Index BlockSize = 512;
 
-// For each triangle: products of barycentric weights of feet inside it, of feet on its rim, then
-// their residuals.
+// For each triangle: products of barycentric weights of foot points inside it, of foot points on
+// its edges, then their residuals.
 constexpr Index SumsPerTriangle = 21, RimSums = 6, ResidualSums = 12;
 constexpr Index ProductOf[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
-/// A symmetric 3 by 3 matrix. Half the memory of doubles, which is what large networks wait for;
-/// the right side, which says where the solution is, has full precision.
+/// Symmetric 3 by 3 matrix of floats, which halves the memory traffic of large networks. The
+/// right-hand side, which determines the solution, has full precision.
 struct Symmetric
 {
   std::array<float, 6> Values{};
@@ -66,7 +66,8 @@ Vector3 unitNormal(const Points& w, const conformal::Triangles& triangles, Index
   return (b - a).cross(c - a).normalized(); // zero stays zero
 }
 
-/// The patterns' part of the system: its matrix by rows of 3 by 3 blocks, and the other side.
+/// Contribution of the patterns to the system: the matrix by rows of 3 by 3 blocks, and the
+/// right-hand side.
 struct Attraction
 {
   Attraction(const Adjacency& neighbors)
@@ -87,7 +88,7 @@ struct Attraction
     return this->Others[found - this->Neighbors.Ids.data()];
   }
 
-  /// Row i of the matrix, times x.
+  /// Return row i of the matrix times x.
   Vector3 product(int i, const Points& x) const
   {
     Vector3 y = this->Diagonal[i] * Vector3(x.row(i));
@@ -105,7 +106,7 @@ struct Attraction
   Points Right;
 };
 
-/// What resists: the stiffness of vertices and hinges.
+/// Regularization: the stiffness of vertices and hinges.
 class Resistance
 {
 public:
@@ -143,7 +144,7 @@ public:
       });
   }
 
-  /// L^T S L x and the hinges' part, row i.
+  /// Return row i of L^T S L x plus the contribution of the hinges.
   Vector3 forceAt(int i) const
   {
     Vector3 force = this->Hinges.forceAt(i) + Vector3(this->Bent.row(i));
@@ -154,7 +155,7 @@ public:
     return force;
   }
 
-  /// The matrix's diagonal block of a vertex is added.
+  /// Add the diagonal block of a vertex.
   void addDiagonal(int i, Symmetric& block) const
   {
     double bending = this->Stiffness[i];
@@ -173,11 +174,11 @@ private:
   const Points Normals;
   const Eigen::VectorXd& Stiffness;
   const double Evenness;
-  const Run Threads; // nobody watches
+  const Run Threads; // without progress
   Points Bent;       ///< S L x
 };
 
-/// Preconditioned with the diagonal's blocks.
+/// Solve by conjugate gradients, preconditioned with the diagonal blocks.
 Points solveSystem(Attraction& attraction, Resistance& resistance, const Run& run)
 {
   Points& residual = attraction.Right;
@@ -274,7 +275,7 @@ Points SurfaceEquations::solve(
           }
           for (int l = 0; l < 3; ++l)
           {
-            // Residuals of feet inside are along the normal, so M leaves them as they are.
+            // Residuals of interior foot points are along the normal, so M does not change them.
             const double inside = this->Sums[first + ProductOf[k][l]];
             const double rim = this->Sums[first + RimSums + ProductOf[k][l]];
             attraction.block(i, this->Triangles(*r, l))
@@ -293,10 +294,10 @@ Points SurfaceEquations::solve(
     attraction.block(pull.Vertex, pull.Vertex).add(0.0, pull.Weight, pull.Direction);
     attraction.Right.row(pull.Vertex) += pull.Weight * pull.Distance * pull.Direction;
   }
-  this->Sums = FixedPointSums(); // room for what follows
+  this->Sums = FixedPointSums(); // releases the memory
   for (Symmetric& block : attraction.Diagonal)
   {
-    // A direction that neither patterns nor stiffness hold is left as it is.
+    // A direction without patterns or stiffness is not moved.
     constexpr double minimum = 1e-12, share = 1e-5;
     block.add(minimum + share * block.trace(), 0.0, Vector3::Zero());
   }

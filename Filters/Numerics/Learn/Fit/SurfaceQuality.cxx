@@ -24,10 +24,10 @@ namespace conformal
 namespace
 {
 constexpr double EvaluatedSamples = 10000.0;
-constexpr Index MinimumSamples = 20; // of which anything can be told
+constexpr Index MinimumSamples = 20; // minimum for an evaluation
 constexpr Index BlockSize = 256;
 
-// Wide enough for the sides of a surface that lie on the same samples to cancel.
+// Wide enough that two sides of a surface through one set of samples cancel.
 constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
 
 double foldedFraction(const Points& positions, const Triangles& triangles)
@@ -51,7 +51,7 @@ double foldedFraction(const Points& positions, const Triangles& triangles)
   return static_cast<double>(folded) / (1.5 * static_cast<double>(triangles.rows()));
 }
 
-// Where samples meet the surface.
+// Foot points of samples on the surface.
 struct Feet
 {
   Points Normals;              // #P by 3, of its triangles
@@ -83,9 +83,8 @@ Feet feetOf(
   return feet;
 }
 
-// How much of the object each sample stands for: those of sparse parts for more than those of dense
-// ones, and outliers for none. What counts is how much its neighbors have around them, so that a
-// few points by themselves are not taken for a large part.
+// Compute the area that each sample represents: larger in sparse parts, and 0 for outliers. It is
+// limited by that of the neighbors, so that a few isolated points do not count as a large part.
 std::vector<double> weightsOf(const Points& points, const Run& run)
 {
   constexpr double far = 2.5;
@@ -120,7 +119,7 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
   return weights;
 }
 
-// The share of the samples, by weight, that lie off the plane of the nearest others.
+// Compute the weighted fraction of the samples that lie off the plane of their neighbors.
 double undersampledFraction(const Points& asked, const std::vector<double>& weights,
   const TrainingSamples& samples, const Run& run)
 {
@@ -150,9 +149,9 @@ double undersampledFraction(const Points& asked, const std::vector<double>& weig
   return all > 0.0 ? undersampled / all : 0.0;
 }
 
-// Mean square distance of neighbors from the smooth surface through them: a quadratic polynomial
-// over the plane across the normal. It is small where the samples lie on one curved surface,
-// however far they are from the flat triangles of a coarse mesh.
+// Compute the mean square distance of neighbors from a quadratic polynomial over the tangent plane.
+// It is small if the samples lie on one curved surface, however far they are from the flat
+// triangles of a coarse mesh.
 double squareOffQuadric(
   const Points& points, const std::vector<int>& ids, const Vector3& place, const Vector3& normal)
 {
@@ -179,7 +178,7 @@ double squareOffQuadric(
   return (heights - fitted).squaredNorm() / static_cast<double>(size - coefficients);
 }
 
-// Calls body(i, ids) for each sample with enough neighbors on its side of the surface.
+// Iteration over samples with enough neighbors on their side of the surface.
 class NeighborsOnSide
 {
 public:
@@ -283,7 +282,7 @@ OffsetMoments offsetMoments(
   return all;
 }
 
-// How far apart two layers of samples are, or 0 where there is one.
+// Compute the distance between two layers of samples, or 0 for one layer.
 double layerDistance(const Points& asked, const Feet& feet, double near, const Run& run)
 {
   constexpr double minimumDistance = 0.004, maximumKurtosis = 2.15;
@@ -299,7 +298,7 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
   {
     return 0.0;
   }
-  // Offsets from the triangles of a coarse mesh have two values as well: at corners and within.
+  // Offsets from the triangles of a coarse mesh have two values, too: at corners and inside.
   std::vector<double> squares((asked.rows() + BlockSize - 1) / BlockSize, 0.0);
   forBlocks(run, asked.rows(), BlockSize,
     [&](Index begin, Index end)
@@ -314,7 +313,7 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
   return offQuadric > minimumOffQuadric * all.Second ? apart : 0.0;
 }
 
-// Directions in which the surface should face at the points.
+// Compute the outward directions of the surface at the points.
 Points outwardDirections(
   const OrientedPoints& asked, const Points& normals, double width, const Run& run)
 {

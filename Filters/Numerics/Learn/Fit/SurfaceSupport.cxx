@@ -12,9 +12,9 @@ namespace conformal
 {
 namespace
 {
-constexpr Index PatternsPerNeuron = 4; ///< that are asked whether they see a part of the surface
+constexpr Index PatternsPerNeuron = 4; ///< patterns tested for visibility of a part of the surface
 
-/// Patterns as seen from places on the surface between them.
+/// Test for surface points between rows of patterns.
 class Rows
 {
 public:
@@ -24,9 +24,10 @@ public:
   {
   }
 
-  /// Whether a place is between rows of patterns as far apart as they are there: behind the nearest
-  /// pattern there is as little as before it, and the surface is flat around both. So it
-  /// is between scan lines, and in the middle of faces whose vertices crowd at their edges.
+  /// Return whether a point lies between rows of patterns at their usual spacing. The gap behind
+  /// the nearest pattern is then as wide as that before it, and the surface is flat around both.
+  /// This holds between scan lines, and in the middle of faces with vertices concentrated at their
+  /// edges.
   bool areAround(const Vector3& place)
   {
     const Vector3 x = this->Patterns.row(this->Tree.nearest(place).Id);
@@ -41,7 +42,7 @@ public:
 private:
   bool goOn(const Vector3& place, const Vector3& x)
   {
-    constexpr int maximum = 256;  // rows have no more patterns than these within reach
+    constexpr int maximum = 256;  // maximum number of patterns within reach of a row
     constexpr double reach = 2.5; // distances
     constexpr double cone = 0.7, tangential = 0.5, thickness = 0.3, asNear = 1.5;
     const Vector3 apart = place - x;
@@ -59,13 +60,13 @@ private:
       const double length = d.norm();
       if (length < asNear * distance && -d.dot(apart) > cone * distance * length)
       {
-        return false; // as dense behind as ever
+        return false; // dense behind the pattern
       }
     }
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
     axes.computeDirect(spread);
     const double flatness = thickness * thickness * axes.eigenvalues()[2];
-    const bool oneRow = axes.eigenvalues()[1] < flatness; // which tells of no plane
+    const bool oneRow = axes.eigenvalues()[1] < flatness; // does not determine a plane
     return oneRow ||
       (axes.eigenvalues()[0] < flatness &&
         std::abs(axes.eigenvectors().col(0).dot(apart)) < tangential * distance);
@@ -76,7 +77,7 @@ private:
   std::vector<Neighbor> Around;
 };
 
-/// So many of the patterns, evenly spaced, the same on all processes.
+/// Select the given number of patterns, evenly spaced; all ranks return equal ones.
 Points selection(const TrainingSamples& samples, Index wanted)
 {
   SampleRotation rotation(samples, 1);
@@ -95,7 +96,7 @@ Points selection(const TrainingSamples& samples, Index wanted)
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses)
 {
-  constexpr double Enough = 100.0; // patterns: by chance, a quarter of them is never seen
+  constexpr double Enough = 100.0; // patterns expected; far more than random variation needs
   constexpr double Share = 0.25;
   const Index size = positions.rows();
 
@@ -245,7 +246,7 @@ double unsupportedFraction(const TrainingSamples& samples, const Points& positio
 
 namespace
 {
-/// How far apart patterns are around one of them, in any direction along the surface.
+/// Spacing of patterns around one of them, in any direction along the surface.
 class PatternSpacing
 {
 public:
@@ -259,7 +260,8 @@ public:
 
   double at(Index pattern, std::vector<Neighbor>& around) const
   {
-    // On a scan line the nearest ones are all on it: more of them, until some are beside.
+    // On a scan line, the nearest patterns are collinear: increase their number until some lie
+    // beside the line.
     constexpr int minimum = 6, maximum = 6 * 4 * 4 * 2, growth = 4;
     constexpr double flattest = 0.03; // of the widths' squares
     const Vector3 place = this->Patterns.row(pattern);
@@ -289,7 +291,7 @@ private:
   PointTree Tree;
 };
 
-/// 1 at 0, 0 at 1 and beyond, with slopes of 0 there.
+/// Return a smooth step from 1 at 0 to 0 at 1 and beyond, with zero derivatives at both.
 double fall(double x)
 {
   const double t = std::clamp(x, 0.0, 1.0);
@@ -301,7 +303,7 @@ std::vector<double> supportOfVertices(const TrainingSamples& samples, const Poin
   const Triangles& triangles, const Run& run)
 {
   constexpr double near = 2.0, far = 4.0; // spacings
-  constexpr double widest = 4.0;          // a spacing, of typical ones: an outlier's are not
+  constexpr double widest = 4.0;          // maximum in typical spacings; larger ones are outliers
   constexpr int smoothings = 2;
   constexpr Index blockSize = 256;
   const Index size = positions.rows();

@@ -13,12 +13,12 @@ namespace conformal
 namespace
 {
 using Halves =
-  float __attribute__((vector_size(16), aligned(4))); // as many floats as there are Doubles
+  float __attribute__((vector_size(16), aligned(4))); // one float for each element of Doubles
 }
 
 NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
 {
-  // The tree's median splits put neighbors on the sphere side by side.
+  // Median splits of the tree place neighbors on the sphere in adjacent leaves.
   std::vector<Box> boxes(network.rows());
   for (Index i = 0; i < network.rows(); ++i)
   {
@@ -37,7 +37,7 @@ NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
     Surroundings& bounds = this->BlockBounds[b];
     for (int lane = 0; lane < BlockSize; ++lane)
     {
-      // What the last block lacks is filled with copies of its last neuron, which move as it does.
+      // The last block is padded with copies of its last neuron, which move equally.
       const std::size_t place = std::min(b * BlockSize + lane, order.size() - 1);
       const int id = order[place];
       block.Ids[lane] = id;
@@ -85,7 +85,7 @@ void NeuronBlocks::encloseGroup(std::size_t g)
 
 int NeuronBlocks::findWinner(const Vector3& x) const
 {
-  // The closest group first: it makes most others too far to look into.
+  // The closest group is searched first, so that most others are excluded by their distance.
   std::size_t start = 0;
   double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < this->GroupBounds.size(); ++g)
@@ -150,8 +150,7 @@ int NeuronBlocks::findWinner(const Vector3& x) const
   return winner;
 }
 
-// The wider vector units give the same bits: there is no fused multiply-add among their
-// instructions, and the lanes never meet.
+// Wider vector units give equal bits: fused multiply-add is not enabled, and lanes do not interact.
 __attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
   Block& block, const double* x, const float* r, float learningRate, float factor, Box& box)
 {
@@ -165,8 +164,8 @@ __attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
     const Floats dz = *reinterpret_cast<const Floats*>(block.Network[2] + lane) - r[2];
     const Floats u = (dx * dx + dy * dy + dz * dz) * factor;
 
-    // exp(-u) to 1e-5 relative: a Taylor series of exp(-u / 32), squared five times. Clamped,
-    // computed and switched off beyond the cut rather than branched over.
+    // Compute exp(-u) to 1e-5 relative: a Taylor series of exp(-u / 32), squared five times. Beyond
+    // the cut, values are clamped and masked instead of branched over.
     const Floats cut = Floats{} + Cut;
     const Floats v = (u < cut ? u : cut) * (-1.0F / 32);
     Floats e = 1.0F / 6 + v * (1.0F / 24 + v * (1.0F / 120 + v * (1.0F / 720)));

@@ -17,8 +17,8 @@ namespace conformal
 {
 namespace
 {
-/// Step 2: every pattern with equal probability, or from a time on in proportion to its priority.
-/// All processes draw the same patterns, whichever of them has them.
+/// Step 2: draw patterns with equal probability or, after drawByPriority(), in proportion to their
+/// priorities. All ranks draw equal patterns, whichever of them stores each.
 class Sampler
 {
 public:
@@ -28,7 +28,7 @@ public:
   {
     if (samples.weighted())
     {
-      // In integers, which add up to the same however the cloud is cut.
+      // Sum integers, so that the result does not depend on the distribution of the cloud.
       std::int64_t sum = 0;
       this->Cumulative.resize(samples.size());
       for (Index i = 0; i < samples.size(); ++i)
@@ -39,10 +39,10 @@ public:
     }
   }
 
-  /// From here on.
+  /// Draw by priority from the next pattern on.
   void drawByPriority() { this->ByPriority = this->Samples.weighted(); }
 
-  /// The next patterns, #count by 3.
+  /// Return the next patterns, #count by 3.
   Points next(Index count)
   {
     Points patterns(count, 3);
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  /// Id of a pattern if it is this process's, else one out of range.
+  /// Return the id of a pattern on this rank; for a pattern of another rank, an id out of range.
   Index draw()
   {
     if (!this->ByPriority)
@@ -80,8 +80,8 @@ private:
   const TrainingSamples& Samples;
   Random Numbers;
   bool ByPriority = false;
-  std::vector<std::int64_t> Cumulative; ///< of this process's patterns
-  Share OfAll;                          ///< of what they add up to
+  std::vector<std::int64_t> Cumulative; ///< of the patterns of this rank
+  Share OfAll;                          ///< share of this rank in the total
 };
 
 bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
@@ -95,7 +95,7 @@ bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
   return sorted(triangle) < sorted(than);
 }
 
-/// Step 3: the projection of a pattern on the model, and its image on the network.
+/// Step 3: the projection of a pattern onto the model, and its image on the network.
 class ImageOnNetwork
 {
 public:
@@ -109,8 +109,9 @@ public:
   {
   }
 
-  /// Find the simplex around the winner that x is projected on. Of those that share the
-  /// projection, on an edge or a corner, that of the lowest neurons: each has its own image of it.
+  /// Find the triangle around the winner that contains the projection of x. If triangles share the
+  /// projection, on an edge or a corner, the one of the lowest neurons is selected, since each has
+  /// its own image of it.
   FootPoint project(const Vector3& x, int winner) const
   {
     constexpr double rounding = 4e-15; // of coordinates
