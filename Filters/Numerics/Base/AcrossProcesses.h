@@ -34,10 +34,10 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// The triangles of all processes, over the points of all, likewise.
+/// Concatenate the triangles of all ranks, over the concatenated points, on every rank.
 /// @param[in] own     ids in [0, points)
-/// @param[in] points  of this process
-/// @throws std::invalid_argument if ids do not fit into an int
+/// @param[in] points  number of points of this rank
+/// @throws std::invalid_argument if ids exceed the range of int
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
   const Index before = shareOf(reduce, points).Before;
