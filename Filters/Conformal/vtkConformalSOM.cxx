@@ -350,7 +350,7 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
   glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
   glue::AddLengths(surface->GetPointData(), "QuantizationError",
-    conformal::quantizationErrors(samples, result, steps.next()), frame);
+    conformal::quantizationErrors(samples, result, options, steps.next()), frame);
   const bool isFitted =
     options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
   const conformal::Run shifting = steps.next();

@@ -28,7 +28,8 @@
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
  *   to 0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
- *   neuron and the input points assigned to it; 0 without points.
+ *   neuron and the input points assigned to it; 0 without points. Of a large cloud, 12 points for
+ *   each neuron are used.
  * - field data "AffineRank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0
  *   for equal points. Below 3 the mesh is valid but flat, and there is a warning.
  * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without points nearby:

@@ -3,6 +3,7 @@
 #include "Base/FixedPointSums.h"
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
+#include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
 #include "Learn/Fit/SurfaceSupport.h"
 #include "Learn/Online/OnlineTraining.h"
@@ -166,8 +167,8 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   return result;
 }
 
-std::vector<double> quantizationErrors(
-  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run)
+std::vector<double> quantizationErrors(const TrainingSamples& samples,
+  const ConformalSOMResult& result, const ConformalSOMOptions& options, const Run& run)
 {
   Steps steps(run, { 0.1, 0.9 }); // tree, foot points
   Points weights = result.Positions;
@@ -177,8 +178,10 @@ std::vector<double> quantizationErrors(
   }
   FixedPointSums squares(weights.rows()), counts(weights.rows());
   const TriangleTree tree(weights, result.Triangles, steps.next());
+  SampleRotation rotation(samples, options.RandomSeed);
+  rotation.turn(options.Batch.SamplesPerNeuron * weights.rows());
   forEachFoot(
-    samples, tree, samples.size(), {},
+    samples, tree, rotation.count(), [&](Index i) { return rotation.id(i); },
     [&](Index, const Vector3& x, const FootPoint& foot)
     {
       int corner = 0;

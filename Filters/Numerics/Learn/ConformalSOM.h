@@ -42,10 +42,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 
 /// Compute the root mean square distance between each neuron and its patterns, in the points' own
 /// unit. A pattern belongs to the neuron of maximum barycentric weight in the triangle of its
-/// projection. Neurons without patterns get 0.
+/// projection. Neurons without patterns get 0. Of a large cloud, options.Batch.SamplesPerNeuron
+/// patterns for each neuron are used, so the time does not grow with the cloud.
 /// @return #N values
-std::vector<double> quantizationErrors(
-  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run = {});
+std::vector<double> quantizationErrors(const TrainingSamples& samples,
+  const ConformalSOMResult& result, const ConformalSOMOptions& options = {}, const Run& run = {});
 }
 
 #endif
