@@ -174,7 +174,8 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
   result.Triangles = network.Triangles;
   result.SpherePositions = network.Positions;
   Points before = start;
-  const int reportEvery = std::max(1, options.SamplesPerEpoch / 16);
+  constexpr int maximumBetweenReports = 4096; // steps, some milliseconds
+  const int reportEvery = std::clamp(options.SamplesPerEpoch / 16, 1, maximumBetweenReports);
   for (int t = 0; t < options.NumberOfEpochs; ++t)
   {
     TrainingRecord record;
