@@ -25,8 +25,8 @@ struct RemeshingOptions
 /// - Move vertices along the surface to the centroid of their triangles.
 ///
 /// No step changes the topology. No step makes a needle or rotates the normal of a triangle by 60
-/// degrees or more. This limit is dropped only for strongly folded surfaces that would otherwise
-/// keep too many vertices. Vertices are not projected back to the input surface, so the caller
+/// degrees or more. With MeetNumber, strongly folded surfaces that would otherwise keep too many
+/// vertices are an exception. Vertices are not projected back to the input surface, so the caller
 /// should fit the result to the data again.
 ///
 /// Implementation note: the operations of each step are made in rounds. Of operations that touch
