@@ -11,7 +11,8 @@ namespace conformal
 {
 /// Interpolate values of a surface at given directions of the sphere. The interpolation is linear
 /// in the triangle that contains the direction.
-/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface; may be mirrored
+/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface. A mirrored map
+///   is first reflected at the plane x = 0.
 /// @param[in] values           #V by 3 values at the vertices, for example positions
 /// @param[in] triangles        #F by 3 ids
 /// @param[in] directions       #N by 3 unit vectors
