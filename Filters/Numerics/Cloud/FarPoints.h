@@ -20,10 +20,9 @@ struct FarPoints
 {
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, including far points
-  double Distance =
-    /// Distance of the nearest far point, in units of the cloud's radius; 0 if there are no far
-    /// points
-    0.0;
+  /// Distance of the nearest far point, in units of the cloud's radius; 0 if there are no far
+  /// points
+  double Distance = 0.0;
   /// Maximum absolute coordinate of the points that are not far; 0 if there are no far points
   double MaximumCoordinate = 0.0;
 
