@@ -39,9 +39,9 @@ struct FarPoints
   }
 };
 
-/// Find the far points of a cloud: a few points so far away that, scaled with them, the cloud would
-/// be too small to be resolved. Examples are invalid pixels at (0, 0, 0), and outliers with huge
-/// coordinates.
+/// Find the far points of a cloud: a few points at a great distance. Scaled together with them, the
+/// cloud would be too small to be resolved. Examples are invalid pixels at (0, 0, 0), and outliers
+/// with huge coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
 /// cloud is the distance within which nine tenths of the positions lie. Candidates for far points

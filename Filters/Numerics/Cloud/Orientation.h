@@ -25,9 +25,9 @@ struct OrientationOptions
 
 /// Compute outward area vectors at the points of a cloud, so that the winding number becomes 1/2 at
 /// all points. The area vectors start from zero. Each iteration has two parts:
-/// - One step of steepest descent reduces the sum of squares of A a - 1/2, where a are the area
-///   vectors and A a the winding numbers. This is the linear system of Parametric Gauss
-///   Reconstruction, \cite Lin2022.
+/// - One step of steepest descent reduces the sum of squares of A a - 1/2. Here a are the area
+///   vectors, and A a the winding numbers at the points. This is the linear system of Parametric
+///   Gauss Reconstruction, \cite Lin2022.
 /// - Each area vector gets the direction of the negative gradient of the winding number. Its length
 ///   does not change. This is Winding Number Normal Consistency, \cite Lin2024.
 ///
@@ -41,7 +41,7 @@ Points orient(
 
 /// Estimate the surface area that each point represents: an eighth of the area of a circle that
 /// contains its eight nearest neighbors.
-/// @return #P
+/// @return #P areas
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
 /// Compute how sparse the cloud is at each point. The result is the point's area divided by the

@@ -45,8 +45,8 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {})
 
 /// Mark points that are far from all others. The distance from each point to its eighth nearest
 /// neighbor is compared with the same distance of other points. A point is marked if its distance
-/// exceeds 3 times the median of its eight neighbors' distances, or `farthest` times the median of
-/// the whole cloud.
+/// exceeds 3 times the median over its eight neighbors. It is also marked if its distance exceeds
+/// `farthest` times the median over the whole cloud.
 ///
 /// Sparse parts of a surface are not marked: a mark is removed if at least a quarter of the 32
 /// nearest marked points pass liesFlat().

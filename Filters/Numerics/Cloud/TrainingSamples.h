@@ -69,8 +69,8 @@ public:
   /// Return the number of points with a coordinate that is not finite, over all ranks.
   Index numberOfNonFinite() const { return this->NonFinite; }
 
-  /// Return the affine rank of the points: 0 if there are no points or all are equal, 1 if they lie
-  /// on a line, 2 if they lie in a plane, else 3.
+  /// Return the affine rank of the points: 1 if they lie on a line, 2 if they lie in a plane, else
+  /// 3. It is 0 if all points are equal, or if there are none.
   int dimension() const { return this->Dimension; }
 
   /// Return the object that computes sums over the ranks.

@@ -32,9 +32,9 @@ struct GenusZeroReport
   Index NumberOfTriangles = 0;          ///< number of triangles that do not repeat a vertex
   Index NumberOfVertices = 0;           ///< number of vertices of the counted triangles
   Index NumberOfEdges = 0;
-  Index NumberOfBoundaryLoops = 0; ///< connected sets of boundary edges
-  Index NumberOfComponents = 0;    ///< sets of triangles connected by shared vertices
-  Index EulerNumber = 0;           ///< vertices - edges + triangles
+  Index NumberOfBoundaryLoops = 0; ///< number of connected sets of boundary edges
+  Index NumberOfComponents = 0;    ///< number of sets of triangles connected by shared vertices
+  Index EulerNumber = 0;           ///< number of vertices - edges + triangles
   bool Orientable = true;
   bool InsideOut = false; ///< whether the mesh is consistently oriented with negative volume
 

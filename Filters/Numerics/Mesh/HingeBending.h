@@ -15,9 +15,9 @@ namespace conformal
 /// Bending energy of hinges, \cite Wardetzky2007. A hinge consists of the two triangles at an edge
 /// e.
 ///
-/// A row k of four numbers, computed from the cotangents of the angles at e, multiplies the
-/// positions x of the four corners of a hinge. It is defined by k x = |e| (u + v). The unit vectors
-/// u and v point from e into its triangles, perpendicular to e. A flat hinge has k x = 0, whatever
+/// Four numbers k are computed from the cotangents of the angles at e. Their products with the
+/// positions x of the four corners of the hinge have the sum k x = |e| (u + v). The unit vectors u
+/// and v point from e into its triangles, perpendicular to e. A flat hinge has k x = 0, whatever
 /// the shape of its triangles. A hinge bent by an angle theta has |k x| = 2 |e| sin(theta / 2).
 /// Unlike the uniform Laplacian, this energy does not need even triangles, and it detects folds of
 /// thin triangles.

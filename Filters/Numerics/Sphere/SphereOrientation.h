@@ -7,11 +7,11 @@
 
 namespace conformal
 {
-/// Compute the exact sign of the determinant of three vectors. The result is 1 if the vectors are
-/// counter-clockwise seen from outside the sphere, -1 if they are clockwise, and 0 if they lie in a
-/// plane through the center. First a determinant of differences is computed. If its error bound
-/// does not determine the sign, the products are summed exactly as non-overlapping doubles, \cite
-/// Shewchuk1997.
+/// Compute the exact sign of the determinant of three vectors. Seen from outside the sphere, the
+/// result is 1 for counter-clockwise order and -1 for clockwise order. It is 0 if the vectors lie
+/// in a plane through the center. First a determinant of differences is computed. If its error
+/// bound does not determine the sign, the products are summed exactly as non-overlapping doubles,
+/// \cite Shewchuk1997.
 /// @param[in] a, b, c  vectors of about unit length
 int orientation(const Vector3& a, const Vector3& b, const Vector3& c);
 
@@ -20,8 +20,8 @@ int orientation(const Vector3& a, const Vector3& b, const Vector3& c);
 /// triangles.
 Triangles turnedOutward(const Triangles& triangles, const Points& spherePositions);
 
-/// Count the flipped triangles of a sphere map. A triangle is flipped if its orientation() is not
-/// 1: it is clockwise seen from outside, or its corners lie in a plane through the center.
+/// Count the flipped triangles of a sphere map. A triangle counts as flipped unless it is
+/// counter-clockwise seen from outside: its orientation() is not 1.
 Index countFlippedTriangles(const Points& spherePositions, const Triangles& triangles);
 }
 

@@ -20,7 +20,8 @@ enum class GlobalConformalTier
 {
   Harmonic, ///< one linear solve was sufficient
   Repaired, ///< folds of the linear solution were repaired locally
-  /// MapToSphere() was used, because a conformal map would underflow or AreaBalance is above 0
+  /// The map was computed by mapToSphere(), because a conformal map would underflow or AreaBalance
+  /// is above 0
   Progressive
 };
 
@@ -42,7 +43,7 @@ struct GlobalConformalMapResult
   /// Whether no triangle is flipped. For GuYau, both phases must also have reached Tolerance, and
   /// no string constant may be infinite.
   bool Converged = false;
-  Index NumberOfFlippedTriangles = 0; ///< number by exact arithmetic
+  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, by exact arithmetic
   /// Number of edges whose opposite angles have a sum above pi
   Index NumberOfNegativeStringConstants = 0;
   Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area

@@ -33,7 +33,7 @@ struct ProgressiveSphereMapOptions
 struct ProgressiveSphereMapResult
 {
   Points Positions;                   ///< #V by 3 unit vectors
-  Index NumberOfFlippedTriangles = 0; ///< number by a check at the end; always 0
+  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, checked at the end; always 0
   /// Number of insertions for which vertices nearby were moved first
   Index NumberOfRelaxations = 0;
   double Energy = 0.0; ///< mean of SphereEnergy over the surface, at least 1

@@ -10,8 +10,8 @@
 namespace conformal
 {
 /// Choose the triangle to remove (the puncture). It is nearly equilateral, as are the triangles
-/// around it, and does not lie at a limb end. From there, the map of the rest of the surface would
-/// be too small.
+/// around it, and does not lie at a limb end. A puncture at a limb end would make the map of the
+/// rest of the surface too small.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
 /// Choose another triangle to remove: nearly equilateral, and enlarged the most by a given sphere
@@ -23,9 +23,10 @@ Index choosePuncture(
 /// puncture, is removed and laid into a plane. All other vertices are mapped into this triangle.
 /// The plane is then projected to the sphere.
 ///
-/// The removed triangle keeps its shape in the plane. The other vertices are at the equilibrium of
-/// the strings. The finite size of the triangle distorts the map. This distortion is corrected, and
-/// the map is solved again around the triangle.
+/// The removed triangle keeps its shape in the plane. The edges pull on the other vertices as
+/// strings with the given weights, until every vertex is at equilibrium. The finite size of the
+/// triangle distorts the map. This distortion is corrected, and the map is solved again around the
+/// triangle.
 ///
 /// Implementation note: \cite Choi2015 solves a second global system for this correction. Here the
 /// error is expanded. Far from the triangle, the discrete solution equals the exact one plus
@@ -36,7 +37,7 @@ Index choosePuncture(
 /// with fixed values at the border of this region.
 ///
 /// @param[in] points   #V by 3 positions, of size about 1
-/// @param[in] strings  result of cotangentWeights() for the surface
+/// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface
 /// @return #V by 3 unit vectors; they are not centered, and triangles may be flipped
 /// @throws NumericalFailure if the equations have no usable solution
 Points punctureToSphere(const Points& points, const Triangles& triangles,

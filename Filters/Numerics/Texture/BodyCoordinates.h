@@ -1,6 +1,6 @@
 /// Longitude and latitude on a body with a sphere map. Own construction: a Moebius transform of the
-/// map, because it moves both ends of the rotation axis to the poles of the sphere and stays
-/// conformal.
+/// map, because it is conformal. It moves both ends of the rotation axis to the poles of the
+/// sphere.
 
 #ifndef ConformalBodyCoordinates_h
 #define ConformalBodyCoordinates_h
@@ -39,15 +39,15 @@ struct BodyCoordinates
 /// the sine of its latitude, is 0.
 ///
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
-/// point, a ray starts at Center in the direction of x, or of y if the axis is x, made
+/// point, a ray from Center defines longitude 0. Its direction is x, or y if the axis is x, made
 /// perpendicular to the axis. Longitude 0 then passes through the farthest intersection of this ray
 /// with the surface. East is counter-clockwise around the north pole seen from outside, also for a
 /// mirrored map.
 ///
 /// @param[in] surface  body with its sphere map; finite
 /// @throws std::invalid_argument if there are no triangles, or numbers are not finite. Also if the
-///   axis has no length or does not intersect the surface on both sides of Center, if both poles
-///   coincide on the sphere, if there is no point for longitude 0, or if that point is a pole.
+///   axis has no length, or does not intersect the surface on both sides of Center. Also if both
+///   poles coincide on the sphere. Also if no point defines longitude 0, or that point is a pole.
 BodyCoordinates findBodyCoordinates(
   const MappedMesh& surface, const BodyCoordinatesOptions& options = {}, const Run& run = {});
 

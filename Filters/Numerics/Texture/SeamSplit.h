@@ -1,6 +1,6 @@
-/// Cut surfaces along the seams of an image of the sphere. Own construction: each cut point on an
-/// edge is computed from the two ends of the original edge, because both triangles of the edge then
-/// get the same point. The surface thus has no gaps.
+/// Cut surfaces along the seams of an image of the sphere. Own construction: a cut point is
+/// computed from the two ends of the original edge, because both its triangles then get the same
+/// point. The surface thus has no gaps.
 
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h

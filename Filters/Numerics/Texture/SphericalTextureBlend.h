@@ -22,8 +22,8 @@ struct TwoPictures
   double BlendAngle = 30.0; ///< width of the blended zone in degrees of the sphere, in [0, 180]
 };
 
-/// Pixel of the blended image. Its value is FrontShare times the value of Front, plus 1 -
-/// FrontShare times the value of Back.
+/// Pixel of the blended image. Its value is FrontShare times the value of Front, plus (1 -
+/// FrontShare) times the value of Back.
 struct BlendedPixel
 {
   PixelMix Front, Back;

@@ -28,18 +28,17 @@ enum class SeamMode
 ///
 /// Implementation note: the Schwarz-Christoffel maps of two triangles move the points of their
 /// common edge differently. With EdgeMatched, each edge has one correspondence that both triangles
-/// use. A point that divides the edge in the ratio t : 1 - t is mapped to the point e(t) with the
-/// ratio e^c t^p : (1 - t)^q. Near the ends of the edge, the conformal maps of both triangles have
-/// this form. The constants p, q and c are means over both triangles.
+/// use. It maps a point t, which divides the edge in the ratio t : 1 - t, to a point e(t). The
+/// point e(t) divides the edge in the ratio e^c t^p : (1 - t)^q. Near the ends of the edge, the
+/// conformal maps of both triangles have this form. The constants p, q and c are means over both
+/// triangles.
 ///
 /// Three slides, one for each edge, then adapt the conformal map of each triangle to these
 /// correspondences. Let i and j be the ends of an edge, and m the barycentric coordinates before
-/// the slide. Then S = m_i + m_j is 1 on the edge and 0 at the opposite corner, and b = m_j / S is
-/// the position along the edge. With d = 1 - S, set b' = (b + d) / (1 + 2 d). Let t be the point of
-/// the edge that the map before the slides moves to b', and o(x) = x / (1 - x). The slide replaces
-/// b by
-///         (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
-///
+/// the slide. Then S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position along
+/// the edge is b = m_j / S. With d = 1 - S, set b' = (b + d) / (1 + 2 d). Let t be the point of the
+/// edge that the map before the slides moves to b', and o(x) = x / (1 - x). The slide replaces b by
+///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
 /// A slide does not move the points of the two other edges, and is smooth there because b' stays
 /// away from 0 and 1. The new position increases strictly with b, since o(e(t)) increases with b'.
