@@ -20,9 +20,8 @@ struct FarPoints
 {
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, including far points
-  /// Distance of the nearest far point, in units of the cloud's radius; 0 if there are no far
-  /// points
-  double Distance = 0.0;
+  double Distance =
+    0.0; ///< distance of the nearest far point, in units of the cloud's radius; 0 if there is none
   /// Maximum absolute coordinate of the points that are not far; 0 if there are no far points
   double MaximumCoordinate = 0.0;
 

@@ -18,8 +18,8 @@ struct OrientationOptions
   /// Width of the winding numbers in the first iteration, see WindingNumbers.h. Later the width
   /// decreases linearly to LastWidth
   double FirstWidth = 0.04;
-  /// Width in the last iteration: about half the distance between neighboring points, or twice the
-  /// size of the noise if that is larger
+  /// Width in the last iteration: about half the distance between neighboring points; for noisy
+  /// points, about twice the size of the noise
   double LastWidth = 0.01;
 };
 

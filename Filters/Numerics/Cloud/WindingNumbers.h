@@ -20,10 +20,10 @@ namespace conformal
 /// near the points. It is linear in the area vectors: below, A a denotes the winding numbers at
 /// given positions for area vectors a.
 ///
-/// A distant cluster of points is added as one point. A cluster is distant if it is farther away
-/// than four times half its longest side. This causes an error of a few thousandths. The cost for
-/// one position is logarithmic in the number of points. The order of addition is fixed, so results
-/// have the same bits for any number of threads.
+/// A distant cluster of points is added as one point. A cluster is distant if its center is farther
+/// away than twice its longest side, and the cluster lies beyond `width`. This causes an error of a
+/// few thousandths. The cost for one position is logarithmic in the number of points. The order of
+/// addition is fixed, so results have the same bits for any number of threads.
 class WindingNumbers
 {
 public:

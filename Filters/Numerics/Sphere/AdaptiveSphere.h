@@ -42,8 +42,8 @@ struct AdaptiveSphereLimits
 /// are flipped, unless an angle would fall below MinimumAngle.
 ///
 /// Implementation note: target sizes have a random factor. Without this factor, all triangles in a
-/// region of constant density would be divided at about the same time. The region that is divided
-/// last would then have triangles up to 1.7 times as large as others.
+/// region of constant density would be divided at about the same time. The part of the region that
+/// is divided last would then have edges up to 1.7 times as long as the others.
 ///
 /// @return mesh with unit vectors as positions, and triangles counter-clockwise seen from outside.
 ///   The number of points is within 2 % of the target number, unless the density requires too small

@@ -1,6 +1,6 @@
 /// Fit a Moebius transform of the sphere to pairs of positions. Own construction: weighted least
-/// squares by the method of Levenberg and Marquardt, because there is no closed solution. It starts
-/// from the closest rotation.
+/// squares by the method of Levenberg and Marquardt, because no formula gives the solution. It
+/// starts from the closest rotation.
 
 #ifndef ConformalClosestMoebiusTransform_h
 #define ConformalClosestMoebiusTransform_h

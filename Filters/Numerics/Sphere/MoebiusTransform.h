@@ -15,8 +15,8 @@ struct MoebiusTransform
   Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
 
   /// Transform a point of the sphere.
-  /// @param[in] x  transformed unit vector
-  /// @return unit vector
+  /// @param[in] x  unit vector to transform
+  /// @return transformed unit vector
   Vector3 operator()(const Vector3& x) const;
   void applyTo(Points& spherePositions) const;
 };
@@ -32,13 +32,13 @@ Vector3 combinedCenter(const Vector3& center, const Vector3& step);
 /// Find the rotation that moves the directions `from` as close as possible to the directions `to`,
 /// \cite Kabsch1976. It minimizes the weighted mean square distance of the pairs.
 /// @param[in] from, to  #P by 3 directions
-/// @param[in] weights   #P, >= 0
+/// @param[in] weights   #P weights of the pairs, >= 0
 Eigen::Matrix3d closestRotation(
   const Points& from, const Points& to, const Eigen::VectorXd& weights);
 
 /// Find the transform without rotation that moves the weighted mean of the positions to the center
-/// of the sphere. If one point has half of the total weight or more, no such transform exists. The
-/// result is then the best transform found.
+/// of the sphere. If one point has half of the total weight or more, this transform may not exist
+/// or not be unique. The result is then the best transform found.
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P weights, >= 0, not all zero
 MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::VectorXd& weights);
