@@ -50,7 +50,7 @@ private:
   std::vector<double> Shares;
   double Sum;
   std::size_t Next = 0;
-  double Done = 0.0; ///< sum of the shares of the steps begun so far
+  double Done = 0.0; ///< sum of Shares over the steps that have begun
   double End = 0.0;  ///< progress at the end of the current step
 };
 }

@@ -74,7 +74,7 @@ int patchOf(const Vector3& n, const SphereImage& image);
 
 /// Project a direction to texture coordinates by the projection of one part of the sphere. A
 /// direction on a seam, or beyond it by rounding, thus gets coordinates on the side of this part.
-/// The zero vector, which can be the center of a flat triangle, is projected into the part.
+/// The zero vector is projected into the part, too: it can be the center of a flat triangle.
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }
 

@@ -128,8 +128,8 @@ private:
   struct Slid
   {
     EdgeShares Place;
-    double WithPlace = 1.0; ///< derivative of the second share with respect to b
-    double WithShare = 0.0; ///< derivative of the second share with respect to S
+    double WithPlace = 1.0; ///< derivative of Place.Second with respect to b
+    double WithShare = 0.0; ///< derivative of Place.Second with respect to S
   };
   Vector3 base(const Vector3& barycentric, Eigen::Matrix3d* derivative);
   void slide(int edge, Vector3& barycentric, Eigen::Matrix3d* derivative);
