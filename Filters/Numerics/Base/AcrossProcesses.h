@@ -1,4 +1,4 @@
-/// Gather, minimum, maximum and ordered sums over all ranks, built on Reduce.
+/// Collective operations over all ranks: gather, minimum, maximum and ordered sums. All use Reduce.
 
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
@@ -17,7 +17,7 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  any number of rows; integers must be exact as doubles
+/// @param[in] own  rows of this rank, any number; integers must be exact as doubles
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 {
@@ -34,10 +34,11 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// Concatenate the triangles of all ranks, over the concatenated points, on every rank.
-/// @param[in] own     ids in [0, points)
+/// Concatenate the triangles of all ranks in rank order, on every rank. Vertex ids then refer to
+/// the concatenated points of all ranks.
+/// @param[in] own     triangles of this rank, with ids in [0, points)
 /// @param[in] points  number of points of this rank
-/// @throws std::invalid_argument if ids exceed the range of int
+/// @throws std::invalid_argument if an int cannot hold the number of all points
 inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index points)
 {
   const Index before = shareOf(reduce, points).Before;
@@ -49,7 +50,7 @@ inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index poin
   return gatherRows(reduce, own);
 }
 
-/// Minimum of a number over all ranks, and the lowest rank that holds it.
+/// Minimum of a number over all ranks, and the lowest rank that has this minimum.
 struct Minimum
 {
   double Value = std::numeric_limits<double>::infinity();
@@ -57,12 +58,12 @@ struct Minimum
 };
 
 /// Compute the element-wise minimum over all ranks.
-/// @param[in] own  equally many numbers on every rank
+/// @param[in] own  numbers of this rank, as many as on every other rank
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
   std::vector<Minimum> result(size);
-  constexpr Index ChunkSize = 1 << 16; // bounds the memory for the numbers of all ranks
+  constexpr Index ChunkSize = 1 << 16; // limits the memory for the numbers of all ranks
   for (Index first = 0; first < size; first += ChunkSize)
   {
     const Index count = std::min(ChunkSize, size - first);
@@ -81,7 +82,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 }
 
 /// Compute the element-wise maximum over all ranks.
-/// @param[in] own  equally many numbers on every rank
+/// @param[in] own  numbers of this rank, as many as on every other rank
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);
@@ -93,11 +94,11 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
   return most;
 }
 
-/// Reduce serially in rank order: each rank continues from the numbers of the rank before it. The
-/// result is broadcast to all ranks. Floating-point sums thus equal those of one process bit by
-/// bit. Slow: the numbers are sent once for each rank.
-/// @param[in,out] numbers  `count` of them, equal on all ranks
-/// @param[in] goOn         update `numbers` with the data of this rank
+/// Reduce serially in rank order: each rank starts from the numbers computed by the previous rank.
+/// The result of the last rank is returned on all ranks. Floating-point sums therefore have the
+/// same bits as in a single process. This is slow: the numbers are sent once per rank.
+/// @param[in,out] numbers  array of `count` numbers, equal on all ranks
+/// @param[in] goOn         function that updates `numbers` with the data of this rank
 inline void inTurn(
   const Reduce& reduce, double* numbers, Index count, const std::function<void()>& goOn)
 {

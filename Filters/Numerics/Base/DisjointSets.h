@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Partition of the ids 0 .. size - 1 into sets. Initially each id is a set of its own. Each set is
-/// named by one of its ids.
+/// Partition of the ids 0 to size - 1 into sets. Initially each id is a set of its own. The name of
+/// a set is one of its ids.
 class DisjointSets
 {
 public:
@@ -31,8 +31,9 @@ public:
     return id;
   }
 
-  /// Merge the sets of two ids. The smaller name becomes the name of the merged set.
-  /// @return whether the sets were different
+  /// Merge the two sets that contain ids a and b. The merged set keeps the smaller of the two
+  /// names.
+  /// @return whether a and b were in different sets
   bool unite(int a, int b)
   {
     a = this->find(a);

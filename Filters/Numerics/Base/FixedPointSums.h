@@ -1,5 +1,5 @@
-/// Fixed-point sums: the result does not depend on the order of addition. Own construction: integer
-/// addition is associative, so threads and ranks may add in any order.
+/// Fixed-point sums, which do not depend on the order of addition. Own construction: sums of
+/// integers, because their addition is associative. Threads and ranks may thus add in any order.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h
@@ -14,8 +14,9 @@
 
 namespace conformal
 {
-/// Sums of numbers of magnitude up to about 1, in integer steps of 2^-38. Threads and ranks may add
-/// in any order: the bits of the sums stay the same. A sum holds up to 2^24 addends of magnitude 2.
+/// Sums of numbers of magnitude up to about 1, stored as integer multiples of 2^-38. Threads and
+/// ranks may add in any order: the sums have the same bits. A sum has space for 2^24 numbers of
+/// magnitude 2.
 class FixedPointSums
 {
 public:
@@ -29,7 +30,7 @@ public:
   /// Reset all sums to zero.
   void clear() { std::fill(this->Steps.begin(), this->Steps.end(), 0); }
 
-  /// Add the sums of all ranks, element by element.
+  /// Replace each sum by its total over all ranks.
   void reduce(const Reduce& reduce)
   {
     reduce.sum(this->Steps.data(), static_cast<Index>(this->Steps.size()));

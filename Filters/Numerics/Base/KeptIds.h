@@ -1,4 +1,4 @@
-/// Compact list of the ids that pass a test: one bit for each id.
+/// Compact list of the ids that pass a test. Storage is one bit per tested id.
 
 #ifndef ConformalKeptIds_h
 #define ConformalKeptIds_h
@@ -10,15 +10,15 @@
 
 namespace conformal
 {
-/// List of the ids in [0, size) that pass a test, in ascending order. Storage is one bit for each
-/// id: a list of ids would cost 64 bits for each of ten million points.
+/// Ascending list of the ids in [0, size) that pass a test. Storage is one bit per tested id. A
+/// plain list needs 64 bits for each listed id, too much for clouds of ten million points.
 class KeptIds
 {
 public:
   KeptIds() = default;
 
-  /// @param[in] size  number of ids, from 0
-  /// @param[in] keep  predicate, called once for each id, in ascending order
+  /// @param[in] size  number of ids to test, starting with id 0
+  /// @param[in] keep  test, called once for each id in ascending order
   template <typename Keep>
   KeptIds(Index size, const Keep& keep)
     : Words((size + 63) / 64, 0)
@@ -44,8 +44,8 @@ public:
 
 private:
   static constexpr Index IdsPerBlock = 512;
-  std::vector<std::uint64_t> Words; ///< a bit for each id
-  std::vector<Index> Before;        ///< number of kept ids before each block
+  std::vector<std::uint64_t> Words; ///< one bit per tested id, 1 for kept ids
+  std::vector<Index> Before;        ///< number of kept ids before each block of IdsPerBlock ids
   Index Size = 0;
 };
 }

@@ -5,9 +5,9 @@
 
 namespace conformal
 {
-/// Vector types of GCC and Clang. Operators + - * < ?: act lane by lane and give the same bits on
-/// every SIMD unit. Vectors need only the alignment of their elements. Used in the few loops that
-/// compilers do not vectorize on their own.
+/// Vector types of GCC and Clang. Operators + - * < ?: act on each element separately, with the
+/// same bits on every SIMD unit. Vectors need only the alignment of their elements. They serve in
+/// the few loops that compilers do not vectorize automatically.
 using Floats = float __attribute__((vector_size(32), aligned(4)));
 using Doubles = double __attribute__((vector_size(32), aligned(8)));
 constexpr int FloatLanes = 8;

@@ -7,8 +7,9 @@
 
 namespace conformal
 {
-/// Thrown by a method that has no result for a valid input. Examples: equations without a usable
-/// solution, or a map that leaves no feasible position for a vertex. Callers try another method.
+/// Exception thrown by a method that finds no result for a valid input. Examples are equations
+/// without a usable solution, or a map in which a vertex has no valid position. The caller can try
+/// another method.
 class NumericalFailure : public std::runtime_error
 {
 public:

@@ -11,8 +11,9 @@
 
 namespace conformal
 {
-/// Pseudorandom numbers from the Mersenne Twister. The C++ standard fixes the numbers of the engine
-/// but not those of its distributions, so the conversions are defined here.
+/// Pseudorandom numbers from the Mersenne Twister. The C++ standard defines the numbers of the
+/// generator, but not those of its distributions. This class therefore converts the generator's
+/// numbers itself.
 class Random
 {
 public:

@@ -1,4 +1,4 @@
-/// Sums over the ranks that hold the parts of one cloud.
+/// Sums over all ranks (MPI processes). Each rank holds a part of the cloud.
 
 #ifndef ConformalReduce_h
 #define ConformalReduce_h
@@ -14,14 +14,16 @@
 
 namespace conformal
 {
-/// Sum over the ranks that hold the parts of one cloud. All ranks call it in the same order and
-/// with the same counts. Integer sums do not depend on the order of addition, so results have the
-/// same bits for any number of ranks. Every other reduction is expressed as an integer sum.
+/// Sum over all ranks, each of which holds a part of the cloud. All ranks must make the same calls
+/// in the same sequence, with equal counts. Integer sums do not depend on the order of addition, so
+/// results have the same bits for any number of ranks. Every other reduction is expressed as an
+/// integer sum.
 struct Reduce
 {
   int Rank = 0; ///< rank of this process, in [0, NumberOfRanks)
   int NumberOfRanks = 1;
-  /// Replace each of `count` values by its sum over all ranks. Empty for a single rank.
+  /// Function that replaces each of `count` values by its sum over all ranks. Empty if there is
+  /// only one rank.
   std::function<void(std::int64_t* values, Index count)> Sum;
 
   void sum(std::int64_t* values, Index count) const
@@ -33,11 +35,11 @@ struct Reduce
   }
 };
 
-/// Position of the data of one rank in the concatenation of all ranks, in rank order.
+/// Position of one rank's data in the concatenated data of all ranks, in rank order.
 struct Share
 {
-  std::int64_t Before = 0; ///< number of items of the lower ranks
-  std::int64_t Total = 0;  ///< number of items of all ranks
+  std::int64_t Before = 0; ///< number of items on lower ranks
+  std::int64_t Total = 0;  ///< number of items on all ranks
 };
 
 inline Share shareOf(const Reduce& reduce, std::int64_t own)
@@ -57,7 +59,7 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
     return own;
   }
   const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
-  // Sum bit patterns with zeros, so that each number arrives unchanged.
+  // Each rank adds the bits of its numbers to zeros, so that the numbers do not change.
   std::vector<std::int64_t> bits(size, 0);
   std::transform(own.begin(), own.end(), bits.begin() + first,
     [](double number)

@@ -1,7 +1,7 @@
-/// Execution context: thread pool and a progress callback that may abort.
+/// Execution context of a computation: a thread pool, and a progress callback that may abort.
 ///
-/// Results do not depend on the number of threads: work is divided into blocks of fixed size, which
-/// write only their own results.
+/// Results do not depend on the number of threads. Work is divided into blocks of fixed size, and
+/// each block writes only its own results.
 
 #ifndef ConformalRun_h
 #define ConformalRun_h
@@ -18,19 +18,20 @@ namespace conformal
 /// Run body(i) once for every i in [0, count), in any order and possibly concurrently.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
 
-/// Progress callback. The argument is the completed fraction in [0, 1] and never decreases. It is
-/// always called from the calling thread. Return false to abort; the core then throws Aborted.
+/// Progress callback. Its argument is the completed fraction in [0, 1], which never decreases. The
+/// callback runs on the thread that started the computation. If it returns false, the computation
+/// throws Aborted.
 using Progress = std::function<bool(double)>;
 
-/// Thrown by the core after the progress callback returned false.
+/// Exception thrown after the progress callback returned false.
 class Aborted : public std::exception
 {
 public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Execution context of one computation, passed as the last argument. The default runs on the
-/// calling thread and reports no progress.
+/// Execution context of one computation, passed as the last argument. A default-constructed run
+/// uses only the calling thread and reports no progress.
 class Run
 {
 public:
@@ -52,7 +53,8 @@ public:
     }
   }
 
-  /// Return a run whose progress [0, 1] is [begin, end] of this run.
+  /// Return a run for one part of this computation. Its progress from 0 to 1 is reported as
+  /// progress from `begin` to `end` of this run.
   Run part(double begin, double end) const
   {
     if (!this->Watcher)
@@ -71,8 +73,8 @@ public:
   /// Return a run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// Return a run with the same progress callback that executes blocks serially, for bodies that
-  /// depend on their order.
+  /// Return a run with the same progress callback but without threads. It executes blocks serially
+  /// in ascending order, for bodies that depend on the order.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
   /// Run body(i) once for every i in [0, count), on all threads.
@@ -94,7 +96,7 @@ private:
   Progress Watcher;
 };
 
-/// Run body(begin, end) over [0, size) in blocks of blockSize.
+/// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size).
 inline void forBlocks(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)
 {
@@ -102,9 +104,9 @@ inline void forBlocks(
     [&](Index block) { body(block * blockSize, std::min(size, (block + 1) * blockSize)); });
 }
 
-/// Run body(begin, end) over [0, size) in blocks of blockSize and report progress from the calling
-/// thread. A report follows each sixteenth of the blocks, limited to [64, 256] blocks so that many
-/// threads stay busy.
+/// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size), and
+/// report progress from the calling thread. Progress is reported after each sixteenth of the
+/// blocks, but at least 64 and at most 256 blocks, so that many threads stay busy.
 /// @throws Aborted if the progress callback returns false
 inline void forBlocksReporting(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)

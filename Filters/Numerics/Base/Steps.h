@@ -1,4 +1,4 @@
-/// Divides the progress of a computation among its steps.
+/// Divide the progress of a computation among its steps.
 
 #ifndef ConformalSteps_h
 #define ConformalSteps_h
@@ -13,19 +13,19 @@
 
 namespace conformal
 {
-/// Gives each step of a computation its share of the progress:
+/// Assign a fraction of the total progress to each step of a computation:
 ///
 ///     Steps steps(run, { 0.4, 0.6 }); // tree, foot points
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Shares are fixed: parts of the time of one run on a surface of 100,000 points, measured on one
-/// core in a release build (2026). Only their ratios matter. Progress therefore never falls and is
-/// reported often, but it is no estimate of the time that is left.
+/// The fractions are constants: the measured times of the steps for a surface of 100,000 points, on
+/// one core in a release build (2026). Only their ratios matter. Progress therefore never decreases
+/// and is reported often, but it does not predict the remaining time.
 class Steps
 {
 public:
-  /// @param[in] shares  of each step; 0 for one that is left out
+  /// @param[in] shares  relative durations of the steps; 0 for a step that is left out
   Steps(Run whole, std::vector<double> shares)
     : Whole(std::move(whole))
     , Shares(std::move(shares))
@@ -33,9 +33,9 @@ public:
   {
   }
 
-  /// Report that the next step begins.
-  /// @return the run of that step; a short step need not report progress
-  /// @throws Aborted if the watcher stops the run
+  /// Begin the next step, and report the progress at its beginning.
+  /// @return run to pass to that step; a short step need not report progress
+  /// @throws Aborted if the progress callback returns false
   Run next()
   {
     const double begin = this->End;
@@ -50,8 +50,8 @@ private:
   std::vector<double> Shares;
   double Sum;
   std::size_t Next = 0;
-  double Done = 0.0; ///< sum of the shares of the steps so far
-  double End = 0.0;  ///< progress at the end of the steps so far
+  double Done = 0.0; ///< sum of Shares over the steps that have begun
+  double End = 0.0;  ///< progress at the end of the current step
 };
 }
 

@@ -1,4 +1,4 @@
-/// Shared types of the numerical core: matrices by shape, corners of triangles, views of points and
+/// Shared types of the numerical library: matrices, corners of triangles, views of points and of
 /// numbers.
 
 #ifndef ConformalTypes_h
@@ -13,13 +13,14 @@ namespace conformal
 {
 using Index = Eigen::Index;
 using Vector3 = Eigen::Vector3d;
-using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3 coordinates
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;    ///< column-major
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;    ///< column-major matrix
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Return the next corner of a triangle (0, 1 or 2), counter-clockwise; previous() is its inverse.
+/// Return the corner (0, 1 or 2) that follows a corner of a triangle counter-clockwise. The inverse
+/// is previous().
 constexpr int next(int corner)
 {
   return corner == 2 ? 0 : corner + 1;
@@ -29,8 +30,9 @@ constexpr int previous(int corner)
   return corner == 0 ? 2 : corner - 1;
 }
 
-/// View of packed float or double points in memory owned elsewhere, so that ten million points need
-/// no copy. Coordinates are divided by a unit of length, see CoordinateFrame.
+/// Read-only view of packed points, in float or double. It refers to memory owned elsewhere, so
+/// that ten million points need no copy. Coordinates are divided by a unit of length, see
+/// CoordinateFrame.
 class PointView
 {
 public:
@@ -70,7 +72,7 @@ private:
   double Unit = 1.0;
 };
 
-/// View of floats or doubles in memory owned elsewhere.
+/// Read-only view of floats or doubles in memory owned elsewhere.
 class NumberView
 {
 public:

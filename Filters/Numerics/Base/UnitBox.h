@@ -12,11 +12,11 @@ namespace conformal
 struct UnitBox
 {
   Vector3 Lower = Vector3::Zero();
-  double Half = 1.0; ///< half of the longest side, since the difference of coordinates may overflow
+  double Half = 1.0; ///< half of the longest side; the whole side may overflow
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
 
-  /// Convert a point that may lie outside of the box, by inUnits().
+  /// Convert a point that may lie far outside of the box, by inUnits().
   Vector3 fromAfar(const Vector3& p) const
   {
     return inUnits(0.5 * p - 0.5 * this->Lower, this->Half);
@@ -24,11 +24,12 @@ struct UnitBox
 };
 
 /// Compute the unit box of points.
-/// @throws std::invalid_argument with the number of points that are not finite, if there are any
+/// @throws std::invalid_argument if some points are not finite; the message contains their number
 UnitBox unitBoxOf(const PointView& points);
 
-/// Convert points into their unit box, for measures that depend neither on position nor on size.
-/// @throws std::invalid_argument with the number of points that are not finite, if there are any
+/// Convert points into their unit box. Measures of the result depend neither on the position nor on
+/// the size of the input.
+/// @throws std::invalid_argument if some points are not finite; the message contains their number
 Points inUnitBox(const PointView& points);
 }
 

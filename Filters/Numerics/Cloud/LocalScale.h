@@ -1,5 +1,5 @@
-/// Local scale of distances between samples and surface, for outlier rejection. Own construction: a
-/// scale at each vertex, so that a feature not learned yet is not rejected.
+/// Local scale of the distances between samples and surface, to reject outliers. Own construction:
+/// one scale per vertex, because a global scale would reject features that are not learned yet.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h
@@ -12,30 +12,31 @@
 
 namespace conformal
 {
-/// Root mean square distance of the samples around each vertex, over a few rings of neighbors. A
-/// sample much farther than this is an outlier. Samples of a feature still to be learned are far
-/// together, so they raise the local scale and are kept.
+/// Local scale at each vertex: the root mean square distance of the samples around the vertex and a
+/// few rings of its neighbors. A sample much farther from the surface than this is an outlier.
+/// Where a feature is not learned yet, many samples are far from the surface. They increase the
+/// local scale, so that they are kept.
 class LocalScale
 {
 public:
   /// @param[in] outlierRatio  ratio of distance to local scale above which a sample is an outlier
   LocalScale(Index neurons, double outlierRatio);
 
-  /// Test whether a sample is an outlier by the scale of the last update; false before the first
-  /// update.
+  /// Test whether a sample is an outlier by the scale of the last update. Before the first update,
+  /// no sample is an outlier.
   bool outlying(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
-  /// Add the distance of a sample for the next update.
+  /// Add the distance of a sample, to be used in the next update.
   void add(const FootPoint& foot, const conformal::Triangles& triangles, double weight);
 
-  /// Update the scale from the distances added since the last update, on all ranks.
+  /// Update the scale from the distances that all ranks added since the last update.
   void update(const Adjacency& neighbors, const Reduce& reduce);
 
 private:
   double squareAt(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
   double OutlierRatio;
-  FixedPointSums Sums; ///< weight and weighted square distance of each vertex
+  FixedPointSums Sums; ///< sums of weights and of weighted square distances, at each vertex
   std::vector<double> SquareScale;
 };
 }

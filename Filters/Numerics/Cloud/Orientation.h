@@ -1,4 +1,5 @@
-/// Orient a cloud without normals from all its points together, \cite Lin2022 and \cite Lin2024.
+/// Compute normals of a cloud, pointing outward, from all points together, \cite Lin2022 and \cite
+/// Lin2024.
 
 #ifndef ConformalOrientation_h
 #define ConformalOrientation_h
@@ -14,60 +15,67 @@ namespace conformal
 struct OrientationOptions
 {
   int NumberOfIterations = 20;
-  /// Width of the winding numbers in the first iteration, see WindingNumbers.h; then decreasing
-  /// evenly
+  /// Width of the winding numbers in the first iteration, see WindingNumbers.h. Later the width
+  /// decreases linearly to LastWidth
   double FirstWidth = 0.04;
-  double LastWidth = 0.01; ///< about half the distance between neighbors; for noise, twice its size
+  /// Width in the last iteration: about half the distance between neighboring points; for noisy
+  /// points, about twice the size of the noise
+  double LastWidth = 0.01;
 };
 
-/// Compute outward area vectors of the surface sampled by a cloud, so that the winding number is
-/// 1/2 at all points. Starting from zero, each iteration applies
-/// - a step of steepest descent for the least squares of A a - 1/2 (the linear system of Parametric
-///   Gauss Reconstruction, \cite Lin2022);
-/// - the direction of each area vector from the gradient of the winding number, with its length
-///   kept (Winding Number Normal Consistency, \cite Lin2024).
+/// Compute outward area vectors at the points of a cloud, so that the winding number becomes 1/2 at
+/// all points. The area vectors start from zero. Each iteration has two parts:
+/// - One step of steepest descent reduces the sum of squares of A a - 1/2. Here a are the area
+///   vectors, and A a the winding numbers at the points. This is the linear system of Parametric
+///   Gauss Reconstruction, \cite Lin2022.
+/// - Each area vector gets the direction of the negative gradient of the winding number. Its length
+///   does not change. This is Winding Number Normal Consistency, \cite Lin2024.
 ///
-/// Holes in the data do not matter if the other points imply how they close. Every normal depends
-/// on the whole cloud, not on its neighbors alone.
+/// Every normal depends on the whole cloud, not only on its neighbors. Holes in the data therefore
+/// do no harm if the other points determine how the surface closes there.
 ///
-/// @return #P by 3
+/// @return #P by 3 area vectors
 /// @throws Aborted
 Points orient(
   const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
-/// Estimate the area of each point: its share of a circle that contains eight neighbors.
-/// @return #P
+/// Estimate the surface area that each point represents: an eighth of the area of a circle that
+/// contains its eight nearest neighbors.
+/// @return #P areas
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
-/// Compute how sparse the cloud is at each point: its area relative to the usual one. The value is
-/// 1 for a ratio below four, and for points that seem to be outliers.
-/// @return #P, at least 1
+/// Compute how sparse the cloud is at each point. The result is the point's area divided by the
+/// median area. If this ratio is at most 4, or if the point seems to be an outlier, the result is
+/// 1.
+/// @return #P ratios, at least 1
 Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
 
-/// Compute area vectors of length areasOfPoints() from given normals; zero for a zero normal.
-/// @param[in] normals  #P by 3, unit vectors or zero
+/// Compute area vectors from given normals, with the lengths of areasOfPoints(). The result is zero
+/// for a zero normal.
+/// @param[in] normals  #P by 3 unit vectors or zeros
 Points areaVectors(const Points& points, const Points& normals, const Run& run = {});
 
-/// Reverse all area vectors if they point inward.
-/// @param[in,out] areas  #P by 3
-/// @return whether the area vectors agree on the inside; otherwise they are of no use, like normals
-///   of inconsistent signs
+/// Reverse all area vectors if most of them point inward.
+/// @param[in,out] areas  #P by 3 area vectors
+/// @return whether the area vectors agree on which side is inside. If they do not, they are
+///   useless, as are normals with inconsistent signs.
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run = {});
 
 /// Offsets of points from the surface that they sample.
 struct PointNoise
 {
-  /// #P: offset of the mean of the neighbors of each point, along its normal
+  /// #P distances, along the normal of each point, from the point to the mean of its neighbors
   Eigen::VectorXd Offsets;
-  double Deviation = 0.0; ///< standard deviation of the noise, without the offsets caused by bends
+  /// Standard deviation of the noise. Offsets caused by the bending of the surface are subtracted.
+  double Deviation = 0.0;
 };
 
 /// Estimate the noise of points from their neighbors with similar normals.
-/// @param[in] areas  #P by 3, area vectors
+/// @param[in] areas  #P by 3 area vectors
 PointNoise noiseOf(const Points& points, const Points& areas, const Run& run = {});
 
-/// Estimate the distance of neighbors for points spread evenly with the typical density; 0 for
-/// fewer than two points.
+/// Estimate the typical distance between neighboring points: the distance if all points were spread
+/// evenly with the median density. The result is 0 for fewer than two points.
 double typicalSpacing(const Points& points, const Run& run = {});
 }
 

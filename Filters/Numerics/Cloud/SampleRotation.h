@@ -1,5 +1,5 @@
-/// Deterministic subsets of the samples, a different one for each pass. Own construction: shifts by
-/// multiples of the golden section spread the subsets evenly.
+/// Select deterministic subsets of the samples, a different subset for each pass. Own construction:
+/// each subset is shifted by the golden section, because successive subsets are then spread evenly.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -12,9 +12,10 @@
 
 namespace conformal
 {
-/// Selection of the samples of a pass: all if they are few, else evenly spaced ones in the order of
-/// the scan. The start moves from pass to pass, so that all samples are used. Each rank selects
-/// from its part; together the ranks select the samples that one process would.
+/// Selection of the samples of a pass. If there are few samples, all are selected. Otherwise,
+/// samples are selected at equal spacing in the order of the scan. The first position changes from
+/// pass to pass, so that in the course of many passes all samples are used. Each rank selects from
+/// its own part. Together the ranks select the same samples as a single process.
 class SampleRotation
 {
 public:
@@ -27,11 +28,11 @@ public:
   }
 
   /// Select the samples of the next pass.
-  /// @param[in] wanted  number of samples on all ranks
+  /// @param[in] wanted  total number of samples to select, summed over all ranks
   void turn(Index wanted)
   {
     this->TotalCount = std::min(wanted, this->Total);
-    constexpr double GoldenSection = 0.6180339887498949; // its multiples modulo 1 spread evenly
+    constexpr double GoldenSection = 0.6180339887498949; // its multiples modulo 1 are spread evenly
     this->Start = std::fmod(this->Start + GoldenSection, 1.0);
     this->Begin = this->firstFrom(this->First);
     this->End = this->firstFrom(this->Last);
@@ -39,7 +40,7 @@ public:
 
   Index totalCount() const { return this->TotalCount; }
   Index count() const { return this->End - this->Begin; }
-  /// Position of the first sample of this rank among those of the pass.
+  /// Return the position of this rank's first sample among all samples of the pass.
   Index begin() const { return this->Begin; }
   /// Return the id in TrainingSamples of the i-th sample of this rank, for i in [0, count()).
   Index id(Index i) const { return this->idOfTotal(this->Begin + i) - this->First; }
@@ -52,7 +53,8 @@ private:
       static_cast<Index>((static_cast<double>(i) + this->Start) * spacing), this->Total - 1);
   }
 
-  /// Find the first sample of the pass with an id not below the given one.
+  /// Find the first sample of the pass whose id is at least the given id. The result is its
+  /// position in the pass.
   Index firstFrom(Index id) const
   {
     Index low = 0, high = this->TotalCount;

@@ -1,4 +1,4 @@
-/// Training samples: selection, weights and normalization of points, \cite Liou2008.
+/// Training samples: points selected, weighted and normalized for learning, \cite Liou2008.
 
 #ifndef ConformalTrainingSamples_h
 #define ConformalTrainingSamples_h
@@ -13,51 +13,55 @@
 
 namespace conformal
 {
-/// Samples, the patterns x in X of \cite Liou2008, section 2, read in place and normalized on
-/// access. The center is the weighted centroid, the maximum radius 1.
+/// Samples for training, called patterns x in X in \cite Liou2008, section 2. Points are not
+/// copied, but normalized on each access. Normalization moves their weighted centroid to the
+/// origin, and scales the largest distance from it to 1.
 ///
-/// The samples may be the part of one rank of a cloud that is distributed over several ranks. The
-/// frame is then that of the whole cloud, and all ranks must call the same functions.
+/// The cloud may be distributed over several ranks. Each rank then has the samples of its part,
+/// normalized by the centroid and radius of the whole cloud. All ranks must call the same
+/// functions.
 class TrainingSamples
 {
 public:
-  /// @param[in] points    #P by 3, not copied: must outlive this object
-  /// @param[in] weights   priority of each point, not copied; none for equal priority. Points that
-  ///   are not finite, and points without a positive finite weight, are left out.
-  /// @param[in] skip      test whether to leave a point out; may be empty
-  /// @param[in] reduce    sums over the ranks that hold the other parts
-  /// @throws std::invalid_argument on all ranks, if weights has not #P entries on one of them
+  /// @param[in] points    #P by 3 coordinates, not copied; must outlive this object
+  /// @param[in] weights   priority of each point, not copied; empty if all points have the same
+  ///   priority. Points with a coordinate that is not finite, or without a positive finite weight,
+  ///   are left out.
+  /// @param[in] skip      function that returns true for points to leave out; may be empty
+  /// @param[in] reduce    sums over the ranks; each rank passes its own part of the cloud
+  /// @throws std::invalid_argument if the number of weights is not #P on any rank; thrown on all
+  ///   ranks
   /// @throws Aborted
   TrainingSamples(const PointView& points, const NumberView& weights = {},
     const std::function<bool(Index)>& skip = {}, const Reduce& reduce = {}, const Run& run = {});
 
-  /// Return the number of samples of this rank.
+  /// Return the number of samples on this rank.
   Index size() const { return this->Size; }
-  /// Return the number of samples of all ranks.
+  /// Return the number of samples on all ranks.
   Index totalSize() const { return this->OfAll.Total; }
-  /// Return the number of samples of the lower ranks: the position of the first sample of this rank
-  /// in the whole cloud.
+  /// Return the number of samples on lower ranks. It is the position of this rank's first sample
+  /// among the samples of all ranks.
   Index firstOfTotal() const { return this->OfAll.Before; }
   bool empty() const { return this->OfAll.Total == 0; }
 
   /// Return the normalized sample i, for i in [0, size()).
   Vector3 operator[](Index i) const { return this->normalize(this->View[this->id(i)]); }
-  /// Return the priority of sample i: 1 for the maximum weight.
+  /// Return the priority of sample i, divided by the maximum priority.
   double weight(Index i) const
   {
     return this->weighted() ? this->Weights[this->id(i)] / this->MaximumWeight : 1.0;
   }
-  /// Test whether any rank has weights; a rank without points has none.
+  /// Test whether weights were given on any rank. A rank without points has no weights.
   bool weighted() const { return this->Weighted; }
 
-  /// Set normals of the points, #P by 3 of any length, not copied; zero or not finite where
-  /// unknown. Call it on all ranks or on none.
-  /// @throws std::invalid_argument if the number of normals differs from that of points
+  /// Set the normals of the points: #P by 3 vectors of any length, not copied. Unknown normals are
+  /// zero or not finite. Call this function on all ranks or on none.
+  /// @throws std::invalid_argument if the number of normals differs from the number of points
   void setNormals(const PointView& normals);
   bool oriented() const { return this->Oriented; }
   Vector3 normal(Index i) const { return this->Normals[this->id(i)]; }
 
-  /// Convert a point from its own unit to that of training; restore() is the inverse.
+  /// Convert a point from input coordinates to normalized coordinates. The inverse is restore().
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
   Vector3 restore(const Vector3& x) const { return x * this->Scale + this->Center; }
   double scale() const { return this->Scale; }
@@ -65,11 +69,11 @@ public:
   /// Return the number of points with a coordinate that is not finite, over all ranks.
   Index numberOfNonFinite() const { return this->NonFinite; }
 
-  /// Return the affine rank: 0 for no or equal points, 1 for points on a line, 2 in a plane, else
-  /// 3.
+  /// Return the affine rank of the points: 1 if they lie on a line, 2 if they lie in a plane, else
+  /// 3. It is 0 if all points are equal, or if there are none.
   int dimension() const { return this->Dimension; }
 
-  /// Return the sums over the ranks that hold the parts.
+  /// Return the object that computes sums over the ranks.
   const conformal::Reduce& reduce() const { return this->Sums; }
 
 private:

@@ -1,5 +1,5 @@
-/// Preconditioned conjugate gradients with progress and abort, \cite Hestenes1952. Eigen's solver
-/// supports neither.
+/// Preconditioned conjugate gradients, \cite Hestenes1952. Unlike Eigen's solver, this one reports
+/// progress and can be aborted.
 
 #ifndef ConformalConjugateGradients_h
 #define ConformalConjugateGradients_h
@@ -13,19 +13,21 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Square residual, in the norm of the preconditioner, relative to the initial one at which to
-  /// stop.
+  /// Stop when the square of the residual, in the norm of the preconditioner, is at most this
+  /// fraction of its initial value.
   double Accuracy = 0.0;
 };
 
-/// Linear map: writes its result into the second argument, of the size of the first.
+/// Linear map of the first argument. The result is written into the second argument, which has the
+/// same size.
 using LinearMap = std::function<void(const Points&, Points&)>;
 
-/// Solve A x = b from x = 0 for symmetric positive definite A and preconditioner.
-/// @param[in,out] residual    b; on return the residual b - A x
-/// @param[in] product         compute A x
-/// @param[in] preconditioned  approximate A^-1 x
-/// @return x
+/// Solve A x = b, starting from x = 0. Both A and the preconditioner must be symmetric positive
+/// definite.
+/// @param[in,out] residual    right-hand side b; on return, the residual b - A x
+/// @param[in] product         function that computes A x
+/// @param[in] preconditioned  function that approximates A^-1 x
+/// @return solution x
 /// @throws Aborted
 inline Points conjugateGradients(Points& residual, const LinearMap& product,
   const LinearMap& preconditioned, const ConjugateGradientsOptions& options, const Run& run = {})

@@ -1,4 +1,4 @@
-/// Harmonic extension: solve for the free vertices of a mesh with fixed values at all other
+/// Harmonic extension: compute values at the free vertices of a mesh from fixed values at all other
 /// vertices, \cite Pinkall1993.
 
 #ifndef ConformalHarmonicExtension_h
@@ -12,12 +12,14 @@
 
 namespace conformal
 {
-/// Compute values of the free vertices so that the weighted sum of the edges at each of them is
-/// zero. Solved by Eigen's sparse Cholesky factorization, or for many vertices by
-/// MultifrontalCholesky.
-/// @param[in] places      #V by 3 points of the surface, for the elimination order
+/// Compute values at the free vertices. At each free vertex, the weighted differences to its
+/// neighbors' values then have the sum zero. The equations are solved by Eigen's sparse Cholesky
+/// factorization, or for many vertices by MultifrontalCholesky.
+/// @param[in] places      #V by 3 positions of the vertices; they determine only the elimination
+///   order
 /// @param[in] free        ids of the free vertices, each once
-/// @param[in,out] values  #V by the number of columns
+/// @param[in,out] values  #V rows; each column is a separate problem. Rows of free vertices are
+///   computed, all others are given.
 /// @throws NumericalFailure if the matrix of the weights is not positive definite
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
   const std::vector<int>& free, Columns& values, const Run& run = {});

@@ -12,34 +12,36 @@
 
 namespace conformal
 {
-/// Cholesky factor of a positive definite matrix by fronts (\cite Duff1983). Each part of a nested
-/// dissection has a dense front: its own unknowns and the later unknowns connected to it. Parts of
-/// one level are independent and run concurrently. Large fronts are factored panel by panel with a
-/// progress report after each, so that no step is long.
+/// Cholesky factor of a sparse positive definite matrix, computed from dense matrices called
+/// fronts, \cite Duff1983. Each part of a nested dissection has a front. Its rows are the unknowns
+/// of the part and the later unknowns connected to them. Parts of one level are independent, and
+/// run concurrently. Large fronts are factored in panels, with a progress report after each panel.
 ///
 /// Eigen's sparse factorizations work column by column, on one thread and without progress. For the
-/// 134,342 unknowns of Igea they take 0.7 s, this solver 0.2 s.
+/// 134,342 vertices of the scan Igea they need 0.7 s; this solver needs 0.2 s.
 class MultifrontalCholesky
 {
 public:
-  /// Factor the matrix with the given diagonal and the negative weights as off-diagonal entries.
-  /// @param[in] places  a point for each unknown, for the elimination order
-  /// @throws NumericalFailure if the matrix is not positive definite. Also if its factor is too
-  ///   full, because neighbors are far apart.
+  /// Factor a matrix. Its off-diagonal entries are the negated weights.
+  /// @param[in] places  one position for each unknown; they determine only the elimination order
+  /// @throws NumericalFailure if the matrix is not positive definite, or if its factor has too many
+  ///   entries because neighboring unknowns are far apart
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
     const Points& places, const Run& run = {});
 
-  /// Solve for all columns.
-  /// @param[in,out] columns  right-hand sides, then solutions
+  /// Solve the equations for each column.
+  /// @param[in,out] columns  right-hand sides; on return, the solutions
   void solve(Columns& columns) const;
 
 private:
   struct Front
   {
-    std::vector<int> Boundary; // later unknowns by position in the order, ascending
-    // Rows: unknowns of the part and of its boundary; columns: unknowns of the part
+    // Later unknowns of this front: their positions in the order, ascending
+    std::vector<int> Boundary;
+    // Part of the Cholesky factor. Rows: unknowns of the part and of its boundary; columns:
+    // unknowns of the part
     Columns Factor;
-    Columns Update; // Schur complement for the parent, lower triangle
+    Columns Update; // Schur complement to add to the parent's front, lower triangle
   };
 
   void findBoundaries(const Adjacency& graph);

@@ -10,25 +10,26 @@
 
 namespace conformal
 {
-/// Elimination order in which each part, a separator, follows the parts it separates \cite
-/// George1973.
+/// Elimination order of unknowns, divided into parts, \cite George1973. Each part is a separator:
+/// it separates two other parts, and follows them in the order. Some parts separate nothing.
 struct NestedDissection
 {
   struct Part
   {
-    int Begin, End;            ///< range of positions in Order
-    int Level;                 ///< 0 for the last part, one more for the parts it separates
-    std::vector<int> Children; ///< the parts it separates, none or two
+    int Begin, End; ///< range of positions in Order
+    int Level; ///< 0 for the last part; one more than the level of the separator for other parts
+    std::vector<int> Children; ///< the two parts that this part separates, or none
   };
-  std::vector<int> Order;     ///< unknown at each position
-  std::vector<int> Positions; ///< position of each unknown
-  std::vector<Part> Parts;    ///< each after its children
+  std::vector<int> Order;     ///< unknown at each position of the order
+  std::vector<int> Positions; ///< position of each unknown in the order
+  std::vector<Part> Parts;    ///< parts; each comes after its children
 };
 
-/// Bisect the unknowns recursively by the median along the longest side of the bounding box. The
-/// separator is the set of unknowns of one half with neighbors in the other.
-/// @param[in] graph   symmetric, without loops
-/// @param[in] places  a point for each unknown
+/// Compute an elimination order by recursive bisection. The unknowns are divided at the median
+/// along the longest side of their bounding box. The separator consists of the unknowns in one half
+/// that have neighbors in the other half.
+/// @param[in] graph   neighbors of each unknown; symmetric, without loops
+/// @param[in] places  one position for each unknown
 NestedDissection dissect(const Adjacency& graph, const Points& places);
 }
 

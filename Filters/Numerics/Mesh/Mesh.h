@@ -16,7 +16,7 @@ struct Mesh
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
 
-/// Compute the normal of a triangle, with the area as its length.
+/// Compute the area vector of a triangle: its normal, with the area as length.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
 {
   const Vector3 a = positions.row(triangles(triangle, 0)),
@@ -25,7 +25,7 @@ inline Vector3 areaVector(const Points& positions, const Triangles& triangles, I
   return 0.5 * (b - a).cross(c - a);
 }
 
-/// Closed mesh with its map to the unit sphere.
+/// Closed mesh and its map to the unit sphere.
 struct MappedMesh : Mesh
 {
   Points SpherePositions; ///< #V by 3 unit vectors

@@ -11,7 +11,8 @@
 
 namespace conformal
 {
-/// Lists of ids, one for each item: list i is Ids[Offsets[i]] ... Ids[Offsets[i + 1] - 1].
+/// Lists of ids, one list per vertex or other item. List i is Ids[Offsets[i]], ..., Ids[Offsets[i +
+/// 1] - 1].
 struct Adjacency
 {
   std::vector<int> Offsets;
@@ -24,33 +25,34 @@ struct Adjacency
 
 /// List the triangles around each vertex in ascending order.
 /// @param[in] triangles         #F by 3 ids in [0, numberOfVertices)
-/// @param[in] numberOfVertices  #V
+/// @param[in] numberOfVertices  #V, the number of vertices
 Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 
-/// List the vertices that share an edge with each vertex, each once, in ascending order.
+/// List the neighbors of each vertex, the vertices that share an edge with it. Each neighbor is
+/// listed once, in ascending order.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
-/// Find the triangle across each edge. Entry (r, k) is the triangle that shares edge (k, k + 1 mod
-/// 3) of triangle r in the opposite direction, or -1.
-/// @pre no directed edge belongs to two triangles, see checkGenusZero()
+/// Find the triangle across each edge. Entry (r, k) belongs to edge (k, k + 1 mod 3) of triangle r.
+/// It is the triangle that contains this edge in the opposite direction, or -1 if there is none.
+/// @pre no edge has the same direction in two triangles, see checkGenusZero()
 Triangles triangleNeighbors(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// Find the triangle across each edge, given the triangles around each vertex.
-/// @param[in] around  vertexTriangles() of the triangles
+/// @param[in] around  result of vertexTriangles() for these triangles
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
 
-/// Count the edges of triangles without an opposite edge in another triangle: 0 for a closed,
-/// consistently oriented mesh.
+/// Count the edges of triangles that do not occur in the opposite direction in another triangle.
+/// The result is 0 for a closed, consistently oriented mesh.
 Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Call a visitor with each neighbor of a vertex.
+/// Function that calls `visit` with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 
-/// Partition vertices into sets of which no two members are neighbors, so that the vertices of one
-/// set can move concurrently. Greedy coloring: each vertex joins the first set without a neighbor
-/// of it, in the given order.
+/// Partition vertices into independent sets: no two vertices of a set are neighbors, so they can
+/// move concurrently. The method is greedy coloring: in the given order, each vertex joins the
+/// first set that contains none of its neighbors.
 /// @param[in] vertices  ids in [0, numberOfVertices), each once
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);

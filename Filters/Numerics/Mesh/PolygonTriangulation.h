@@ -7,13 +7,14 @@
 
 namespace conformal
 {
-/// Cut a polygon without self-intersections into triangles of its corners with its orientation.
+/// Triangulate a polygon without self-intersections. The triangles use only the corners of the
+/// polygon and have its orientation.
 ///
-/// Corners may deviate from a plane; they are projected along the normal of the polygon. Only the
-/// corners near an ear are tested. A polygon of 100,000 corners therefore needs a fraction of a
-/// second.
-/// @param[in] corners  #C by 3
-/// @return #C - 2 by 3 ids; none if the corners are collinear, self-intersecting or not finite
+/// The polygon need not be flat: corners are projected along its normal. For each ear only the
+/// corners nearby are tested, so a polygon of 100,000 corners needs less than a second.
+/// @param[in] corners  #C by 3 positions along the border of the polygon
+/// @return #C - 2 by 3 ids of corners; no triangles if the polygon is collinear, self-intersecting
+///   or not finite
 Triangles triangulatePolygon(const Points& corners);
 }
 

@@ -11,35 +11,37 @@
 
 namespace conformal
 {
-/// Half-edge collapses in the order of quadric error \cite Garland1997. A small penalty for large
-/// and misshapen triangles thins flat parts evenly.
+/// Half-edge collapses in the order of their quadric error, \cite Garland1997. A small penalty for
+/// large and misshapen triangles makes flat parts lose vertices evenly.
 ///
-/// A collapse that flips a triangle, makes a needle or joins many neighbors is postponed until no
-/// other is left. Every closed surface of genus zero can thus be reduced to a tetrahedron. It
-/// always has a vertex of at most five neighbors, and such a vertex can always collapse into one of
-/// them.
+/// Collapses that flip a triangle, make a needle or join many neighbors are postponed until no
+/// other collapse is left. Every closed surface of genus zero can thus be reduced to a tetrahedron.
+/// The reason is that it always has a vertex with at most five neighbors, which can always collapse
+/// into one of them.
 class QuadricCollapse
 {
 public:
-  /// Priority of collapses at needles of the surface itself.
+  /// Priority of collapses at needles of the input surface. A needle is a very thin triangle.
   enum class Needles
   {
-    Keep, ///< remove needles last, as collapses there make needles: suits surfaces with few needles
-    Thin  ///< remove needles like other triangles, unless that makes worse ones
+    /// Remove needles last, because collapses there make new needles. For surfaces with few needles
+    Keep,
+    Thin ///< Remove needles like other triangles, unless the collapse makes thinner ones
   };
 
-  /// Keep references to the points and the rings.
-  /// @param[in] points     #V by 3, of size about 1
-  /// @param[in,out] rings  a closed surface of genus zero
+  /// Prepare collapses. The object refers to `points` and `rings`, which must outlive it.
+  /// @param[in] points     #V by 3 positions, of size about 1
+  /// @param[in,out] rings  connectivity of a closed surface of genus zero; changed by each collapse
   QuadricCollapse(const Points& points, VertexRings& rings, Needles needles = Needles::Keep);
 
   struct Collapse
   {
-    int Vertex;     ///< id of the removed vertex
-    Ring Neighbors; ///< neighbors before the collapse, the target of the collapse first
+    int Vertex; ///< id of the removed vertex
+    /// Its neighbors before the collapse, starting with the vertex into which it collapsed
+    Ring Neighbors;
   };
 
-  /// Remove the vertex of minimum cost; of equal costs the smallest id is removed first.
+  /// Remove the vertex of minimum cost. Of vertices with equal cost, the smallest id is removed.
   /// @pre more than four vertices are in use
   Collapse next();
 

@@ -11,27 +11,31 @@ namespace conformal
 struct RemeshingOptions
 {
   Index NumberOfVertices = 12962; ///< target number of vertices, at least 4
-  int NumberOfIterations = 3;     ///< iterations of splitting, collapsing, flipping and smoothing
-  /// Reach NumberOfVertices exactly, and finish with Delaunay flips
+  int NumberOfIterations = 3;     ///< number of iterations, each with the four steps of remesh()
+  /// Whether to reach NumberOfVertices exactly, and finish with Delaunay flips
   bool MeetNumber = false;
 };
 
-/// Remesh a closed surface with edges of equal length \cite Botsch2004. The target length is that
-/// of equilateral triangles with the target number of vertices on the area of the surface.
+/// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
+/// length is the edge length at which equilateral triangles with the target number of vertices
+/// cover the area of the surface. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, longest first.
 /// - Collapse edges shorter than 4/5 of the target length, shortest first.
 /// - Flip edges so that vertices approach six neighbors.
 /// - Move vertices along the surface to the centroid of their triangles.
 ///
-/// No step changes the topology. No step rotates a normal by 60 degrees or more or makes a needle.
-/// An exception is a surface of folds that otherwise keeps too many vertices. Vertices are not
-/// projected back to the input surface: the result is to be fitted to data again.
+/// No step changes the topology. No step makes a needle or rotates the normal of a triangle by 60
+/// degrees or more. With MeetNumber, strongly folded surfaces that would otherwise keep too many
+/// vertices are an exception. Vertices are not projected back to the input surface, so the caller
+/// should fit the result to the data again.
 ///
-/// Implementation note: operations are made in rounds. Each round selects operations by length or
-/// gain, then by id, among all that touch common vertices. The selected operations are independent
-/// and run concurrently, so the result has the same bits for any number of threads.
+/// Implementation note: the operations of each step are made in rounds. Of operations that touch
+/// common vertices, a round selects the one with the best length or gain, then the smallest id. The
+/// selected operations are independent and run concurrently, so the result has the same bits for
+/// any number of threads.
 ///
-/// @param[in,out] mesh  finite, a closed manifold, consistently oriented, each position used
+/// @param[in,out] mesh  mesh to replace: finite, a closed manifold, consistently oriented, without
+///   unused positions
 /// @throws std::invalid_argument if an option is out of range
 /// @throws Aborted
 void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run = {});

@@ -1,4 +1,4 @@
-/// Points of a triangle mesh in barycentric coordinates.
+/// Point on a triangle mesh, in barycentric coordinates.
 
 #ifndef ConformalSurfacePlace_h
 #define ConformalSurfacePlace_h
@@ -9,7 +9,8 @@
 
 namespace conformal
 {
-/// Point of a triangle mesh: three vertex ids and barycentric weights, >= 0 and of sum 1.
+/// Point on a triangle mesh: three vertex ids and their barycentric weights. Weights are >= 0 and
+/// have the sum 1.
 struct SurfacePlace
 {
   std::array<int, 3> Ids = { -1, -1, -1 };

@@ -9,16 +9,17 @@
 
 namespace conformal
 {
-/// Compute area-weighted unit means of the normals of the triangles around each vertex. The result
-/// is zero for a vertex without triangles or with normals that cancel.
+/// Compute vertex normals: the area-weighted means of the normals of the triangles around each
+/// vertex, normalized to unit length. A normal is zero for a vertex without triangles, or if the
+/// triangles' normals cancel each other.
 ///
-/// @param[in] points     #V by 3, of any unit
+/// @param[in] points     #V by 3 positions, in any unit
 /// @param[in] triangles  #F by 3 ids
-/// @return #V by 3
+/// @return #V by 3 unit vectors or zeros
 Points vertexNormals(const Points& points, const Triangles& triangles);
 
 /// Compute vertex normals, given the triangles around each vertex.
-/// @param[in] around  vertexTriangles() of the triangles
+/// @param[in] around  result of vertexTriangles() for these triangles
 Points vertexNormals(
   const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run = {});
 }

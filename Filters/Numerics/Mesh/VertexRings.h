@@ -1,4 +1,4 @@
-/// Editable connectivity of a closed triangle mesh, as a ring of neighbors for each vertex.
+/// Editable connectivity of a closed triangle mesh: a ring of neighbors for each vertex.
 
 #ifndef ConformalVertexRings_h
 #define ConformalVertexRings_h
@@ -16,49 +16,52 @@ using Ring = std::vector<int>;
 class VertexRings
 {
 public:
-  /// @param[in] triangles  of a closed manifold, consistently oriented, without repeated vertices
-  ///   in a triangle
+  /// @param[in] triangles  triangles of a closed manifold, consistently oriented; no triangle
+  ///   repeats a vertex
   VertexRings(const Triangles& triangles, Index numberOfVertices);
 
-  const Ring& operator[](int v) const { return this->Rings[v]; } ///< empty if v is not in use
+  /// Ring of v; empty if v is not in use
+  const Ring& operator[](int v) const { return this->Rings[v]; }
   Index size() const { return static_cast<Index>(this->Rings.size()); }
 
   /// Test whether the mesh stays a closed manifold of the same genus when v collapses into its
-  /// neighbor u. Their only common neighbors must be the two opposite their edge.
+  /// neighbor u. Vertices v and u must have only two common neighbors, the vertices opposite their
+  /// common edge.
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 
-  /// Collapse v into its neighbor u. Vertex v is no longer in use.
-  /// @return the former ring of v, starting with u
+  /// Collapse v into its neighbor u. Afterward vertex v is not in use.
+  /// @return ring of v before the collapse, starting with u
   Ring collapse(int v, int u);
 
-  /// Undo a collapse; later collapses must have been undone before.
-  /// @param[in] ring  result of collapse()
+  /// Undo the collapse of v. All later collapses must have been undone before.
+  /// @param[in] ring  result of collapse() for v
   void split(int v, const Ring& ring);
 
-  /// Resize to vertices with ids in [0, count); new ones are not in use.
+  /// Change the number of vertices to `count`. New vertices are not in use.
   void resize(Index count) { this->Rings.resize(count); }
 
-  /// Insert vertex m into the edge of a and b and split both its triangles.
+  /// Insert vertex m into the edge of a and b, and split both triangles of this edge.
   /// @pre m is not in use
   void splitEdge(int a, int b, int m);
 
-  /// Replace the edge of a and b by the edge between the two opposite vertices.
+  /// Replace the edge of a and b by the edge between the two vertices opposite it.
   /// @pre canFlip(a, b)
   void flip(int a, int b);
 
-  /// Test whether the mesh stays a closed manifold when the edge of a and b is flipped. Both need
-  /// more than three neighbors, and the opposite vertices must not be neighbors yet.
+  /// Test whether the mesh stays a closed manifold when the edge of a and b is flipped. Vertices a
+  /// and b must have more than three neighbors each. The two vertices opposite the edge must not be
+  /// neighbors yet.
   bool canFlip(int a, int b) const;
 
-  /// Vertices opposite the edge of a and b, in the triangles (a, b, left) and (b, a, right).
+  /// Vertices opposite the edge of a and b: its triangles are (a, b, Left) and (b, a, Right).
   struct Across
   {
     int Left, Right;
   };
   Across across(int a, int b) const;
 
-  /// List each triangle once, with its smallest id first, in ascending order.
+  /// List each triangle once, in ascending order. Each triangle starts with its smallest vertex id.
   Triangles triangles() const;
 
 private:

@@ -1,4 +1,4 @@
-/// Binary tree of bounding boxes for closest-point and ray queries, \cite Ericson2005.
+/// Binary tree of bounding boxes, for closest-point and ray queries, \cite Ericson2005.
 
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
@@ -26,31 +26,33 @@ struct Box
     this->Lower = this->Lower.cwiseMin(box.Lower);
     this->Upper = this->Upper.cwiseMax(box.Upper);
   }
-  /// Compute the square distance of a point from the box: 0 inside, infinite for an empty box.
+  /// Compute the square distance of a point from the box. It is 0 inside the box, and infinite for
+  /// an empty box.
   double squareDistance(const Vector3& x) const
   {
     return (this->Lower - x).cwiseMax(x - this->Upper).cwiseMax(0.0).squaredNorm();
   }
 };
 
-/// Nodes in depth-first order: the children of an inner node i are i + 1 and Nodes[i].Second. The
-/// items of a leaf are consecutive in Items.
+/// Binary tree with nodes in depth-first order. The children of an inner node i are i + 1 and
+/// Nodes[i].Second. The items of a leaf are consecutive in Items.
 struct BoxTree
 {
   struct Node
   {
     Box Bounds;
-    int Second = 0; ///< second child; unused in a leaf
-    int First = 0;  ///< leaf: position of its first item in Items
-    int Count = 0;  ///< leaf: number of items; 0 in an inner node
+    int Second = 0; ///< index of the second child; unused in a leaf
+    int First = 0;  ///< position of a leaf's first item in Items
+    int Count = 0;  ///< number of items of a leaf; 0 for an inner node
   };
 
   std::vector<Node> Nodes;
   std::vector<int> Items;
 };
 
-/// Build a tree by median splits of the centers of the boxes along the longest side. The tree
-/// depends only on the boxes, so every run gives the same one. O(n log n).
+/// Build a tree of n boxes in O(n log n) operations. Each node is split at the median of the boxes'
+/// centers along its longest side. The tree depends only on the boxes, so every run builds the same
+/// tree.
 /// @throws Aborted
 BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run = {});
 }

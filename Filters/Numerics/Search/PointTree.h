@@ -16,7 +16,7 @@ struct Neighbor
   int Id = -1;
   double SquareDistance = 0.0;
 
-  /// Order by distance, then by id.
+  /// Compare by distance, then by id.
   bool operator<(const Neighbor& other) const
   {
     return this->SquareDistance < other.SquareDistance ||
@@ -24,30 +24,33 @@ struct Neighbor
   }
 };
 
-/// Exact nearest points of a fixed cloud.
+/// K-d tree that finds exact nearest points of a fixed cloud.
 ///
-/// The k-d tree is an order of the points: the middle of each range splits its other points into
-/// two ranges. The tree stores a copy of the points, 32 bytes each with their ids. The split axes
-/// need one byte for every four or more points. A query costs about log(#P) and only reads, so
-/// several threads may query concurrently.
+/// The tree is a permutation of the points. The middle point of each range splits the other points
+/// of this range into two smaller ranges. Each point is stored with its id in 32 bytes. The split
+/// axes need one byte for every four or more points. The cost of a query is about logarithmic in
+/// #P. Several threads may query concurrently.
 class PointTree
 {
 public:
   PointTree() = default;
 
-  /// @param[in] points  #P by 3
+  /// @param[in] points  #P by 3 coordinates, copied
   /// @throws std::invalid_argument if points are not finite
   explicit PointTree(const PointView& points, const Run& run = {});
 
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
-  /// Find the k points nearest to x, nearest first; of equal distances, the smallest id first.
+  /// Find the k points nearest to x. The nearest point comes first; of points at equal distance,
+  /// the smallest id comes first.
   ///
-  /// @param[in] k          at least 0; all points are returned if there are fewer
-  /// @param[out] neighbors  replaced; reuse it to avoid allocations
+  /// @param[in] k          number of points to find, at least 0; all points are returned if there
+  ///   are fewer
+  /// @param[out] neighbors  points found; replaced. Pass the same vector again to avoid
+  ///   allocations.
   void nearest(const Vector3& x, int k, std::vector<Neighbor>& neighbors) const;
 
-  /// Find the point nearest to x; the id is -1 for an empty cloud.
+  /// Find the point nearest to x. Its id is -1 if the cloud is empty.
   Neighbor nearest(const Vector3& x) const;
 
 private:
@@ -61,8 +64,9 @@ private:
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;
 
-  std::vector<Place> Places;       ///< in the order of the tree
-  std::vector<unsigned char> Axes; ///< split axis of inner node i with children 2 i + 1 and 2 i + 2
+  std::vector<Place> Places; ///< points in the order of the tree
+  /// Split axis of each inner node i, whose children are 2 i + 1 and 2 i + 2
+  std::vector<unsigned char> Axes;
 };
 }
 

@@ -1,4 +1,4 @@
-/// A mesh of the sphere with a given density.
+/// Build a mesh of the sphere whose points have a given density.
 
 #ifndef ConformalAdaptiveSphere_h
 #define ConformalAdaptiveSphere_h
@@ -11,8 +11,9 @@ namespace conformal
 {
 struct AdaptiveSphereOptions
 {
-  Index NumberOfPoints = 64002; ///< in [AdaptiveSphereLimits::MinimumPoints, MaximumPoints]
-  int SmoothingRounds = 5;      ///< at least 0
+  /// Target number, in [AdaptiveSphereLimits::MinimumPoints, MaximumPoints]
+  Index NumberOfPoints = 64002;
+  int SmoothingRounds = 5; ///< number of smoothing rounds, at least 0
 };
 
 struct AdaptiveSphereLimits
@@ -22,30 +23,34 @@ struct AdaptiveSphereLimits
   /// Maximum relative deviation from the target number of points.
   static constexpr double Tolerance = 0.02;
 
-  /// Lower bound of all angles of triangles [degrees].
+  /// Minimum angle of every triangle [degrees].
   static constexpr double MinimumAngle = 28.0;
 };
 
-/// Build a closed triangle mesh of the unit sphere with a prescribed density of points. It provides
-/// the "dense vertices in an area with fine texture" of N^new in \cite Liou2008 section 3.
+/// Build a closed triangle mesh of the unit sphere with a given density of points. \cite Liou2008
+/// section 3 proposes such a mesh, named N^new there, with "dense vertices in an area with fine
+/// texture".
 ///
 /// The method is Delaunay refinement of an icosahedron, as in \cite Chew1993 for curved surfaces. A
-/// triangle is divided at the center of its circumcircle. A triangle with an angle below
-/// MinimumAngle is divided first. Otherwise the triangle with the largest ratio of actual to target
-/// size is divided, until the target number of points is reached.
+/// triangle is divided by a new point at the center of its circumcircle. Triangles with an angle
+/// below MinimumAngle are divided first. Otherwise, the triangle with the largest ratio of actual
+/// size to target size is divided. Refinement ends at the target number of points.
 ///
-/// The new point is farther from all others than the shortest edge of the triangle. Refinement thus
-/// ends for any density and grades the mesh at a jump of the density. Finally points move to the
-/// centroid of their triangles and edges are flipped, as long as no angle falls below the bound.
+/// The distance from a new point to any other point exceeds the shortest edge of the divided
+/// triangle. Refinement therefore ends for any density, and the size of triangles changes gradually
+/// where the density jumps. Finally, points move towards the centroid of their triangles and edges
+/// are flipped, unless an angle would fall below MinimumAngle.
 ///
-/// Implementation note: target sizes have a random factor. Without it all triangles of a region of
-/// even density would be divided at about the same time. A region divided last would then be
-/// coarser by a factor of 1.7.
+/// Implementation note: target sizes have a random factor. Without this factor, all triangles in a
+/// region of constant density would be divided at about the same time. The part of the region that
+/// is divided last would then have edges up to 1.7 times as long as the others.
 ///
-/// @return unit vectors, within 2 % of the target number; triangles counter-clockwise seen from
-///   outside. No triangle of a radius below 1e-7 is divided, where positions are rounded.
+/// @return mesh with unit vectors as positions, and triangles counter-clockwise seen from outside.
+///   The number of points is within 2 % of the target number, unless the density requires too small
+///   triangles. Triangles with a circumradius below 1e-7 are not divided, because rounding of
+///   positions would distort them.
 /// @throws std::invalid_argument if an option is out of range, if the density is 0 everywhere, or
-///   as densitiesOf()
+///   for a reason given at densitiesOf()
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});

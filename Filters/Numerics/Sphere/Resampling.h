@@ -1,5 +1,5 @@
-/// Resample a mapped mesh at given directions. Own construction: point location on the sphere with
-/// linear interpolation.
+/// Resample values of a surface at given directions of its sphere map. Own construction:
+/// SphereLocator with linear interpolation, because it is exact for triangles of any size.
 
 #ifndef ConformalResampling_h
 #define ConformalResampling_h
@@ -9,14 +9,14 @@
 
 namespace conformal
 {
-/// Interpolate values of a surface at given directions of the sphere, linearly in the triangle that
-/// contains each direction.
-/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface; a mirrored map
-///   is reversed first
-/// @param[in] values           #V by 3, for example positions
-/// @param[in] triangles        #F by 3
+/// Interpolate values of a surface at given directions of the sphere. The interpolation is linear
+/// in the triangle that contains the direction.
+/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface. A mirrored map
+///   is first reflected at the plane x = 0.
+/// @param[in] values           #V by 3 values at the vertices, for example positions
+/// @param[in] triangles        #F by 3 ids
 /// @param[in] directions       #N by 3 unit vectors
-/// @return #N by 3
+/// @return #N by 3 interpolated values
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once
 /// @throws Aborted
 Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,

@@ -1,4 +1,5 @@
-/// Degree and folds of a map to the sphere, by the solid angles of \cite VanOosterom1983.
+/// Measure degree and folds of a sphere map. Degrees are computed by solid angles, \cite
+/// VanOosterom1983.
 
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h
@@ -12,8 +13,10 @@ namespace conformal
 {
 struct SphereCoverage
 {
-  int Degree = 0; ///< sum of the solid angles over 4 pi: 1 for a one-to-one map, -1 if mirrored
-  Index NumberOfFolds = 0; ///< triangles clockwise seen from outside beyond rounding
+  /// Sum of the signed solid angles, divided by 4 pi; 1 for a one-to-one map, -1 if it is mirrored
+  int Degree = 0;
+  /// Number of triangles that are clockwise seen from outside, by more than rounding
+  Index NumberOfFolds = 0;
 };
 
 /// Measure degree and folds of a triangle mesh on the unit sphere.
@@ -23,8 +26,9 @@ struct SphereCoverage
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run = {});
 
-/// Orient the triangles of a map counter-clockwise on the sphere seen from outside.
-/// @param[in] map  name of the map for the message, such as "the map to the sphere"
+/// Return the triangles of a sphere map, counter-clockwise on the sphere seen from outside. The
+/// triangles of a mirrored map are reversed.
+/// @param[in] map  name of the map for error messages, such as "the map to the sphere"
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once or has folds
 Triangles turnedToCoverOnce(
   const Points& positions, const Triangles& triangles, const std::string& map, const Run& run = {});

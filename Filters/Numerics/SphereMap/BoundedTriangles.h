@@ -1,5 +1,6 @@
-/// Bounded areas and cotangents of the triangles of a surface, for sphere maps.
-/// Own construction: bounds let needles take part in sphere maps.
+/// Areas and cotangents of the triangles of a surface, with bounds, for sphere maps. Own
+/// construction: bounds on both, because without them needles (very thin triangles) make sphere
+/// maps fail.
 
 #ifndef ConformalBoundedTriangles_h
 #define ConformalBoundedTriangles_h
@@ -12,25 +13,26 @@
 
 namespace conformal
 {
-/// Shapes of triangles by their squared edge lengths. The lengths are slightly regularized, so that
-/// needles and triangles of zero size have a shape, too. Areas are scaled to those of the unit
-/// sphere.
+/// Compute areas and cotangents of triangles from their squared edge lengths. The lengths are
+/// slightly increased, so that triangles of zero area have an area and cotangents, too. Areas are
+/// scaled so that the whole surface has the area of the unit sphere.
 class BoundedTriangles
 {
 public:
   enum class Weight
   {
     Area,
-    RegularArea ///< smaller for needles, whose angles would otherwise distort their neighbors
+    /// Area, reduced for needles, because their angles would otherwise distort their neighbors
+    RegularArea
   };
 
-  /// @param[in] points  stored by reference, about of size one
-  /// @param[in] weight  area of a triangle in the energy
+  /// @param[in] points  #V by 3 positions, of size about 1; must outlive this object
+  /// @param[in] weight  weight of a triangle in the energy
   BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
 
   SourceTriangle triangle(int a, int b, int c) const;
 
-  /// Append the triangles around a vertex.
+  /// Append the triangles around a vertex to `corners`.
   void cornersOf(int v, const Ring& ring, std::vector<Corner>& corners) const;
 
 private:
@@ -39,9 +41,9 @@ private:
   double Scale = 1.0;
 };
 
-/// Move vertices serially, in several sweeps, each to a position of lower energy (relaxVertex).
-/// @param[in,out] positions  #V unit vectors
-/// @param[in] counted        called after each vertex
+/// Move vertices serially, in several sweeps, each to a position of lower energy by relaxVertex().
+/// @param[in,out] positions  #V unit vectors, the sphere map
+/// @param[in] counted        function called after each vertex, for progress; may be empty
 void relaxVertices(std::vector<Vector3>& positions, const std::vector<int>& vertices,
   const VertexRings& rings, const BoundedTriangles& shapes, const SphereEnergy& energy, int sweeps,
   const std::function<void()>& counted = {});

@@ -1,4 +1,5 @@
-/// Repair flipped triangles of a map to the sphere. The planar layout is that of \cite Tutte1963.
+/// Repair flipped triangles of a sphere map. Vertices around them get new positions by the planar
+/// layout of \cite Tutte1963.
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
@@ -13,30 +14,33 @@
 
 namespace conformal
 {
-/// Determinant below which a triangle of a sphere map counts as bad. Other programs round unit
-/// vectors by 1e-16, so they may classify smaller triangles as flipped.
+/// Minimum determinant of a triangle's three unit vectors; triangles below it count as bad. Other
+/// programs may round unit vectors by 1e-16, which can flip smaller triangles.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
-/// Energy of angles alone.
+/// Sphere energy that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
-/// Return the ids of the bad triangles, ascending.
+/// Return the ids of the bad triangles in ascending order. A triangle is bad if its determinant is
+/// below MinimumSafeDeterminant.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
-/// Repair each set of bad triangles within the smallest sufficient neighborhood, which grows ring
-/// by ring.
+/// Repair each connected set of bad triangles by moving the vertices of a neighborhood. The
+/// neighborhood grows ring by ring until the repair succeeds.
 ///
-/// A neighborhood is laid out anew inside its border by one of these methods:
-/// - Move vertices into the kernels of their stars.
-/// - Solve for a membrane of strings with positive constants \cite Tutte1963. The gnomonic plane
-///   maps great circles to lines and preserves the orientation of triangles.
-/// - Near limb ends, where no membrane has enough area, weaken short strings so that triangles
-///   shrink less.
-/// - If only a few vertices lie around a limb, remove them and reinsert them one by one.
+/// The border of the neighborhood is fixed. Vertices inside get new positions by one of these
+/// methods:
+/// - Move each vertex into the kernel of the polygon of its neighbors.
+/// - Compute the equilibrium of a membrane of strings with positive constants, \cite Tutte1963. It
+///   is computed in the gnomonic plane, since gnomonic projection maps great circles to lines and
+///   preserves the orientation of triangles.
+/// - Near limb ends, where the triangles of every membrane are too small, weaken short strings so
+///   that triangles shrink less.
+/// - If only a few vertices lie around a limb, remove them and insert them again one by one.
 ///
-/// @param[in] strings        cotangentWeights() of the surface
-/// @param[in,out] positions  unit vectors; no good triangle becomes bad
-/// @return whether no triangle is bad
+/// @param[in] strings        result of cotangentWeights() for the surface
+/// @param[in,out] positions  #V unit vectors, the sphere map; no good triangle becomes bad
+/// @return true if no bad triangle is left
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
   const Run& run = {});

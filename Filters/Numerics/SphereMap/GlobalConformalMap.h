@@ -11,59 +11,62 @@ namespace conformal
 {
 enum class GlobalConformalMethod
 {
-  Robust, ///< conformal, and one to one for every surface
-  GuYau   ///< as published: may fold
+  Robust, ///< default method: a one-to-one map for every surface tested, conformal where possible
+  GuYau   ///< method as published, which may fold
 };
 
-/// Method by which Robust succeeded.
+/// Step in which the method Robust succeeded.
 enum class GlobalConformalTier
 {
-  Harmonic,   ///< one linear solve was enough
-  Repaired,   ///< folds were repaired locally
-  Progressive ///< mapToSphere(): a conformal map would underflow, or AreaBalance is above 0
+  Harmonic, ///< one linear solve was sufficient
+  Repaired, ///< folds of the linear solution were repaired locally
+  /// The map was computed by mapToSphere(), because a conformal map would underflow or AreaBalance
+  /// is above 0
+  Progressive
 };
 
 struct GlobalConformalMapOptions
 {
   GlobalConformalMethod Method = GlobalConformalMethod::Robust;
-  /// Robust: 0 is conformal, 1 nearly preserves areas.
+  /// For Robust: 0 gives a conformal map, 1 a map that nearly preserves areas
   double AreaBalance = 0.0;
-  int MaximumNumberOfIterations = 5000; ///< GuYau, of each of its two phases
-  double Tolerance = 1e-7;              ///< GuYau, relative change of the energy that ends a phase
+  int MaximumNumberOfIterations = 5000; ///< for GuYau: maximum for each of its two phases
+  double Tolerance = 1e-7; ///< for GuYau: relative change of the energy at which a phase ends
 };
 
 struct GlobalConformalMapResult
 {
   Points Positions; ///< #V by 3 unit vectors
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
-  double Energy = 0.0;          ///< harmonic energy; 4 pi if conformal, never below
-  Index NumberOfIterations = 0; ///< GuYau: steps; Robust: linear solves
-  /// Whether no triangle is flipped. For GuYau, both phases must also have ended by Tolerance, and
+  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, larger for any other
+  Index NumberOfIterations = 0; ///< for GuYau: number of steps; for Robust: number of linear solves
+  /// Whether no triangle is flipped. For GuYau, both phases must also have reached Tolerance, and
   /// no string constant may be infinite.
   bool Converged = false;
-  Index NumberOfFlippedTriangles = 0;        ///< by exact arithmetic
-  Index NumberOfNegativeStringConstants = 0; ///< edges opposite to two angles with a sum above pi
-  Index NumberOfInfiniteStringConstants = 0; ///< edges of triangles of zero area
+  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, by exact arithmetic
+  /// Number of edges whose opposite angles have a sum above pi
+  Index NumberOfNegativeStringConstants = 0;
+  Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
 };
 
 /// Map a closed surface of genus zero to the unit sphere, \cite Liou2008 section 4.1. Triangles are
-/// counter-clockwise seen from outside, as they are on the surface.
+/// counter-clockwise seen from outside, both on the surface and on the sphere.
 ///
-/// Robust proceeds in these steps:
+/// The method Robust has these steps:
 /// 1. Map by punctureToSphere(), and repair folds by repairFlips().
-/// 2. If the puncture lies on a limb, use another one.
-/// 3. Relax the angles of misshapen triangles.
-/// 4. If a triangle is flipped or too small, use mapToSphere() with the smallest sufficient
-///    AreaBalance. Its last attempt uses ConnectivityFirst, which has succeeded on every surface
-///    tried.
+/// 2. If the removed triangle (the puncture) lies on a limb, repeat step 1 with another triangle.
+/// 3. Move vertices of misshapen triangles to preserve angles better.
+/// 4. If a triangle is flipped or too small, use mapToSphere() instead, with the smallest
+///    sufficient AreaBalance. The last attempt uses ConnectivityFirst, which has succeeded on every
+///    surface tested.
 ///
-/// With AreaBalance above 0, mapToSphere() is used directly.
+/// If AreaBalance is above 0, only mapToSphere() is used.
 ///
-/// Conformal maps are unique up to a Moebius transform. The area-weighted mean of the surface is
-/// moved to the center of the sphere. The sphere is rotated to agree best with directions from the
-/// center of the surface.
+/// Conformal maps are unique up to a Moebius transform. The transform is chosen so that the mean of
+/// the sphere positions, weighted by areas of the surface, is the center of the sphere. Finally the
+/// sphere is rotated, so that positions agree best with directions from the center of the surface.
 ///
-/// @param[in] mesh  finite, all positions used; triangles may have zero area
+/// @param[in] mesh  surface; finite, without unused positions; triangles may have zero area
 /// @throws std::invalid_argument if the surface is not closed, manifold and of genus zero, an
 ///   option is out of range, or points are not finite
 /// @throws NumericalFailure if no method finds a valid position for a vertex

@@ -1,4 +1,4 @@
-/// Global conformal parameterization of Gu and Yau, as published.
+/// Global conformal map of Gu and Yau, as published.
 
 #ifndef ConformalGuYauMap_h
 #define ConformalGuYauMap_h
@@ -11,31 +11,35 @@ namespace conformal
 {
 struct GuYauOptions
 {
-  int MaximumNumberOfIterations = 5000; ///< of each phase, at least 0
-  double Tolerance = 1e-7;              ///< relative change of the energy that ends a phase
+  int MaximumNumberOfIterations = 5000; ///< maximum for each phase, at least 0
+  double Tolerance = 1e-7;              ///< relative change of the energy at which a phase ends
 };
 
 struct GuYauResult
 {
-  Points Positions;                          ///< #V by 3 unit vectors
-  double Energy = 0.0;                       ///< of the second phase; 4 pi for a conformal map
-  Index NumberOfIterations = 0;              ///< of both phases
-  bool Converged = false;                    ///< both phases ended by the tolerance
-  Index NumberOfNegativeStringConstants = 0; ///< edges opposite to two angles with a sum above pi
-  Index NumberOfInfiniteStringConstants = 0; ///< edges of triangles of zero area; exert no force
+  Points Positions;             ///< #V by 3 unit vectors
+  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map
+  Index NumberOfIterations = 0; ///< number of steps of both phases
+  bool Converged = false;       ///< whether both phases reached the tolerance
+  /// Number of edges whose opposite angles have a sum above pi
+  Index NumberOfNegativeStringConstants = 0;
+  Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
 };
 
-/// Minimize the harmonic energy from the Gauss map \cite Gu2004, \cite Liou2008 section 4.1. The
-/// first phase uses equal string constants, the second those of the harmonic energy. Strings pull
-/// vertices along the sphere. After each step, the weighted mean is moved back to the center.
+/// Minimize the harmonic energy, starting from the Gauss map, \cite Gu2004, \cite Liou2008 section
+/// 4.1. Each edge is a string that pulls its vertices along the sphere; its weight is the string
+/// constant. The first phase uses equal constants, the second phase those of the harmonic energy.
+/// After each step, the sphere is transformed so that the weighted mean of the positions is its
+/// center.
 ///
-/// Obtuse triangles have negative string constants, which may fold the result. Triangles of zero
-/// area have infinite ones, which are ignored. Both are counted.
+/// Obtuse triangles can cause negative string constants, which may fold the map. Triangles of zero
+/// area cause infinite constants, which are ignored. Both kinds of edges are counted.
 ///
-/// Implementation note: the time step is the longest that the maximum sum of constants allows, and
-/// is halved whenever the energy rises. The paper uses one time step for every mesh.
+/// Implementation note: the time step is the longest that is stable for the largest sum of
+/// constants at a vertex. It is halved whenever the energy rises. \cite Liou2008 uses one time step
+/// for every mesh.
 ///
-/// @param[in] mesh  about of size one
+/// @param[in] mesh  mesh of size about 1
 /// @post the result does not depend on the number of threads
 GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options = {}, const Run& run = {});
 }

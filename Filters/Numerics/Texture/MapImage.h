@@ -1,5 +1,6 @@
-/// Images of plane maps of a body. Own construction: one located direction for each pixel, for the
-/// projections of \cite Snyder1987.
+/// Images of plane maps of a body, in the projections of \cite Snyder1987. Own construction: the
+/// direction of each pixel is located on the sphere map, because this is valid for every
+/// projection.
 
 #ifndef ConformalMapImage_h
 #define ConformalMapImage_h
@@ -14,44 +15,46 @@
 
 namespace conformal
 {
-/// Image of a plane map.
+/// Image of a plane map: its projection and its pixels.
 struct MapImage
 {
   MapProjection Projection = MapProjection::Equirectangular;
-  double CentralLongitude = 0.0; ///< degrees
+  double CentralLongitude = 0.0; ///< longitude in the middle of the map [degrees]
   PixelGrid Grid;
 
-  /// Return the position on the map of the center of a pixel.
+  /// Return the position of a pixel's center on the map.
   Vector2 placeOf(Index pixel) const
   {
     return halfSizeOfMap(this->Projection)
       .cwiseProduct(2.0 * this->Grid.middleOf(pixel) - Vector2::Ones());
   }
 
-  /// Compute the direction shown by a pixel.
-  /// @return false outside of the outline of the map
+  /// Compute the direction on the sphere that a pixel shows.
+  /// @return false if the pixel is outside of the map
   bool directionOf(Index pixel, Vector3& n) const
   {
     return mapToSphere(this->placeOf(pixel), this->Projection, this->CentralLongitude, n);
   }
 };
 
-/// Find the point of the body for every pixel.
-/// @param[in] body  mapped to the sphere with north pole (0, 0, 1)
+/// Find the point of the body that each pixel shows.
+/// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintMap(
   const MappedMesh& body, const MapImage& image, const PixelSink& sink, const Run& run = {});
 
-/// Masks of the pixels outside of the map and on its graticule.
+/// Marks of the pixels outside of the map, and of the pixels on its graticule (meridians and
+/// parallels).
 struct MapMarks
 {
-  std::vector<unsigned char> OutsideMap; ///< of each pixel: 1 outside of the outline
-  std::vector<unsigned char> Graticule;  ///< of each pixel: 1 on a line; empty without lines
+  std::vector<unsigned char> OutsideMap; ///< for each pixel: 1 if it is outside of the map, else 0
+  /// For each pixel: 1 if it is on a line, else 0; empty if there are no lines
+  std::vector<unsigned char> Graticule;
 };
 
-/// Mark pixels outside of the map and on its graticule. A line separates pixels on different sides
-/// of a meridian or a parallel.
-/// @param[in] spacing  of lines in degrees, at least 1; 0 for none
+/// Mark the pixels outside of the map, and the pixels on its graticule. A pixel is on a line if a
+/// meridian or parallel separates it from the next pixel to the right or above.
+/// @param[in] spacing  degrees between neighboring lines, at least 1; 0 for no lines
 MapMarks markMap(const MapImage& image, double spacing, const Run& run = {});
 }
 

@@ -9,15 +9,19 @@ namespace conformal
 {
 using Vector2 = Eigen::Vector2d;
 
-/// Projection. Equirectangular is in degrees, the others are in units of the radius of the sphere.
-/// Lambert and Mollweide maps preserve areas; the Peirce map has true scale at the north pole.
+/// Map projection. The unit of an equirectangular map is one degree; that of the others is the
+/// radius of the sphere. Lambert and Mollweide maps preserve areas; the Peirce map has true scale
+/// at the north pole.
 enum class MapProjection
 {
-  Equirectangular,  ///< degrees of longitude from the central meridian, and of latitude: 360 by 180
-  LambertAzimuthal, ///< equal areas; northern hemisphere left, southern hemisphere right
-  Mollweide,        ///< equal areas; an ellipse, 2 : 1
-  /// Conformal except at four points of the equator, \cite Peirce1879 (by an integral of \cite
-  /// Carlson1995). A square with the north pole in the middle and the south pole in the corners.
+  /// Degrees of longitude from the central meridian, and degrees of latitude; 360 by 180
+  Equirectangular,
+  /// Equal areas; two disks, with the northern hemisphere left, the southern right
+  LambertAzimuthal,
+  Mollweide, ///< equal areas; an ellipse, twice as wide as high
+             /// Conformal except at four points of the equator, \cite Peirce1879, computed by an
+             /// integral of \cite Carlson1995. The map is a square with the north pole in the
+             /// middle and the south pole in the corners.
   PeirceQuincuncial
 };
 
@@ -25,13 +29,14 @@ enum class MapProjection
 Vector2 halfSizeOfMap(MapProjection projection);
 
 /// Project a direction to the map.
-/// @param[in] n                 unit vector; the north pole is (0, 0, 1), longitude 0 is (1, 0, 0)
-/// @param[in] centralLongitude  degrees: the meridian in the middle; if a pole is in the middle,
-///   the meridian that runs down from it
+/// @param[in] n                 unit vector; the north pole is (0, 0, 1), longitude 0 on the
+///   equator is (1, 0, 0)
+/// @param[in] centralLongitude  longitude of the meridian in the middle [degrees]. If a pole is in
+///   the middle, it is the meridian from the pole downward.
 Vector2 sphereToMap(const Vector3& n, MapProjection projection, double centralLongitude);
 
-/// Compute the direction of a position on the map: the inverse of sphereToMap().
-/// @param[out] n  unit vector; unchanged outside of the map
+/// Compute the direction at a position on the map. This is the inverse of sphereToMap().
+/// @param[out] n  unit vector; not changed if the position is outside of the map
 /// @return whether the position is on the map
 bool mapToSphere(
   const Vector2& place, MapProjection projection, double centralLongitude, Vector3& n);

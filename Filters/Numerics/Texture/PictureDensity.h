@@ -1,5 +1,6 @@
-/// Density of points that follows the details of a picture on the sphere. Own construction: the
-/// slope of the picture, so that blur at a border between colors does not matter.
+/// Density of points that is higher at the details of a picture on the sphere. Own construction:
+/// density in proportion to the slope of the picture, because blur at a border between colors then
+/// does not matter.
 
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
@@ -13,26 +14,30 @@
 
 namespace conformal
 {
-/// Values of each pixel, all components of one pixel after those of the previous one.
+/// Picture: a grid of pixels with one or more values (components) per pixel.
 struct Picture
 {
   PixelGrid Grid;
   int NumberOfComponents = 1;
-  std::vector<double> Values; ///< Grid.size() * NumberOfComponents, finite
+  /// Grid.size() * NumberOfComponents values, finite; the components of a pixel are consecutive
+  std::vector<double> Values;
 };
 
-/// Build a density proportional to the slope of a picture on the sphere, for any projection. It is
-/// the root of the sum of squares of the slopes of all components, by differences over about a
-/// pixel. The share of points at a border between two colors does not depend on its sharpness.
+/// Build a density proportional to the slope of a picture on the sphere, for any projection. The
+/// slope of each component is estimated by differences over about a pixel. The density is the root
+/// of the sum of the squared slopes of all components. The number of points at a border between two
+/// colors does not depend on the sharpness of the border.
 ///
-/// @param[in] picture  kept as long as the density
-/// @throws std::invalid_argument if it has no pixels, or not the right number of finite values
+/// @param[in] picture  picture; stored in the density
+/// @throws std::invalid_argument if the picture has no pixels, a wrong number of values, or values
+///   that are not finite
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
-/// Give half of the points to a picture's details. Values are divided by the largest magnitude, so
-/// that they may be of any unit. A picture of one color has no details and changes nothing.
-/// @param[in] density  of the other half
-/// @throws std::invalid_argument as pictureDensity() does
+/// Combine a density with the details of a picture: half of the points follow the density, the
+/// other half the details. The values of the picture may have any unit. A picture of one color has
+/// no details; the density is then returned unchanged.
+/// @param[in] density  density of the half that does not follow the picture
+/// @throws std::invalid_argument for a reason given at pictureDensity()
 SphereDensity withDetails(
   SphereDensity density, Picture picture, const SphereImage& image, const Run& run = {});
 }

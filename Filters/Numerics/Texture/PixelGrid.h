@@ -1,4 +1,4 @@
-/// Convert between pixels and texture coordinates (s, t) of an image.
+/// Convert between the pixels of an image and its texture coordinates (s, t).
 
 #ifndef ConformalPixelGrid_h
 #define ConformalPixelGrid_h
@@ -12,15 +12,15 @@
 
 namespace conformal
 {
-/// Weights of the four pixels nearest to a position.
+/// Four pixels nearest to a position, and their weights for interpolation.
 struct PixelMix
 {
   std::array<Index, 4> Pixels;
-  std::array<double, 4> Weights; ///< >= 0, of sum 1
+  std::array<double, 4> Weights; ///< weights of the pixels, >= 0, with the sum 1
 };
 
-/// Pixels in rows from bottom to top. The center of pixel (i, j) is at ((i + 1/2) / Width, (j +
-/// 1/2) / Height) in texture coordinates.
+/// Grid of pixels, stored in rows from bottom to top. The center of the pixel in column i and row j
+/// has the texture coordinates ((i + 1/2) / Width, (j + 1/2) / Height).
 struct PixelGrid
 {
   Index Width = 0;
@@ -33,7 +33,8 @@ struct PixelGrid
     return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
       (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
   }
-  /// Compute bilinear weights at texture coordinates, clamped at the border.
+  /// Compute bilinear weights at texture coordinates. Outside of the centers of the border pixels,
+  /// the position is clamped to them.
   PixelMix mixAt(const Vector2& st) const
   {
     const auto along = [](double x, Index size)

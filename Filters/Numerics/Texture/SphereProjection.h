@@ -1,5 +1,5 @@
-/// Images of the sphere: stereographic \cite Liou2008, longitude and latitude \cite Snyder1987,
-/// octahedron \cite Praun2003, cube \cite Greene1986.
+/// Projections between the sphere and images: stereographic \cite Liou2008, longitude and latitude
+/// \cite Snyder1987, octahedron \cite Praun2003, cube \cite Greene1986.
 
 #ifndef ConformalSphereProjection_h
 #define ConformalSphereProjection_h
@@ -15,10 +15,12 @@ using Vector2 = Eigen::Vector2d;
 
 enum class SphereProjection
 {
-  Stereographic,     ///< plane tangent to the sphere at the pole, \cite Liou2008 section 4.2
-  LongitudeLatitude, ///< whole sphere, 2 : 1; pole in the middle, Up along the top edge
-  Octahedral,        ///< whole sphere, 1 : 1; pole in the middle, opposite pole in the four corners
-  CubeMap            ///< whole sphere, 3 : 2; six faces, pole in the middle of the upper row
+  Stereographic, ///< plane tangent to the sphere at the pole, \cite Liou2008 section 4.2
+  /// Whole sphere, 2 : 1; the pole is in the middle, the direction Up along the top edge
+  LongitudeLatitude,
+  /// Whole sphere, 1 : 1; the pole is in the middle, the opposite pole in the four corners
+  Octahedral,
+  CubeMap ///< whole sphere, 3 : 2; six faces, with the pole in the middle of the upper row
 };
 
 /// Position and projection of an image on the sphere.
@@ -26,43 +28,53 @@ struct SphereImage
 {
   SphereProjection Projection = SphereProjection::Stereographic;
   SphereView View;
-  double FieldOfView = 180.0; ///< stereographic: degrees across the inscribed circle
-  Vector2 Scale = { 1, 1 };   ///< scale of the image about its middle, in s and t
-  double Margin = 0.0; ///< octahedral, cube: share of a side left free along the seams, in [0, 1/4]
+  /// For Stereographic: degrees of the sphere across the inscribed circle of the image
+  double FieldOfView = 180.0;
+  Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, in s and t
+  /// For Octahedral and CubeMap: width of the margin along the seams, as a fraction of a side, in
+  /// [0, 1/4]
+  double Margin = 0.0;
 };
 
-/// Project stereographically onto the plane tangent at the pole, in units of the diameter of the
-/// sphere: |w| = tan(theta / 2). The opposite pole is mapped to a point far away.
+/// Project a direction stereographically onto the plane tangent to the sphere at the pole. The unit
+/// is the diameter of the sphere: a direction at an angle theta from the pole is mapped to the
+/// distance tan(theta / 2). The opposite pole is mapped to a point far away.
 Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 
 /// Project a direction to texture coordinates.
-/// @param[in] n  of any nonzero length
-/// @return (s, t), with 0 and 1 at the borders of the image, and other values outside of it
+/// @param[in] n  direction, of any nonzero length
+/// @return texture coordinates (s, t): 0 and 1 at the borders of the image, below 0 or above 1
+///   outside
 Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 
-/// Compute the direction of texture coordinates: the inverse of sphereToTexture(). In the margin of
-/// a seam, the sphere continues beyond the seam, so that pictures interpolate correctly at the
-/// seam.
+/// Compute the direction at texture coordinates. This is the inverse of sphereToTexture(). The
+/// margin along a seam shows the part of the sphere beyond the seam, so that pixels can be
+/// interpolated at the seam.
 /// @return unit vector
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 
-/// Part of the sphere on which the projection is smooth and its image connected: all a.n + b >= 0.
-/// Flat triangles cut at its borders have an image without a seam.
+/// Part of the sphere on which the projection is smooth and its image connected. It consists of the
+/// directions n with a.n + b >= 0 for all Borders (a, b). Flat triangles cut along these borders
+/// have an image without a seam.
 struct SpherePatch
 {
-  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> Borders; ///< rows (a, b)
-  bool InImage = true; ///< false around the opposite pole of the stereographic projection
+  /// One row (a, b) for each border
+  Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> Borders;
+  /// Whether the image shows this part; false around the opposite pole of the stereographic
+  /// projection
+  bool InImage = true;
 };
 
-/// List the parts of the sphere between the seams and folds of a projection.
+/// List the parts of the sphere that are separated by the seams and folds of a projection.
 std::vector<SpherePatch> spherePatches(const SphereImage& image);
 
-/// Find the part that contains a direction, as an index into spherePatches().
+/// Find the part of the sphere that contains a direction. The result is an index into
+/// spherePatches().
 int patchOf(const Vector3& n, const SphereImage& image);
 
-/// Project a direction to texture coordinates, continued to the borders of one part. A direction on
-/// a seam, or beyond it by rounding, is projected to the side of this part. The zero vector, center
-/// of a triangle through the center of the sphere, is projected into the part.
+/// Project a direction to texture coordinates by the projection of one part of the sphere. A
+/// direction on a seam, or beyond it by rounding, thus gets coordinates on the side of this part.
+/// The zero vector is projected into the part, too: it can be the center of a flat triangle.
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }
 

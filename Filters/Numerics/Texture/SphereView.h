@@ -7,9 +7,9 @@
 
 namespace conformal
 {
-/// Orthonormal frame of an image: its middle at Pole, its top towards Up, its right edge towards
-/// Right. The order Right, Up, Pole is right-handed, unless the sphere map of the surface is
-/// mirrored.
+/// Orthonormal axes of an image on the sphere. The middle of the image is at Pole, its top points
+/// towards Up, its right edge towards Right. The axes Right, Up and Pole are right-handed, unless
+/// the sphere map of the surface is mirrored.
 struct SphereView
 {
   Vector3 Pole = { 0, 0, 1 };

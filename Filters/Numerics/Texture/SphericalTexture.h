@@ -16,27 +16,29 @@ struct SphericalTextureOptions : SphereViewOptions
   SphereProjection Projection = SphereProjection::Stereographic;
   Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, in s and t; > 0
   TextureWrap Wrap = TextureWrap::Clamp;
-  bool SplitSeam = false; ///< cut the surface at each seam, fold or border of the image
-  double Margin = 0.0;    ///< see SphereImage
+  /// Whether to cut the surface along each seam, fold and border of the image
+  bool SplitSeam = false;
+  double Margin = 0.0; ///< see SphereImage::Margin
 };
 
 constexpr double MaximumMargin = 0.25;
 constexpr double MinimumScale = 1e-3;
 constexpr double MaximumScale = 1e3;
 
-/// Compute texture coordinates of every point of a mapped surface, \cite Liou2008 section 4.2. The
-/// view is chosen by chooseSphereView().
+/// Compute texture coordinates of every point of a surface from its sphere map, \cite Liou2008
+/// section 4.2. The position of the image on the sphere is chosen by chooseSphereView().
 ///
-/// With SplitSeam every triangle lies on one side of every seam and fold of the projection and of
-/// every border of the image. No triangle then shows the image mirrored or squeezed, and
-/// OutsideImage is equal at its three corners. Edges are cut at such a line, unless it is within a
-/// thousandth of their length from an end. Thin triangles that would flip in the image by bending
-/// are cut across.
+/// With SplitSeam, the surface is cut along each seam and fold of the projection, and along each
+/// border of the image. No triangle then shows the image mirrored or squeezed, and OutsideImage is
+/// equal at the three corners of each triangle. An edge is not cut within a thousandth of its
+/// length from an end. Thin triangles that would be mirrored because the projection bends them are
+/// cut across.
 ///
-/// @param[in] points           #V by 3, finite
+/// @param[in] points           #V by 3 coordinates, finite
 /// @param[in] triangles        #F by 3 ids in [0, #V), at least one
 /// @param[in] spherePositions  #V by 3 unit vectors
-/// @throws std::invalid_argument as chooseSphereView(), and if Scale or Margin is out of range
+/// @throws std::invalid_argument if Scale or Margin is out of range, or for a reason given at
+///   chooseSphereView()
 SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const SphericalTextureOptions& options = {}, const Run& run = {});
 }

@@ -1,5 +1,6 @@
-/// Blend two pictures of an object, from the front and from the back, into one image of its sphere.
-/// Own construction: a smooth step between the poles of both pictures.
+/// Blend two pictures of an object, from the front and from the back, into one image of the sphere.
+/// Own construction: weights follow a smooth step between the poles of both pictures, because
+/// neither picture then ends at a visible edge.
 
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
@@ -18,22 +19,24 @@ struct TwoPictures
 {
   SphereImage Front, Back;       ///< position of each picture on the sphere
   PixelGrid FrontGrid, BackGrid; ///< at least one pixel each
-  double BlendAngle = 30.0;      ///< degrees of the sphere, in [0, 180]
+  double BlendAngle = 30.0; ///< width of the blended zone in degrees of the sphere, in [0, 180]
 };
 
-/// Pixel of the blended image: FrontShare of the front mix, and the rest of the back mix.
+/// Pixel of the blended image. Its value is FrontShare times the value of Front, plus (1 -
+/// FrontShare) times the value of Back.
 struct BlendedPixel
 {
   PixelMix Front, Back;
   double FrontShare = 0.5;
 };
 
-/// Receive blended pixels. May be called from several threads concurrently, with different pixels.
+/// Function that receives blended pixels. It may be called from several threads concurrently, with
+/// different pixels.
 using BlendSink = std::function<void(Index firstPixel, const std::vector<BlendedPixel>& pixels)>;
 
-/// Compute the share of the front picture at a direction: a smooth step from 0 to 1 over
-/// BlendAngle. In its middle the poles of both pictures are at equal distances. For opposite poles
-/// that is the equator.
+/// Compute the weight of the front picture at a direction. The weight increases from 0 to 1 by a
+/// smooth step over BlendAngle. In the middle of the step, both pictures' poles are at equal
+/// distances; for opposite poles, this is the equator between them.
 double frontShare(const Vector3& n, const TwoPictures& pictures);
 
 /// Blend two pictures into an image of the sphere.

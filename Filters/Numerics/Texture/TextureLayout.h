@@ -13,25 +13,28 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// Texture of the surface outside of the image.
+/// Texture of the surface where its texture coordinates are outside of the image.
 enum class TextureWrap
 {
-  Clamp,  ///< border of the image, extended
-  Repeat, ///< image repeated; coordinates continue outside of [0, 1]
-  Mirror  ///< image mirrored alternately at its borders; coordinates are folded into [0, 1]
+  Clamp,  ///< the border of the image is extended
+  Repeat, ///< the image is repeated; coordinates may be outside of [0, 1]
+  Mirror  ///< the image is repeated, alternately mirrored; coordinates are folded into [0, 1]
 };
 
 struct SphericalTexture
 {
-  TextureCoordinates Coordinates;          ///< #P by 2, finite; in [0, 1] except for Repeat
-  std::vector<unsigned char> OutsideImage; ///< #P: 1 outside of the image
-  SphereImage Image;                       ///< position on the sphere
+  /// #P by 2 texture coordinates, finite; in [0, 1] except for Repeat
+  TextureCoordinates Coordinates;
+  std::vector<unsigned char> OutsideImage; ///< #P marks, 1 for points outside of the image
+  SphereImage Image; ///< projection of the image, and its position on the sphere
 
-  /// With SplitSeam: the surface after cutting. Points from #V on are copies of vertices with other
-  /// coordinates, or points on cut edges.
-  Triangles SplitTriangles;              ///< #F' by 3 ids in [0, #P)
-  std::vector<int> TriangleIds;          ///< #F': original triangle of each
-  std::vector<SurfacePlace> AddedPlaces; ///< #P - #V
+  /// Triangles of the cut surface, used with SplitSeam: #F' by 3 ids in [0, #P). Points from #V on
+  /// are copies of vertices with other texture coordinates, or points on cut edges.
+  Triangles SplitTriangles; ///< triangles after cutting
+  /// #F' ids: the original triangle of each triangle in SplitTriangles
+  std::vector<int> TriangleIds;
+  /// #P - #V positions of the added points on the uncut surface
+  std::vector<SurfacePlace> AddedPlaces;
 };
 }
 

@@ -1,4 +1,5 @@
-/// Maps between the flat triangles of network and model, \cite Liou2008.
+/// Maps between the flat triangles of the network and the model, \cite Liou2008. The network is the
+/// mesh on the sphere; the model is the mesh learned from the points.
 
 #ifndef ConformalFlatMap_h
 #define ConformalFlatMap_h
@@ -14,50 +15,55 @@
 
 namespace conformal
 {
-/// Continuity of the maps of neighboring triangles.
+/// Whether the maps of neighboring triangles agree on their common edge.
 enum class SeamMode
 {
-  PerTriangle, ///< as published: each triangle has its own map, with a jump along the common edge
-  EdgeMatched  ///< one map of the whole surface, continuous everywhere
+  PerTriangle, ///< as published: each triangle has its own map, and maps differ on common edges
+  /// The maps of both triangles agree on each edge: one continuous map of the whole surface
+  EdgeMatched
 };
 
-/// The map p' -> q' of \cite Liou2008, Eq. 10, in barycentric coordinates.
+/// Map a point p' of a network triangle to a point q' of the model triangle, \cite Liou2008, Eq.
+/// 10. Points are in barycentric coordinates.
 ///
 /// Implementation note: the Schwarz-Christoffel maps of two triangles move the points of their
-/// common edge differently. With EdgeMatched each edge has one correspondence of its own. The point
-/// that divides the edge in t : 1 - t is mapped to the point that divides it in e^c t^p : (1 -
-/// t)^q. The conformal maps of both triangles have this form near either end; p, q and c are the
-/// means of their exponents and factors.
+/// common edge differently. With EdgeMatched, each edge has one correspondence that both triangles
+/// use. It maps a point t, which divides the edge in the ratio t : 1 - t, to a point e(t). The
+/// point e(t) divides the edge in the ratio e^c t^p : (1 - t)^q. Near the ends of the edge, the
+/// conformal maps of both triangles have this form. The constants p, q and c are means over both
+/// triangles.
 ///
-/// Each triangle map is then adapted by three slides, one for each edge. Let i, j be the ends of an
-/// edge and m the barycentric coordinates so far. S = m_i + m_j is the share of the edge, b = m_j /
-/// S the position along it, with odds o(b) = b / (1 - b):
-///     b  ->  (1 - S^2) b + S^2 h,   o(h) = o(b) o(e(t)) / o(b'),   b' = (b + d) / (1 + 2 d),
-/// with d = 1 - S. The map of the triangle moves the point t of the edge to b', the correspondence
-/// of the edge moves it to e(t).
+/// Three slides, one for each edge, then adapt the conformal map of each triangle to these
+/// correspondences. Let i and j be the ends of an edge, and m the barycentric coordinates before
+/// the slide. Then S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position along
+/// the edge is b = m_j / S. With d = 1 - S, set b' = (b + d) / (1 + 2 d). Let t be the point of the
+/// edge that the map before the slides moves to b', and o(x) = x / (1 - x). The slide replaces b by
+///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
-/// A slide keeps the two other edges and is smooth there, since b' stays away from the ends. It
-/// increases strictly in b, since o(e(t)) increases with b'. It is thus one-to-one on every line
-/// parallel to its edge. On its own edge, S = 1, it equals e. The composition is a homeomorphism
-/// for triangles of any shape, without an iteration over the mesh. Its inverse is three monotone
-/// equations of one unknown.
+/// A slide does not move the points of the two other edges, and is smooth there because b' stays
+/// away from 0 and 1. The new position increases strictly with b, since o(e(t)) increases with b'.
+/// The slide is thus one-to-one on every line parallel to its edge. On the edge itself S = 1 and d
+/// = 0, so t is mapped to e(t). The composed map is a homeomorphism for triangles of any shape,
+/// without an iteration over the mesh. Its inverse needs the solution of three monotone equations
+/// in one unknown.
 ///
-/// Implementation note: conformal maps crowd the points of needles into a corner. With EdgeMatched,
-/// triangles of a dilatation above 1.5 from network to model are therefore mapped affinely before
-/// the slides. In both modes, degenerate triangles are mapped affinely.
+/// Implementation note: conformal maps move most points of a needle into one corner. With
+/// EdgeMatched, a triangle whose affine map from network to model has a dilatation above 1.5 is
+/// therefore mapped affinely before the slides. In both modes, degenerate triangles are mapped
+/// affinely.
 class FlatMap
 {
 public:
   FlatMap() = default;
 
-  /// @param[in] sphere     #N by 3, n_i
-  /// @param[in] model      #N by 3, w_i
+  /// @param[in] sphere     #N by 3 positions n_i of the network on the sphere
+  /// @param[in] model      #N by 3 positions w_i of the model
   /// @param[in] triangles  #R by 3 ids of a closed surface
-  /// @param[in] neighbors  triangleNeighbors() of the triangles
+  /// @param[in] neighbors  result of triangleNeighbors() for these triangles
   FlatMap(const Points& sphere, const Points& model, const Triangles& triangles,
     const Triangles& neighbors, SeamMode seamMode, const Run& run = {});
 
-  /// Test whether a triangle is degenerate, on the sphere or in the model.
+  /// Test whether a triangle is degenerate in the network or in the model.
   bool degenerate(Index triangle) const
   {
     return this->Network.degenerate(triangle) || this->Model[triangle].degenerate();
@@ -69,19 +75,19 @@ public:
   class Triangle;
 
 private:
-  /// Correspondence of an edge: t : 1 - t to e^c t^p : (1 - t)^q.
+  /// Correspondence e of an edge, which maps the ratio t : 1 - t to e^c t^p : (1 - t)^q.
   struct Edge
   {
-    double AtFirst = 1.0;    ///< p, at the first end
-    double AtSecond = 1.0;   ///< q, at the second
-    double HalfFactor = 0.0; ///< c / 2
+    double AtFirst = 1.0;    ///< exponent p
+    double AtSecond = 1.0;   ///< exponent q
+    double HalfFactor = 0.0; ///< half of c
     EdgeShares image(const EdgeShares& t) const;
     bool identity() const { return AtFirst == 1.0 && AtSecond == 1.0 && HalfFactor == 0.0; }
   };
   struct Edges
   {
-    std::array<Edge, 3> Of; ///< indexed by the opposite corner
-    bool Affine = true;     ///< whether the map before the slides is affine
+    std::array<Edge, 3> Of; ///< edges of the triangle, each indexed by its opposite corner
+    bool Affine = true;     ///< whether the triangle is mapped affinely before the slides
   };
   static Edge own(int edge, TriangleMap& network, TriangleMap& model);
 
@@ -89,39 +95,41 @@ private:
   NetworkShapes Network;
   std::vector<TriangleShape> Model;
   std::vector<Edges> All;
-  std::vector<std::array<unsigned char, 3>> Order; ///< order in which the edges slide
+  std::vector<std::array<unsigned char, 3>> Order; ///< order of the three slides of each triangle
 };
 
-/// Map of one triangle, prepared for many points. Use it from one thread at a time.
+/// Map of one triangle, prepared for many points. Only one thread at a time may use it.
 class FlatMap::Triangle
 {
 public:
   /// Construct a map without a triangle.
   Triangle() = default;
 
-  /// @param[in] map  must outlive this
+  /// @param[in] map  map of the surface; must outlive this object
   Triangle(const FlatMap& map, Index id);
 
   Index id() const { return this->Id; }
 
   /// Map a point from network to model.
-  /// @param[in]  barycentric  of p', >= 0, sum 1
-  /// @param[out] derivative   may be null: column k is the change with coordinate k, to be applied
-  ///   to changes of sum 0. On an edge it is the derivative within this triangle. At a corner,
-  ///   where none exists, it is the derivative at a point nearby.
-  /// @post with EdgeMatched, on an edge the same bits from both of its triangles
+  /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
+  /// @param[out] derivative   may be null. Column k is the partial derivative by coordinate k. It
+  ///   is valid only for changes whose coordinates have the sum 0. On an edge, the derivative is
+  ///   that of this triangle's map. At a corner there is no derivative; the result is the
+  ///   derivative at a point nearby.
+  /// @post with EdgeMatched, the maps of both triangles of an edge return the same bits for its
+  ///   points
   Vector3 toModel(const Vector3& barycentric, Eigen::Matrix3d* derivative = nullptr);
 
   /// Map a point from model to network: the inverse of toModel().
   Vector3 toNetwork(const Vector3& barycentric);
 
 private:
-  /// Result of a slide for a position b on a line parallel to its edge.
+  /// Result of a slide for a position b on a line parallel to the edge.
   struct Slid
   {
     EdgeShares Place;
-    double WithPlace = 1.0; ///< derivative of the second share with respect to b
-    double WithShare = 0.0; ///< derivative of the second share with respect to S
+    double WithPlace = 1.0; ///< derivative of Place.Second with respect to b
+    double WithShare = 0.0; ///< derivative of Place.Second with respect to S
   };
   Vector3 base(const Vector3& barycentric, Eigen::Matrix3d* derivative);
   void slide(int edge, Vector3& barycentric, Eigen::Matrix3d* derivative);

@@ -1,6 +1,6 @@
-/// Power series at a corner of the half disk (SchwarzChristoffel.h), and complex functions that
-/// stay exactly real on its border. Own construction: series of the integrand of \cite Liou2008
-/// Eqs. 4 and 5 after substitution of the half disk.
+/// Power series at the corners of the half disk (SchwarzChristoffel.h), and complex functions that
+/// are exactly real on its border. Own construction: the integrand of \cite Liou2008 Eqs. 4 and 5
+/// as a power series on the half disk, because it converges for any triangle.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -20,10 +20,11 @@ using Complex = std::complex<double>;
 
 constexpr double Log4 = 1.38629436111989061883;
 constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
-constexpr double MaximumLogS = -1.09861; // |s| < 1/3, a little beyond the maximum of 0.268
-constexpr int MaximumTerms = 36;         // an even number, enough for |s| = 1/3
+constexpr double MaximumLogS = -1.09861; // |s| < 1/3, slightly above the maximum of 0.268
+constexpr int MaximumTerms = 36;         // even, sufficient for |s| = 1/3
 
-/// Compute exp, exactly real on the edges of the half disk.
+/// Compute the exponential function. The result is exactly real if the imaginary part is 0 or pi,
+/// as on the edges of the half disk.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -57,15 +58,17 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Number of terms, even, that a series with coefficients of order 1 needs for full precision.
+/// Return the number of terms that a series with coefficients near 1 needs for full precision. The
+/// result is even.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
                                           : 2 * (static_cast<int>(LogEpsilon / logS) / 2 + 1);
 }
 
-/// Sum coefficients[0] s + coefficients[1] s^2 + ... for an even number of real coefficients. Even
-/// and odd powers are two independent recurrences in s^2, in real arithmetic.
+/// Sum the series coefficients[0] s + coefficients[1] s^2 + ... for an even number of real
+/// coefficients. Even and odd powers are summed by two independent recurrences in s^2, in real
+/// arithmetic.
 inline Complex sumSeries(const double* coefficients, int terms, const Complex& s)
 {
   const Complex x = times(s, s);
@@ -86,7 +89,7 @@ inline Complex sumSeries(const double* coefficients, int terms, const Complex& s
   return times(s, odd) + times(x, even);
 }
 
-/// Sum coefficients[0] s + coefficients[1] s^2 + ... for real s.
+/// Sum the series coefficients[0] s + coefficients[1] s^2 + ... for real s.
 inline double sumSeries(const double* coefficients, int terms, double s)
 {
   const double x = s * s;
@@ -99,7 +102,7 @@ inline double sumSeries(const double* coefficients, int terms, double s)
   return s * (odd + s * even);
 }
 
-/// 1, 1/2, 1/3, ...
+/// Table of 1, 1/2, 1/3, ...
 inline constexpr auto Reciprocals = []()
 {
   std::array<double, MaximumTerms> result{};
@@ -110,8 +113,9 @@ inline constexpr auto Reciprocals = []()
   return result;
 }();
 
-/// Power series of one corner. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n with d_0 = 1.
-/// Then the map is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+/// Power series of the map at one corner of a triangle. Let a, b and c be the angles of this, the
+/// next and the previous corner, in units of pi. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n
+/// with d_0 = 1. Then the map is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
 {
 public:
@@ -122,7 +126,7 @@ public:
   {
   }
 
-  /// Compute coefficients up to the given number of terms.
+  /// Compute more coefficients, until there are `terms` of each series.
   void extend(int terms)
   {
     for (; this->Terms < terms; ++this->Terms)
@@ -138,9 +142,9 @@ public:
     }
   }
 
-  /// Approximate log s for a given log W, W = (1 + sum)^(1/a) s. The approximation W = s / (1 - g s
-  /// + q s^2) is exact up to s^3. It is exact for the extremes among univalent functions, so it is
-  /// close everywhere.
+  /// Approximate log s for given log W, where W = (1 + sum)^(1/a) s and `sum` is the series of the
+  /// map. The approximation W = s / (1 - g s + q s^2) is exact up to s^3. It is also exact for the
+  /// extremal univalent functions, so it is close for every triangle.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -150,7 +154,7 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for real W of either sign.
+  /// Approximate s for real W, positive or negative.
   double guess(double w)
   {
     const auto [g, q] = this->leading();
@@ -158,11 +162,11 @@ public:
     return 2.0 * w / (half + std::sqrt(std::max(0.0, half * half - 4.0 * q * w * w)));
   }
 
-  /// Compute d log f / d log s.
+  /// Compute the derivative d log f / d log s.
   double bend(double s) const { return s * (this->Twist + 2.0 * this->A * s) / (1.0 - s * s); }
 
-  std::array<double, MaximumTerms> Map;   // coefficients of the map for s^1, s^2, ...
-  std::array<double, MaximumTerms> Slope; // coefficients of f for s^1, s^2, ...
+  std::array<double, MaximumTerms> Map;   // coefficients of s^1, s^2, ... in the map
+  std::array<double, MaximumTerms> Slope; // coefficients of s^1, s^2, ... in f
 
 private:
   struct Leading

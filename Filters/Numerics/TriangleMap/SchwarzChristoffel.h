@@ -1,18 +1,20 @@
-/// Conformal maps between triangles, vertices to vertices, \cite Liou2008 Eqs. 4 and 5.
+/// Conformal maps between triangles that map corners to corners, \cite Liou2008 Eqs. 4 and 5.
 ///
-/// A point is mapped through a half disk common to all triangles: any triangle -> half disk -> any
-/// other. Input and output are barycentric coordinates, so that no plane has to be chosen.
+/// All triangles are mapped to the same half disk. A map between two triangles is the map of the
+/// first to the half disk, followed by the inverse map of the second. Input and output are
+/// barycentric coordinates, so that no plane has to be chosen.
 ///
-/// Implementation note: the paper integrates over the whole unit disk. Three prevertices may lie
-/// anywhere on its border. The disk is therefore replaced by a conformal image: the upper half of
-/// the unit disk, |s| <= 1, Im s >= 0. One corner of the triangle is at s = 0, the next at 1, the
-/// previous at -1. The opposite edge is the half circle. With the angles a, b, c of these corners
-/// in units of pi, Eqs. 4 and 5 become
+/// Implementation note: \cite Liou2008 integrates over the whole unit disk. The images of the
+/// corners may lie anywhere on its border. The disk is therefore replaced by a conformal image of
+/// itself, the upper half of the unit disk: |s| <= 1, Im s >= 0. One corner of the triangle is at s
+/// = 0, the next corner at 1, the previous corner at -1. The edge opposite the first corner is the
+/// half circle. Let a, b and c be the angles of these corners in units of pi. Eqs. 4 and 5 then
+/// become
 ///     dz/ds = k 4^a s^(a-1) (1-s)^(2b-1) (1+s)^(2c-1),   k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
-/// with D the diameter of the circumcircle. The factor 1 + s^2 cancels since a + b + c = 1. No
-/// parameter has to be solved for, and all coefficients are real. Every point has |s| <= 2 -
-/// sqrt(3) at one of the three corners or more. There 30 terms of a power series give full double
-/// precision, for any shape of the triangle.
+/// where D is the diameter of the circumcircle. The factor 1 + s^2 cancels since a + b + c = 1. No
+/// parameters have to be solved for, and all coefficients are real. For every point, a corner can
+/// be chosen so that |s| <= 2 - sqrt(3). For such s, 30 terms of a power series give full double
+/// precision, whatever the shape of the triangle.
 
 #ifndef ConformalSchwarzChristoffel_h
 #define ConformalSchwarzChristoffel_h
@@ -24,54 +26,57 @@
 
 namespace conformal
 {
-/// Point of the half disk in the coordinate s of one corner of the triangle.
+/// Point of the half disk. Its coordinate s depends on which corner of the triangle is at s = 0.
 struct HalfDiskPoint
 {
-  int Corner = 0;            ///< corner at s = 0; the next corner is at 1, the previous at -1
-  std::complex<double> S;    ///< s, close enough to 0 for the series: |s| < 1/3
-  std::complex<double> LogS; ///< log s, imaginary part in [0, pi], exactly 0 or pi on edges
+  int Corner = 0;         ///< corner at s = 0; the next corner is at 1, the previous corner at -1
+  std::complex<double> S; ///< coordinate s; |s| < 1/3, so that the series converges fast
+  std::complex<double> LogS; ///< log s; its imaginary part is in [0, pi], exactly 0 or pi on edges
 };
 
-/// Triangle up to similarity, and its conformal map to and from the half disk.
+/// Shape of a triangle (its angles), and its conformal map to and from the half disk.
 class TriangleShape
 {
 public:
   /// Construct a degenerate triangle.
   TriangleShape() = default;
 
-  /// Construct from vertices in any plane and any unit.
+  /// Construct from three vertices, in any plane and any unit.
   TriangleShape(const Vector3& p0, const Vector3& p1, const Vector3& p2);
 
-  /// Test whether an angle is too small for a map (under 1e-9), or a coordinate is not finite.
+  /// Test whether the triangle has no conformal map: an angle is too small (under 1e-9), or a
+  /// coordinate is not finite.
   bool degenerate() const { return this->Degenerate; }
 
   /// Return the interior angles in units of pi.
   const std::array<double, 3>& angles() const { return this->Angles; }
 
-  /// Map a point from triangle to half disk, by Newton's method on a univalent function. About 0.4
-  /// us.
-  /// @param[in] barycentric  of sum 1; negative values count as 0
-  /// @pre not degenerate
+  /// Map a point from the triangle to the half disk by Newton's method. One call needs about 0.4
+  /// microseconds.
+  /// @param[in] barycentric  coordinates with the sum 1; negative values count as 0
+  /// @pre the triangle is not degenerate
   HalfDiskPoint toHalfDisk(const Vector3& barycentric) const;
 
-  /// Map a point from half disk to triangle, by the series of its corner. About 0.1 us.
+  /// Map a point from the half disk to the triangle by a power series. One call needs about 0.1
+  /// microseconds.
   /// @return barycentric coordinates, >= 0; exactly 0 on an edge
-  /// @pre not degenerate
+  /// @pre the triangle is not degenerate
   Vector3 fromHalfDisk(const HalfDiskPoint& point) const;
 
-  /// Compute dz/ds. In the plane of z the corner of the point is at 0 and the next corner on the
-  /// positive real axis. The unit is the diameter of the circumcircle. The derivative of a map
-  /// between two triangles is the quotient of their derivatives. The result is infinite at s = 0.
-  /// @pre not degenerate
+  /// Compute the derivative dz/ds of the map from the half disk to the plane of the triangle. In
+  /// this plane the corner `point.Corner` is at z = 0, and the next corner is on the positive real
+  /// axis. The unit of z is the diameter of the circumcircle. The derivative of a map between two
+  /// triangles is the quotient of their derivatives. The result is infinite at s = 0.
+  /// @pre the triangle is not degenerate
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
-  /// Compute the derivative of the map to another triangle, in barycentric coordinates, for changes
-  /// of sum 0.
+  /// Compute the derivative of the conformal map to another triangle, in barycentric coordinates.
+  /// The matrix is valid only for changes whose coordinates have the sum 0.
   /// @pre neither triangle is degenerate, and the point is not a corner
   Eigen::Matrix3d mapDerivative(const TriangleShape& to, const HalfDiskPoint& point) const;
 
-  /// Compute the ratio of the singular values of the affine map to another triangle, maximum to
-  /// minimum.
+  /// Compute the dilatation of the affine map to another triangle: the maximum of its singular
+  /// values divided by the minimum.
   /// @pre neither triangle is degenerate
   double dilatation(const TriangleShape& to) const;
 
@@ -79,8 +84,8 @@ private:
   friend class NetworkShapes;
   friend class TriangleMap;
 
-  /// Return the matrix from barycentric coordinates of the next and the previous corner to the
-  /// plane of derivative().
+  /// Return the matrix that multiplies the barycentric coordinates of the next and the previous
+  /// corner. Its product is the position in the plane of derivative().
   Eigen::Matrix2d plane(int corner) const;
 
   double leading(int corner) const { return this->Scale / this->Angles[corner]; }
@@ -90,11 +95,12 @@ private:
     int corner, std::complex<double> logUniform, const Vector3& barycentric) const;
   Vector3 place(const HalfDiskPoint& point, std::complex<double> series) const;
 
-  std::array<double, 3> Angles{}; // units of pi
-  // Also the length of the opposite edge for a circumcircle of diameter 1
+  std::array<double, 3> Angles{}; // interior angles in units of pi
+  // Sines of the angles. They are also the lengths of the opposite edges if the circumcircle has
+  // diameter 1.
   std::array<double, 3> Sines{};
   std::array<double, 3> Cosines{};
-  double Scale = 0.0; // k of the comment at the beginning of this file
+  double Scale = 0.0; // constant k in the comment at the beginning of this file
   bool Degenerate = true;
 };
 }
