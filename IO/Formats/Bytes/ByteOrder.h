@@ -1,4 +1,4 @@
-/// Byte order of this machine, and output of numbers in a given byte order.
+/// Determine the byte order of this machine, and write numbers in a given byte order.
 
 #ifndef ConformalByteOrder_h
 #define ConformalByteOrder_h
@@ -21,7 +21,8 @@ inline bool isLittleEndianMachine()
   return first == 1;
 }
 
-/// Append bytes, converted from the order of this machine to the given order.
+/// Append the bytes of a value, converted from the byte order of this machine to the given byte
+/// order.
 inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
 {
   const char* const begin = static_cast<const char*>(value);

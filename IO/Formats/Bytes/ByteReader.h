@@ -1,4 +1,4 @@
-/// Read the bytes of a file in order, from memory or piece by piece.
+/// Read the bytes of a file from beginning to end, from memory or piece by piece.
 
 #ifndef ConformalByteReader_h
 #define ConformalByteReader_h
@@ -13,15 +13,16 @@
 
 namespace conformal
 {
-/// Moving window over the input. A file is never in memory as a whole: its pieces stay in the cache
-/// of the processor while they are parsed. A file truncated by another process in the meantime is a
-/// short file, not a crash.
+/// Window in memory that moves over the input file. Only a piece of the file is in memory, so that
+/// it stays in the cache of the processor while it is parsed. If another process truncates the file
+/// in the meantime, the file is treated as a short file, without a crash.
 class ByteReader
 {
 public:
-  /// Fill a buffer and return the number of bytes; fewer than requested mean the end of the input.
+  /// Function that fills a buffer and returns the number of bytes. A number smaller than requested
+  /// means the end of the input.
   using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
-  /// Move to an offset, from which the next bytes are read.
+  /// Function that moves to an offset in the input. The next bytes are read from there.
   using Seek = std::function<void(std::uint64_t offset)>;
 
   ByteReader() = default;
@@ -34,8 +35,8 @@ public:
   std::uint64_t offset() const { return this->WindowOffset + (this->Begin - this->Window); }
   std::uint64_t left() const { return this->Size - this->offset(); }
 
-  /// Return at least `count` consecutive bytes from the current position; fewer only at the end of
-  /// the input.
+  /// Return at least `count` consecutive bytes from the current position. Fewer bytes are returned
+  /// only at the end of the input.
   std::string_view peek(std::size_t count)
   {
     if (static_cast<std::size_t>(this->End - this->Begin) < count)
@@ -45,24 +46,24 @@ public:
     return { this->Begin, static_cast<std::size_t>(this->End - this->Begin) };
   }
 
-  /// Advance by bytes that peek() returned.
+  /// Advance by a number of bytes that peek() has returned.
   void advance(std::size_t count) { this->Begin += count; }
 
   /// Advance by any number of bytes. Binary data are skipped by a seek if possible.
-  /// @return false if the input ends before
+  /// @return false if the input ends before these bytes
   bool skip(std::uint64_t count);
 
-  /// Stop counting lines, which are counted from the start for messages. The input from here on is
-  /// binary, or a text whose lines are counted elsewhere.
+  /// Stop counting lines for error messages. The rest of the input is binary, or a text whose lines
+  /// are counted elsewhere.
   void beginBinary() { this->Binary = true; }
 
-  /// Return the number of the line of the next byte, from 1; 0 in binary data. LF, CR and CRLF end
-  /// lines. The whole window is scanned: call it for errors only.
+  /// Return the line number of the next byte, counted from 1; 0 in binary data. LF, CR and CRLF end
+  /// lines. The whole window is scanned: call this function for errors only.
   std::uint64_t line() const;
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;
 
-  /// Throw unless the input has a byte; every parser calls it first.
+  /// Throw if the input is empty. Every parser calls this function first.
   /// @throws ParseError if the input is empty
   void requireBytes();
 
@@ -77,7 +78,7 @@ private:
   const char* End = nullptr;
   std::uint64_t WindowOffset = 0;
   std::uint64_t Size = 0;
-  std::uint64_t LinesBefore = 0; ///< line ends before the window
+  std::uint64_t LinesBefore = 0; ///< number of line ends before the window
   char LastBefore = 0;           ///< last byte before the window
   bool Binary = false;
 };

@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Colors of 3 or 4 numbers. Files do not state the range: colors are fractions if no number
-/// exceeds 1, else bytes.
+/// List of colors of 3 or 4 numbers. Files do not state the range of the numbers. If no number
+/// exceeds 1, colors are fractions; otherwise they are bytes.
 class ColorList
 {
 public:
@@ -27,18 +27,18 @@ public:
   /// @throws ParseError if a number is not in [0, 255]
   void add(const double* color, std::size_t components);
 
-  /// Append a missing color; it becomes white.
+  /// Append white in place of a missing color.
   void addMissing();
 
-  /// Test whether the file has any color.
+  /// Test whether any color was appended that is not missing.
   bool hasAny() const { return this->HasAny; }
 
-  /// Return the name of the array: "RGB", or "RGBA" if a color has 4 numbers.
+  /// Return the array of all colors, named "RGB", or "RGBA" if a color has 4 numbers.
   NamedArray take();
 
 private:
   const ByteReader& Input;
-  std::vector<float> Values; ///< 4 for each color, -1 for a missing one
+  std::vector<float> Values; ///< 4 numbers for each color; -1 if the color is missing
   float Maximum = 0.0F;
   std::size_t Components = 3;
   bool HasAny = false;

@@ -7,8 +7,8 @@
 
 namespace conformal
 {
-/// One of Count equal parts; the default is the whole. Data that cannot be divided belong to the
-/// first part.
+/// One of Count equal parts of a file; the default is the whole file. Data that cannot be divided
+/// belong to the first part.
 struct FilePiece
 {
   std::uint64_t Number = 0; ///< in [0, Count)
@@ -18,8 +18,8 @@ struct FilePiece
   bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
-  /// Return the index of the first of `size` items in this part; end() returns that of the next
-  /// part.
+  /// Return the index of the first of this part's items, if the file has `size` items. end()
+  /// returns the index of the first item of the next part.
   std::uint64_t begin(std::uint64_t size) const { return this->cut(size, this->Number); }
   std::uint64_t end(std::uint64_t size) const { return this->cut(size, this->Number + 1); }
 

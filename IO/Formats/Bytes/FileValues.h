@@ -16,7 +16,7 @@
 
 namespace conformal
 {
-/// Numbers as bytes, in native or swapped order.
+/// Read numbers stored as bytes, in the byte order of this machine or in swapped order.
 class BinaryValues
 {
 public:
@@ -64,8 +64,9 @@ private:
   bool Swap;
 };
 
-/// Numbers as words between blanks. A record ends at the end of a line; line ends within a record
-/// are blanks. A comment, if the format has any, extends from a hash to the end of the line.
+/// Read numbers stored as words between blanks. A record ends at the end of a line; line ends
+/// within a record count as blanks. If the format has comments, a comment extends from a hash to
+/// the end of the line.
 class TextValues
 {
 public:
@@ -119,7 +120,7 @@ public:
     this->NumbersOfRecord = 0;
   }
 
-  /// Test whether the rest of a line has only blanks and a comment.
+  /// Test whether the rest of the current line has only blanks and a comment.
   bool isLineEnd()
   {
     this->skipWhile([](char c) { return c == ' ' || c == '\t'; });
@@ -139,7 +140,7 @@ public:
     }
   }
 
-  /// Advance to the next word or the end.
+  /// Advance to the next word, or to the end of the text.
   void skipBlanks()
   {
     this->skipWhile(isBlank);
@@ -192,7 +193,7 @@ private:
 
   ByteReader& Input;
   const bool HasRemarks;
-  std::size_t NumbersOfRecord = 0; ///< numbers read since the last record
+  std::size_t NumbersOfRecord = 0; ///< count of numbers read since the end of the last record
 };
 }
 

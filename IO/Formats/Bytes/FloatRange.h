@@ -1,5 +1,5 @@
-/// Check whether coordinates can be stored as 32-bit floats, for writers of formats limited to
-/// floats.
+/// Check whether coordinates can be stored as 32-bit floats, for writers of formats that have no
+/// doubles.
 
 #ifndef ConformalFloatRange_h
 #define ConformalFloatRange_h
@@ -15,9 +15,9 @@
 
 namespace conformal
 {
-/// Reject coordinates outside of the range of floats. Also reject coordinates so small that floats
-/// would round the maximum to a few digits or to 0. Small coordinates beside large ones may become
-/// 0.
+/// Reject coordinates outside of the range of floats. Also reject coordinates if all are so small
+/// that floats would round them to a few digits or to 0. A small coordinate is accepted if others
+/// are large; it may become 0.
 /// @param[in] coordinate  called with each index below count
 /// @throws std::invalid_argument
 template <typename Coordinate>
@@ -55,20 +55,22 @@ struct FloatRounding
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Test whether a coordinate is shifted by more than ToleratedShift of the size. Otherwise points
-  /// farther apart than twice that stay distinct. Coincident points have no shape to lose.
+  /// Test whether a coordinate is shifted by more than ToleratedShift times size(). Otherwise
+  /// points stay distinct if they are farther apart than twice this limit. The result is false if
+  /// all points coincide.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
-  /// Own construction: floats shift points of a surface around the origin by 3e-8 of its size. They
-  /// reach this limit at a distance of about 200 times the size from the origin.
+  /// Own construction: a maximum relative shift, because the effect of rounding grows with the
+  /// distance of the surface from the origin. For a surface around the origin, floats shift points
+  /// by 3e-8 of the size. At a distance of about 200 times the size, the shift reaches this limit.
   static constexpr double ToleratedShift = 1e-5;
 };
 
 /// Measure the effect of rounding coordinates to floats.
-/// @param[in] count       3 for each point
+/// @param[in] count       number of coordinates, 3 for each point
 /// @param[in] coordinate  called with each index below count; in the range of floats
 template <typename Coordinate>
 FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
@@ -88,7 +90,8 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
 }
 
 /// Reject points whose shape floats would change.
-/// @throws std::invalid_argument with the shift, the size, and a remedy
+/// @throws std::invalid_argument if isTooCoarse(); the message has the shift, the size, and a
+///   remedy
 inline void requireFinePositions(const FloatRounding& rounding)
 {
   if (!rounding.isTooCoarse())

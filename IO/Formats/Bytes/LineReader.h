@@ -14,8 +14,9 @@
 
 namespace conformal
 {
-/// Lines of up to LongestLine that end with LF, CR or CRLF; the last one may end with the input.
-/// The current line is consumed only by the next call, so that errors refer to it.
+/// Reader of lines that end with LF, CR or CRLF. A line has at most LongestLine bytes. The last
+/// line may end with the input. The current line is consumed only when the next line is read, so
+/// that error messages refer to the current line.
 class LineReader
 {
 public:
@@ -28,8 +29,8 @@ public:
     input.advance(isMarked ? mark.size() : 0);
   }
 
-  /// Advance to the next line; return false if there is none.
-  /// @throws ParseError if it is too long
+  /// Advance to the next line. Return false if there is no further line.
+  /// @throws ParseError if the line is too long
   bool next()
   {
     this->Input.advance(this->Passed);
@@ -55,13 +56,14 @@ public:
     return false;
   }
 
-  /// Return the current line without its end, valid until the next one.
+  /// Return the current line without its line end. The result is valid until the next line is read.
   std::string_view text() const { return this->Text; }
 
   /// Test whether the current line has only blanks.
   bool isBlankLine() const { return this->Text.find_first_not_of(" \t\v\f") == Text.npos; }
 
-  /// Consume the current line: the input is then behind its end.
+  /// Consume the current line. The next byte of the input is then the first byte after the line
+  /// end.
   void finish()
   {
     this->Input.advance(this->Passed);
@@ -77,16 +79,17 @@ public:
   }
 
 private:
-  // Next position of a line end character, cached until it is passed. A text usually has one kind
-  // of line end, and the other must not be searched in the whole rest at every line.
+  // Next position of a line end character, cached until it is passed. A text usually has only one
+  // kind of line end. Without the cache, the other kind would be searched in the whole rest of the
+  // text at every line.
   struct NextPlace
   {
     const char Letter;
     std::uint64_t Offset = 0; ///< offset in the input
     bool IsFound = false;     ///< false if the character does not occur before Offset
 
-    // Return the position in a window that begins at an offset; the size of the window if it is not
-    // there.
+    // Return the position of the character in a window that begins at an offset, or the size of the
+    // window if the character does not occur there.
     std::size_t find(std::string_view window, std::uint64_t begin)
     {
       if (!this->IsFound || this->Offset < begin)
@@ -104,7 +107,7 @@ private:
   NextPlace LineFeed = { '\n' };
   NextPlace Return = { '\r' };
   std::string_view Text;
-  std::size_t Passed = 0; ///< bytes of the current line with its end
+  std::size_t Passed = 0; ///< number of bytes of the current line, with its line end
 };
 
 /// Words of a line, separated by blanks.
@@ -116,7 +119,7 @@ public:
   {
   }
 
-  /// Return the next word, empty at the end.
+  /// Return the next word, or an empty word at the end of the line.
   std::string_view next()
   {
     constexpr std::string_view blanks = " \t\v\f";
@@ -127,7 +130,7 @@ public:
     return word;
   }
 
-  /// Read the next word as a number; return false if it is not a number in the range of T.
+  /// Read the next word as a number. Return false if the word is not a number in the range of T.
   template <typename T>
   bool next(T& value)
   {

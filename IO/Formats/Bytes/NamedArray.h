@@ -1,4 +1,4 @@
-/// Named array of numbers read from a file.
+/// Named array of numbers, and functions for lists of such arrays.
 
 #ifndef ConformalNamedArray_h
 #define ConformalNamedArray_h
@@ -13,13 +13,13 @@
 
 namespace conformal
 {
-/// Named array: #T tuples of Components numbers of one type.
+/// Array with a name. It has #T tuples of Components numbers; all numbers have one type.
 struct NamedArray
 {
   std::string Name;
   ScalarType Type = ScalarType::Float32;
   std::size_t Components = 1;
-  OwnedArray<unsigned char> Values; ///< bytes in the order of this machine
+  OwnedArray<unsigned char> Values; ///< bytes of the numbers, in the byte order of this machine
 
   std::size_t tupleBytes() const { return this->Components * sizeOf(this->Type); }
   std::size_t numberOfTuples() const { return this->Values.size() / this->tupleBytes(); }
@@ -36,7 +36,7 @@ inline void append(NamedArray& array, const void* tuple)
   std::memcpy(array.Values.data() + array.Values.size() - bytes, tuple, bytes);
 }
 
-/// Make names of arrays unique: a second "Shape" becomes "Shape2".
+/// Make names of arrays unique. For example, a second array "Shape" gets the name "Shape2".
 void makeNamesUnique(std::vector<NamedArray>& arrays);
 
 /// Replace values that are not finite by 0.

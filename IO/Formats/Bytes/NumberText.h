@@ -24,8 +24,8 @@ inline bool isRemark(std::string_view text)
   return !text.empty() && text[0] == '#';
 }
 
-/// Test whether a number outside of the range of T is too small. It is read as zero; a number too
-/// large is rejected.
+/// Test whether a number outside of the range of T is too small. Such a number is read as zero,
+/// whereas a number that is too large is rejected.
 template <typename T>
 bool isUnderflow(std::string_view text)
 {
@@ -34,11 +34,12 @@ bool isUnderflow(std::string_view text)
       text.substr(text.find_first_not_of("+-0"), 1) == ".");
 }
 
-/// Read a decimal number that needs only one rounding. If its digits are an exact T, and so is its
-/// power of ten, their product or quotient is the nearest T (W. D. Clinger, How to read floating
-/// point numbers accurately, 1990). This holds for nearly all numbers of a scan; from_chars is
-/// three times slower.
-/// @return its end; null if it is longer or not a number
+/// Read a decimal number without exponent that needs only one rounding. If T represents both the
+/// integer of all digits and the power of ten exactly, their quotient is the nearest T (W. D.
+/// Clinger, How to read floating point numbers accurately, 1990). This holds for nearly all numbers
+/// of a scan; from_chars is three times slower.
+/// @return the end of the number; null if it is not a number, has too many digits, or has an
+///   exponent
 template <typename T>
 const char* readShortDecimal(const char* begin, const char* end, T& value)
 {
@@ -81,9 +82,9 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   return c;
 }
 
-/// Read one number at the start of a text. A blank, the delimiter, or the end of the text must
-/// follow.
-/// @return its length; 0 if it is not a number in the range of T
+/// Read one number at the start of a text. The number must be followed by a blank, the delimiter,
+/// or the end of the text.
+/// @return the length of the number; 0 if the text does not start with a number in the range of T
 template <typename T>
 std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
 {
@@ -116,7 +117,7 @@ std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
   return error == std::errc() ? length : 0;
 }
 
-/// Append the shortest text that reads back as the same number.
+/// Append the shortest text from which the same number is read back.
 template <typename T>
 void appendNumber(std::string& text, T value)
 {

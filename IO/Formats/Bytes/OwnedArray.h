@@ -25,7 +25,7 @@ public:
   T& operator[](std::size_t i) { return this->Values.get()[i]; }
   const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
 
-  /// Reserve memory for `capacity` values in all. Values added by resize() are not initialized.
+  /// Reserve memory for a total of `capacity` values. Values added by resize() are not initialized.
   void reserve(std::size_t capacity)
   {
     if (capacity > this->Capacity)

@@ -12,12 +12,12 @@
 
 namespace conformal
 {
-/// Maximum length of a line, run of blanks, comment or tag [bytes], enough for a polygon of a
-/// million corners. A text is buffered up to this length and rejected beyond. A file without line
-/// ends is thus never in memory as a whole.
+/// Maximum length of a line, a sequence of blanks, a comment or a tag [bytes]. It is sufficient for
+/// a polygon of a million corners. A longer text is rejected. A file without line ends is thus
+/// never in memory as a whole.
 constexpr std::size_t LongestLine = std::size_t(16) << 20;
 
-/// Message for a longer line.
+/// Return the error message for text that is longer than LongestLine.
 inline std::string tooLongMessage(const char* what)
 {
   return std::string("found ") + what + " of more than " + std::to_string(LongestLine >> 20) +
@@ -29,12 +29,13 @@ struct ParseLimits
   /// Maximum memory [bytes] that one count in a file may request.
   std::uint64_t MaximumMemory = std::numeric_limits<std::ptrdiff_t>::max();
 
-  /// Check a count read from a file before memory is allocated for it. That many records of at
-  /// least minimumRecordBytes must fit into the rest of the input. At memoryPerRecord each, they
-  /// must fit into MaximumMemory.
+  /// Check a count of records read from a file, before memory is allocated for the records. The
+  /// records must fit into the rest of the input if each has minimumRecordBytes there. They must
+  /// fit into MaximumMemory if each needs memoryPerRecord.
   ///
-  /// A truncated file ends early (PrematureEnd). A count of more than a gigabyte and of a thousand
-  /// times the rest of the input is invalid (Malformed).
+  /// If the count exceeds the rest of the input, the error is usually PrematureEnd, as for a
+  /// truncated file. The error is Malformed if the records would need more than a gigabyte and more
+  /// than a thousand times the rest of the input.
   /// @param[in] what  name of the records, for the message
   /// @throws ParseError
   std::size_t checkedCount(const ByteReader& input, const std::string& what, std::uint64_t count,

@@ -1,4 +1,4 @@
-/// Outcome of reading a file: the error and its place in the file.
+/// Outcome of reading a file: the error and its position in the file.
 
 #ifndef ConformalParseStatus_h
 #define ConformalParseStatus_h
@@ -16,29 +16,29 @@ enum class ParseCode
 {
   Ok,
   FileNotFound,
-  CannotOpen,       ///< no permission, or a directory, pipe or device
-  UnrecognizedType, ///< not the format of this parser
-  PrematureEnd,     ///< the file ends before its promised data
+  CannotOpen,       ///< the file may not be read, or it is a directory, pipe or device
+  UnrecognizedType, ///< the file does not have the format of this parser
+  PrematureEnd,     ///< the file ends before all data that its header states
   Malformed,        ///< the file violates the rules of its format
   OutOfMemory,
   Aborted ///< the progress callback of the run returned false
 };
 
-/// Outcome of a parse. Line counts from 1; it is 0 in binary data.
+/// Outcome of parsing. Line is counted from 1; it is 0 in binary data.
 struct ParseStatus
 {
   ParseCode Code = ParseCode::Ok;
   std::uint64_t Line = 0;
-  std::uint64_t Offset = 0; ///< bytes before the position of the error
-  std::string Message;      ///< found and expected data
+  std::uint64_t Offset = 0; ///< number of bytes before the error
+  std::string Message;      ///< description of the found and the expected data
 
   bool ok() const { return this->Code == ParseCode::Ok; }
 
-  /// Return the message after its position: "line 12: ..." or "byte 340: ...".
+  /// Return the position and the message: "line 12: ..." or "byte 340: ...".
   std::string text() const;
 };
 
-/// Exception inside parsers; their public functions return the status instead.
+/// Exception inside parsers. The public functions of parsers return its status instead.
 class ParseError : public std::exception
 {
 public:
@@ -53,10 +53,10 @@ private:
   ParseStatus Status;
 };
 
-/// Quote text of a file for a message: short and printable.
+/// Quote text of a file for a message, shortened and with printable characters only.
 std::string quoted(std::string_view text);
 
-/// Run a parser and return its status: a ParseError's, OutOfMemory, or Aborted.
+/// Run a parser and return its status: Ok, the status of a ParseError, OutOfMemory, or Aborted.
 ParseStatus statusOf(const std::function<void()>& parse);
 }
 

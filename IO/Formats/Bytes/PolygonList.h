@@ -11,11 +11,11 @@
 
 namespace conformal
 {
-/// Convert a number to the id of one of the points.
-/// @throws ParseError if it is not an id in range
+/// Convert a number read from a file to a point id.
+/// @throws ParseError if no point has this id
 std::int64_t checkedId(const ByteReader& input, std::int64_t id, std::uint64_t numberOfPoints);
 
-/// Test whether a polygon repeats an id.
+/// Test whether a polygon has a point id twice.
 bool hasRepeatedId(const std::int64_t* ids, std::size_t count);
 
 /// Append polygons to a surface. Polygons of fewer than 3 ids, or with a repeated id, are dropped
@@ -35,8 +35,8 @@ public:
     this->Begin = data.PolygonIds.size();
   }
 
-  /// Reserve memory for polygons, and for their ids if they are triangles. Each id needs at least
-  /// one byte of the input.
+  /// Reserve memory for polygons, and for the ids of triangles. The memory is limited by the size
+  /// of the input, since each id needs at least one byte there.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);
@@ -50,7 +50,7 @@ public:
   }
 
   /// Finish the polygon.
-  /// @return whether it was kept
+  /// @return whether the polygon was kept
   bool end()
   {
     auto& ids = this->Data.PolygonIds;

@@ -19,7 +19,7 @@ public:
   {
   }
 
-  /// Call often: reports at every hundredth of the input.
+  /// Report progress after every hundredth of the input. Call this function often.
   /// @throws Aborted
   void tick()
   {

@@ -23,7 +23,7 @@ struct RecordField
   bool IsKept = true; ///< if false, the field has no array and its bytes are skipped
 };
 
-/// Fields that form one array, under names used by several programs.
+/// Known list of fields that form one array, with the names that programs use for them.
 struct KnownFields
 {
   const char* Array;
@@ -31,19 +31,21 @@ struct KnownFields
   bool (*Fits)(ScalarType);       ///< predicate for the type of all fields
 };
 
-/// Normals, colors and texture coordinates. Writers use the first of several lists of an array.
+/// Return the known fields of normals, colors and texture coordinates. If there are several lists
+/// for one array, writers use the first list.
 const std::vector<KnownFields>& knownFields();
 
 /// Assignment of the fields of a record to arrays. Fields that belong together share an array (see
 /// parsePLY()). Adjacent fields of one type also share an array if they have one name, or names
-/// NAME_0, NAME_1 and so on. Every other field has its own array. The next record overwrites a
-/// record that is discarded.
+/// NAME_0, NAME_1 and so on. Every other field has its own array. If a record is discarded, the
+/// next record overwrites it.
 class Records
 {
 public:
   /// Assign the fields to arrays.
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
-  /// @throws std::invalid_argument if hasPoints and x, y, z are not one field each
+  /// @throws std::invalid_argument if hasPoints, and there is not exactly one field for each of x,
+  ///   y, z
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
@@ -79,7 +81,8 @@ public:
   /// Copy packed binary records to the records from `first` on.
   void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
 
-  /// Copy one field of records with a stride in a file [bytes].
+  /// Copy one field of many records. The stride is the distance between records in the file
+  /// [bytes].
   void copyField(std::size_t field, const char* from, std::size_t stride,
     std::size_t numberOfRecords, std::size_t first, bool swap);
 
@@ -93,14 +96,14 @@ public:
 private:
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
-  // Destination of a field.
+  // Array and component in which a field is stored.
   struct Slot
   {
     std::size_t Array = None;
     std::size_t Component = 0;
   };
 
-  // Adjacent bytes of a record that stay adjacent in a tuple.
+  // Adjacent bytes of a record that are also adjacent in a tuple of an array.
   struct Run
   {
     std::size_t Array;
@@ -119,23 +122,24 @@ private:
   void findRuns();
 
   std::vector<RecordField> Fields;
-  std::vector<Slot> Slots; ///< one for each field
+  std::vector<Slot> Slots; ///< destination of each field
   std::vector<NamedArray> Arrays;
-  /// Names of fields and arrays, each with its only field
+  /// Index of the field of each name; None if several fields, or an array, have the name
   std::map<std::string, std::size_t> Names;
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
 };
 
-/// Return the name of a component of an array: the name of the array, or "array" without one. For
-/// several components, "_" and the number of the component follow.
+/// Return the name of a component of an array. It is the name of the array, or "array" if that is
+/// empty. If the array has several components, "_" and the number of the component follow.
 std::string componentName(const NamedArray& array, std::size_t component);
 
-/// Unique names of the fields of a record.
+/// Set of unique names of the fields of a record.
 class FieldNames
 {
 public:
-  /// @param[in] refused  characters not allowed in names, besides blanks and control characters
+  /// @param[in] refused  further characters not allowed in names; blanks and control characters are
+  ///   never allowed
   explicit FieldNames(std::string_view refused = {})
     : Refused(refused)
   {

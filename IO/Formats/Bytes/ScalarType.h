@@ -1,4 +1,4 @@
-/// Types of the numbers in a file.
+/// Types of numbers in files.
 
 #ifndef ConformalScalarType_h
 #define ConformalScalarType_h
@@ -23,7 +23,8 @@ enum class ScalarType
   UInt64
 };
 
-/// Call f with a zero of the C++ type, from which a generic lambda deduces the type.
+/// Call f with a zero of the C++ type for a ScalarType. A generic lambda deduces the C++ type from
+/// this zero.
 template <typename Function>
 decltype(auto) withType(ScalarType type, Function&& f)
 {

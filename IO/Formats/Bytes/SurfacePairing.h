@@ -1,4 +1,4 @@
-/// Add the data of other files to a surface: its sphere, and values at its points.
+/// Add the data of other files to a surface: its positions on the sphere, and values at its points.
 
 #ifndef ConformalSurfacePairing_h
 #define ConformalSurfacePairing_h
@@ -11,15 +11,16 @@
 
 namespace conformal
 {
-/// Parse an opened file.
+/// Parser of an opened file.
 using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
-/// Read the file of a sphere with the same polygons. Its points become the array "SpherePosition"
-/// (Float64, unit length) of the surface, and replace an existing one. Nothing is done if the name
-/// is empty or the surface was not read. A failure becomes the status of the surface.
+/// Read a sphere file with the same polygons as the surface. The points of the sphere become the
+/// array "SpherePosition" (Float64, unit length) of the surface; an existing array is replaced.
+/// Nothing is done if the file name is empty or the surface was not read. If reading the sphere
+/// fails, its status becomes the status of the surface.
 void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 
-/// Read a file of point arrays and append them with unique names.
+/// Read a file of point arrays and append these arrays to the surface, with unique names.
 void addPointArrays(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 }
 

@@ -1,4 +1,4 @@
-/// Access to the points, polygons and arrays of a surface for writers.
+/// Access the points, polygons and arrays of a surface, for writers.
 
 #ifndef ConformalSurfaceWalk_h
 #define ConformalSurfaceWalk_h
@@ -18,7 +18,7 @@
 
 namespace conformal
 {
-/// Find the array of a name, type and number of components; null if there is none.
+/// Find the array with a given name, type and number of components. Return null if there is none.
 template <typename Fits>
 const NamedArray* findArray(
   const std::vector<NamedArray>& arrays, std::string_view name, std::size_t components, Fits fits)
@@ -29,14 +29,14 @@ const NamedArray* findArray(
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// Find the array "RGBA", or else "RGB"; null if there is neither.
+/// Find the array "RGBA", or else the array "RGB". Return null if there is neither.
 inline const NamedArray* findColors(const std::vector<NamedArray>& arrays)
 {
   const NamedArray* colors = findArray(arrays, "RGBA", 4, isByte);
   return colors ? colors : findArray(arrays, "RGB", 3, isByte);
 }
 
-/// Return number `index` of an array, counted through all tuples.
+/// Return one number of an array. The index is counted through all tuples.
 inline double valueOf(const NamedArray& array, std::size_t index)
 {
   return withType(array.Type,
@@ -48,7 +48,7 @@ inline double valueOf(const NamedArray& array, std::size_t index)
     });
 }
 
-/// Find the array "SpherePosition"; null if there is none.
+/// Find the array "SpherePosition". Return null if there is none.
 /// @throws std::invalid_argument if a position is zero or not finite
 inline const NamedArray* findSpherePositions(const SurfaceData& surface)
 {
@@ -66,9 +66,9 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
-/// Return "SpherePosition" on the sphere with the radius used in neuroimaging for cortical
+/// Return "SpherePosition", scaled to the sphere of radius 100 that neuroimaging uses for cortical
 /// surfaces.
-/// @throws std::invalid_argument as findSpherePositions(), or if there is no such array
+/// @throws std::invalid_argument if there is no such array, or a position is zero or not finite
 class CorticalSphere
 {
 public:
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  /// Return number `index` of the coordinates, counted through all points.
+  /// Return one coordinate. The index is counted through the coordinates of all points.
   double coordinate(std::size_t index) const { return Radius * valueOf(*this->Positions, index); }
 
 private:
@@ -99,7 +99,7 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
   }
 }
 
-/// Append bytes as fractions of 255, which are read back as the same bytes.
+/// Append bytes as fractions of 255. The same bytes are read back from these fractions.
 inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
   constexpr float whole = 255.0F;
@@ -115,8 +115,8 @@ inline std::size_t numberOfPolygons(const SurfaceData& surface)
   return surface.PolygonOffsets.size() > 0 ? surface.PolygonOffsets.size() - 1 : 0;
 }
 
-/// Call use(index) for each point, then use of the polygons with their index, ids and number of
-/// ids.
+/// Call the first function with the index of each point. Then call the second function with the
+/// index, the ids and the number of ids of each polygon.
 /// @throws Aborted
 template <typename UsePoint, typename UsePolygon>
 void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePolygon usePolygon)

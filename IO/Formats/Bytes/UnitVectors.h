@@ -7,10 +7,10 @@
 
 namespace conformal
 {
-/// Divide vectors by their length, except those of unit length to 1e-12. Vectors written by this
-/// library thus keep their bits.
+/// Divide vectors by their length. Vectors whose length is 1 within 1e-12 are not changed, so that
+/// vectors written by this library keep their bits.
 /// @param[in,out] vectors  #V by 3, Float64
-/// @return false if a vector has no direction, or is not finite
+/// @return false if a vector is zero or not finite
 bool makeUnitVectors(NamedArray& vectors);
 }
 

@@ -1,4 +1,4 @@
-/// Parse FreeSurfer surfaces and values at their points.
+/// Parse FreeSurfer files: surfaces, and values at points of surfaces.
 
 #ifndef ConformalFreeSurferParser_h
 #define ConformalFreeSurferParser_h
@@ -12,17 +12,17 @@
 
 namespace conformal
 {
-/// Read a surface of triangles, or of quads in either format. Points are Float32. Data after the
-/// faces (the geometry of the volume) are not read.
+/// Read a surface file of triangles, or of quads in the old or the new format. Points are Float32.
+/// Data after the faces (the geometry of the volume) are not read.
 SurfaceResult parseFreeSurferSurface(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Read a curv file in either format: one Float32 for each point, as the only point array of a
-/// surface without points.
+/// Read a curv file in the old or the new format. The result is a surface without points whose only
+/// point array has one Float32 for each point.
 SurfaceResult parseFreeSurferCurv(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a surface.
+/// Test whether the first bytes of a file are those of a FreeSurfer surface.
 bool looksLikeFreeSurferSurface(std::string_view start);
 }
 

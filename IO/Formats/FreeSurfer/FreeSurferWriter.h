@@ -1,4 +1,4 @@
-/// Write FreeSurfer surfaces, spheres and values at their points.
+/// Write FreeSurfer files: surfaces, spheres, and values at points of surfaces.
 
 #ifndef ConformalFreeSurferWriter_h
 #define ConformalFreeSurferWriter_h
@@ -11,14 +11,15 @@
 namespace conformal
 {
 /// Write a triangle surface. Points are written as floats.
-/// @throws std::invalid_argument if a polygon has more than 3 corners, or floats cannot hold the
-///   points: too far apart, too close together, or too far from the origin
+/// @throws std::invalid_argument if a polygon has more than 3 corners, or floats cannot represent
+///   the points: too far apart, too close together, or too far from the origin
 /// @throws Aborted
 std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run = {});
 
-/// Write the triangles on the sphere of radius 100: "SpherePosition" are the points.
-/// @throws std::invalid_argument if it is missing or has no direction, or a polygon has more than 3
-///   corners
+/// Write the triangles as a sphere file of radius 100. Its points are those of the array
+/// "SpherePosition".
+/// @throws std::invalid_argument if "SpherePosition" is missing or a position has no direction, or
+///   a polygon has more than 3 corners
 /// @throws Aborted
 std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {});
 

@@ -1,4 +1,4 @@
-/// Conversion of base64 text, optionally compressed with zlib, to bytes.
+/// Decode base64 text to bytes, which may be compressed with zlib.
 
 #ifndef ConformalBinaryText_h
 #define ConformalBinaryText_h
@@ -12,27 +12,27 @@
 
 namespace conformal
 {
-/// Error at the position of the parser in the file.
+/// Error in a GIFTI file, at the current position of the parser.
 class GIFTIError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// Decode a text that arrives in pieces. At most the expected number of bytes is kept.
+/// Decoder of a text that is added in pieces. At most the expected number of bytes is stored.
 class BinaryTextDecoder
 {
 public:
-  /// @param[in] expected      total number of bytes
-  /// @param[in] isCompressed  whether the bytes are compressed
+  /// @param[in] expected      expected total number of decoded bytes
+  /// @param[in] isCompressed  whether the bytes in the text are compressed
   BinaryTextDecoder(std::size_t expected, bool isCompressed);
   ~BinaryTextDecoder();
 
-  /// Decode a piece; blanks are skipped.
+  /// Decode a piece of the text. Blanks are skipped.
   /// @throws GIFTIError
   void add(std::string_view text);
 
-  /// Return the bytes after all text was added.
+  /// Return the decoded bytes. Call this function after all text was added.
   /// @throws GIFTIError if there are fewer than expected
   OwnedArray<unsigned char> take();
 
@@ -44,7 +44,7 @@ private:
   const std::size_t Expected;
   std::unique_ptr<Inflater> Inflate; ///< null if the bytes are not compressed
   OwnedArray<unsigned char> Bytes;
-  unsigned int Bits = 0; ///< of letters that do not complete a byte yet
+  unsigned int Bits = 0; ///< bits of letters that do not yet complete a byte
   int NumberOfBits = 0;
   bool IsPadded = false;
 };

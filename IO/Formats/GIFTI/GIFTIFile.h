@@ -1,4 +1,4 @@
-/// Parse the arrays of a GIFTI file of any intent.
+/// Parse all arrays of a GIFTI file, of any intent.
 
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h
@@ -16,15 +16,15 @@ namespace conformal
 {
 struct GIFTIArray
 {
-  std::string Intent; ///< without NIFTI_INTENT_
-  NamedArray Values;  ///< name from the metadata, may be empty
+  std::string Intent; ///< intent of the array, without the prefix NIFTI_INTENT_
+  NamedArray Values;  ///< numbers of the array; the name is from the metadata and may be empty
 };
 
 /// Test whether the first bytes of a file are those of a GIFTI file.
 bool looksLikeGIFTI(std::string_view start);
 
-/// Read all arrays: ASCII, Base64Binary and GZipBase64Binary, in any order of bytes and of indices.
-/// Custom entities and arrays in external files are rejected.
+/// Read all arrays of a file. Supported encodings are ASCII, Base64Binary and GZipBase64Binary,
+/// with any order of bytes and indices. Custom entities and arrays in external files are rejected.
 /// @throws ParseError
 std::vector<GIFTIArray> readGIFTIFile(ByteReader& input, const ParseLimits& limits, const Run& run);
 }

@@ -1,4 +1,4 @@
-/// Parse GIFTI surfaces and values at their points.
+/// Parse GIFTI files: surfaces, and values at points of surfaces.
 
 #ifndef ConformalGIFTIParser_h
 #define ConformalGIFTIParser_h
@@ -11,13 +11,14 @@
 namespace conformal
 {
 /// Read a surface. The array of intent POINTSET (3 floating components) defines the points and
-/// their type, that of intent TRIANGLE (3 integers) the triangles. Arrays of other intents are read
-/// as by parseGIFTIArrays().
+/// their type. The array of intent TRIANGLE (3 integers) defines the triangles. Arrays of other
+/// intents are read as in parseGIFTIArrays().
 SurfaceResult parseGIFTISurface(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Read the arrays of numbers, as the point arrays of a surface without points. The name of an
-/// array is its metadata "Name", else its intent, such as "Shape". Repeated names are numbered.
+/// Read the arrays of numbers. They become the point arrays of a surface without points. The name
+/// of an array is "Name" of its metadata; without it, the intent, such as "Shape". Repeated names
+/// are numbered.
 SurfaceResult parseGIFTIArrays(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 }

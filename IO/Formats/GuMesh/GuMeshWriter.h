@@ -10,9 +10,9 @@
 
 namespace conformal
 {
-/// Write "SpherePosition" as trait sph, "Normals", "TCoords" and "RGB" of the points, and "RGB" of
-/// the polygons. Other arrays are omitted.
-/// @throws std::invalid_argument if a "SpherePosition" has no direction
+/// Write a mesh or a cloud. The point arrays "SpherePosition" (trait sph), "Normals", "TCoords" and
+/// "RGB" are written, and "RGB" of the polygons. Other arrays are omitted.
+/// @throws std::invalid_argument if a "SpherePosition" is zero or not finite
 /// @throws Aborted
 std::string makeGuMesh(const SurfaceData& surface, const Run& run = {});
 }

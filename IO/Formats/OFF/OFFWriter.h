@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Write OFF as text: "Normals", "RGB" or "RGBA", and "TCoords" of the points, colors and
-/// "ColorIndex" of the polygons. Other arrays are omitted.
+/// Write a surface or a cloud as OFF text. The point arrays "Normals", "RGB" or "RGBA", and
+/// "TCoords" are written, and colors and "ColorIndex" of the polygons. Other arrays are omitted.
 /// @throws Aborted
 std::string makeOFF(const SurfaceData& surface, const Run& run = {});
 }

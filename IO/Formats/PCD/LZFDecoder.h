@@ -16,7 +16,7 @@ namespace conformal
 class LZFDecoder
 {
 public:
-  /// Maximum number of bytes from one byte of compressed data.
+  /// Maximum number of decompressed bytes for one byte of compressed data.
   static constexpr std::uint64_t MaximumGrowth = 88;
 
   /// @param[in] compressedBytes  size of the block that begins at the next byte of the input
@@ -27,7 +27,8 @@ public:
   }
 
   /// Decompress a number of bytes.
-  /// @throws ParseError if the block or the input ends before, or repeated bytes precede the data
+  /// @throws ParseError if the block or the input ends too early, or bytes to repeat would precede
+  ///   the data
   void read(char* bytes, std::size_t count);
 
   /// Require the end of the block.
@@ -41,9 +42,9 @@ private:
   void nextControl();
 
   ByteReader& Input;
-  std::uint64_t Left; ///< remaining compressed bytes
+  std::uint64_t Left; ///< number of remaining compressed bytes
   std::array<char, HistoryBytes> History = {};
-  std::uint64_t Done = 0; ///< decompressed bytes
+  std::uint64_t Done = 0; ///< number of decompressed bytes so far
   std::size_t Literals = 0;
   std::size_t Repeats = 0;
   std::size_t Distance = 0;

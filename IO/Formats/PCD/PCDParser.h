@@ -13,12 +13,13 @@ namespace conformal
 {
 /// Read a file of version 0.5 to 0.7: ascii, binary or binary_compressed.
 ///
-/// Fields x, y, z become Points (Float32 if all three are, else Float64), normal_x, normal_y,
-/// normal_z become "Normals". Fields rgb and rgba of four bytes and any type are colors, "RGB" and
-/// "RGBA" (UInt8). Every other field keeps its name, type and count; padding is omitted. A point
-/// that is not finite marks a pixel without a measurement: it is dropped without a message.
+/// Fields x, y, z become Points (Float32 if all three fields are, else Float64). Fields normal_x,
+/// normal_y, normal_z become "Normals". Fields rgb and rgba of four bytes and any type become the
+/// colors "RGB" and "RGBA" (UInt8). Every other field keeps its name, type and count; padding is
+/// omitted. A point that is not finite marks a pixel without a measurement: it is dropped without a
+/// message.
 ///
-/// @param[in] piece  of an uncompressed binary file; other files cannot be divided
+/// @param[in] piece  part to read of a file in format "binary"; other files cannot be divided
 SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece = {},
   const ParseLimits& limits = {}, const Run& run = {});
 }

@@ -23,9 +23,9 @@ enum class PLYFormat
 struct PLYProperty
 {
   std::string Name;
-  ScalarType Type = ScalarType::Float32; ///< type of the number, or of the members of a list
+  ScalarType Type = ScalarType::Float32; ///< type of the number, or of the numbers in a list
   bool IsList = false;
-  ScalarType CountType = ScalarType::UInt8; ///< type of the length of a list
+  ScalarType CountType = ScalarType::UInt8; ///< type of the number that states the length of a list
 };
 
 struct PLYElement
@@ -41,8 +41,8 @@ struct PLYHeader
 {
   PLYFormat Format = PLYFormat::Ascii;
   std::vector<PLYElement> Elements;
-  std::uint64_t GridColumns = 0; ///< from obj_info num_cols; 0 if there is none
-  std::uint64_t GridRows = 0;    ///< from obj_info num_rows
+  std::uint64_t GridColumns = 0; ///< number in the line obj_info num_cols; 0 without this line
+  std::uint64_t GridRows = 0;    ///< number in the line obj_info num_rows; 0 without this line
 };
 
 /// Test whether the first bytes of a file are those of a PLY file.

@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Write binary little-endian PLY with all arrays of points and polygons. 8-byte integers become
-/// doubles, a blank in a name becomes an underscore.
+/// Write a binary little-endian PLY file with all arrays of points and polygons. Integers of 8
+/// bytes become doubles. A blank in a name becomes an underscore.
 /// @throws Aborted
 std::string makePLY(const SurfaceData& surface, const Run& run = {});
 }

@@ -1,4 +1,4 @@
-/// Triangulation of the grid of a range scan.
+/// Triangulate the grid of a range scan.
 
 #ifndef ConformalRangeGrid_h
 #define ConformalRangeGrid_h
@@ -18,8 +18,9 @@ namespace conformal
 ///
 /// @param[in] points       #P by 3, Float32 or Float64
 /// @param[in] grid         point ids row by row, -1 for a cell without a point
-/// @param[in] columns      cells in a row, at least 1
-/// @param[in] maximumEdge  0 for 4 times the median length between neighbors in rows and columns
+/// @param[in] columns      number of cells in a row, at least 1
+/// @param[in] maximumEdge  maximum edge length; 0 for 4 times the median distance between neighbors
+///   in rows and columns
 void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t>& grid,
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids);

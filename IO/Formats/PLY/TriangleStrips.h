@@ -1,4 +1,4 @@
-/// Conversion of triangle strips to triangles.
+/// Convert triangle strips to triangles.
 
 #ifndef ConformalTriangleStrips_h
 #define ConformalTriangleStrips_h
@@ -9,9 +9,9 @@
 
 namespace conformal
 {
-/// Append the triangles of strips. Every second triangle of a strip is reversed, so that all have
-/// the orientation of the first. Triangles with a repeated id only turn or join strips and are
-/// omitted.
+/// Append the triangles of strips. Every second triangle of a strip is reversed, so that all
+/// triangles have the orientation of the first triangle. Triangles with a repeated id are omitted;
+/// they only join strips or change their direction.
 class TriangleStrips
 {
 public:

@@ -1,4 +1,4 @@
-/// Texts of page.html, page.css and the script, compiled in by CMake.
+/// Texts of page.html, page.css and the script. CMake compiles these files into the library.
 
 #ifndef ConformalPageTemplate_h
 #define ConformalPageTemplate_h
@@ -7,7 +7,7 @@
 
 namespace conformal
 {
-extern const std::string_view PageHTML; ///< with {{NAME}} at insertions
+extern const std::string_view PageHTML; ///< text of page.html, with {{NAME}} where text is inserted
 extern const std::string_view PageCSS;
 extern const std::string_view PageScript;
 }

@@ -14,22 +14,24 @@
 
 namespace conformal
 {
-/// Read "{ N,{x, y, z},{x, y, z}, ...}" with blanks and line ends anywhere, and N = (L + 1)^2.
+/// Read "{ N,{x, y, z},{x, y, z}, ...}", where N = (L + 1)^2. Blanks and line ends may be anywhere.
 ///
-/// For each degree l the file has the coefficients of order 0, then for m from 1 to l the "real"
-/// and the "imaginary" ones. They are factors of N_lm P_lm cos(m phi) and N_lm P_lm sin(m phi),
-/// with N_lm^2 = (2 l + 1) / (4 pi) (l - m)! / (l + m)!. P_lm has the Condon-Shortley phase;
-/// cos(theta) = z and phi = atan2(y, x) refer to the positions in the file _para.
+/// For each degree l the file has the coefficients of order 0, then for each m from 1 to l the
+/// "real" and the "imaginary" coefficients. Real coefficients are factors of N_lm P_lm cos(m phi),
+/// imaginary coefficients are factors of N_lm P_lm sin(m phi), with N_lm^2 = (2 l + 1) / (4 pi) (l
+/// - m)! / (l + m)!. P_lm has the Condon-Shortley phase; cos(theta) = z and phi = atan2(y, x) refer
+/// to the positions in the file _para.
 ///
-/// The numbers for m > 0 are multiplied by (-1)^m / sqrt(2). The sum of SPHARM-PDM over a file then
-/// equals the sum of the tuples times real orthonormal harmonics without that phase.
+/// The parser multiplies the numbers for m > 0 by (-1)^m / sqrt(2). The sum of the tuples times
+/// real orthonormal harmonics without that phase then equals the surface that SPHARM-PDM computes
+/// from the file.
 ///
-/// @return one point array, "Coefficients" (Float64, 3 components) of N tuples: for each degree l
-///   the orders from -l (sin) to l (cos); no points
+/// @return a surface without points, with the point array "Coefficients" (Float64, 3 components) of
+///   N tuples: for each degree l the orders from -l (sin) to l (cos)
 SurfaceResult parseSPHARMCoefficients(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of such coefficients.
+/// Test whether the first bytes of a file are those of a file of coefficients.
 bool looksLikeSPHARMCoefficients(std::string_view start);
 
 /// Write the array of parseSPHARMCoefficients() to a file. Numbers have 15 digits, so that numbers

@@ -9,8 +9,9 @@
 
 namespace conformal
 {
-/// Open scans by their names relative to a folder. Links are followed; a link that leads out of the
-/// folder is rejected (Malformed) unless external files are allowed.
+/// Return a function that opens scans by their paths relative to a folder. Symbolic links are
+/// followed. Unless external files are allowed, a path that leads out of the folder is rejected
+/// (Malformed).
 OpenScan openScansIn(const std::string& folder, bool allowExternalFiles);
 }
 

@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Write bytes as base64 text.
-/// @param[in] isCompressed  whether to compress them first
+/// Return bytes as base64 text.
+/// @param[in] isCompressed  whether to compress the bytes first
 /// @throws Aborted
 std::string encodeBinaryText(std::string_view bytes, bool isCompressed, const Run& run = {});
 }

@@ -1,4 +1,4 @@
-/// Strings of JSON.
+/// Convert texts to strings of JSON.
 
 #ifndef ConformalJSONText_h
 #define ConformalJSONText_h
@@ -8,11 +8,11 @@
 
 namespace conformal
 {
-/// Return valid UTF-8, with U+FFFD in place of each byte outside of a valid character.
+/// Return a text as valid UTF-8. Each byte outside of a valid character is replaced by U+FFFD.
 std::string validUTF8(std::string_view text);
 
-/// Quote a text for JSON: valid UTF-8 without control characters. It has no <, > or &, so that it
-/// may be in a script of an HTML page.
+/// Quote a text for JSON. The result is valid UTF-8 without control characters. It contains no <, >
+/// or &, so that it may be part of a script in an HTML page.
 std::string jsonText(std::string_view text);
 }
 

@@ -1,4 +1,4 @@
-/// Parse points in text files: XYZ, ASC, TXT, CSV, NTS, PTS.
+/// Parse text files of points: XYZ, ASC, TXT, CSV, NTS, PTS.
 
 #ifndef ConformalTextCloudParser_h
 #define ConformalTextCloudParser_h
@@ -16,15 +16,17 @@ namespace conformal
 struct TextCloudOptions
 {
   bool DecimalComma = false; ///< whether numbers use a decimal comma, as in 0,5
-  /// Count lines that are not points instead of rejecting the file
+  /// Whether to count lines that are not points, instead of rejecting the file
   bool SkipMalformedLines = false;
-  /// By bytes, at line ends; a file with a count cannot be divided
+  /// Part of the file to read. Parts have equal numbers of bytes, rounded to line ends. A file with
+  /// a count cannot be divided
   FilePiece Piece;
 };
 
-/// Read a text with one point in each line, see findTextCloudLayout(). Points are Float64, as are
-/// "Normals" and every other column; integer colors are "RGB" (UInt8). A single number on the first
-/// line is the number of points that follow (PTS); a file may have several such blocks.
+/// Read a text with one point in each line. findTextCloudLayout() defines the meaning of the
+/// columns. Points, "Normals" and all other columns are Float64, except integer colors, which
+/// become "RGB" (UInt8). A single number on the first line is the number of points that follow
+/// (PTS). A file may have several such blocks.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
 

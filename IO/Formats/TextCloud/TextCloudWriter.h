@@ -10,9 +10,11 @@
 
 namespace conformal
 {
-/// Write points as text, with names of the columns in a comment if there are columns beside x, y
-/// and z. All arrays are written. Arrays of several components other than "Normals" and "RGB"
-/// become several columns. Repeated names are made unique by appending "_".
+/// Write points as text, one point in each line. If there are arrays besides the points, the first
+/// line is a comment with the names of all columns. All arrays are written, one column for each
+/// component. Columns of "Normals" are named nx, ny, nz; columns of "RGB" are named r, g, b. Names
+/// of other columns are derived from the name of the array. Repeated names are made unique by
+/// appending "_".
 /// @throws Aborted
 std::string makeTextCloud(const SurfaceData& surface, const Run& run = {});
 }
