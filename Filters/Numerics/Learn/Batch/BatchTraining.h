@@ -27,8 +27,8 @@ struct BatchOptions
 struct BatchTrainingOptions : BatchOptions
 {
   int Frequency = 36; ///< frequency of the finest network, see makeGeodesicSphere()
-  conformal::ReferencePoint ReferencePoint =
-    conformal::ReferencePoint::Automatic; ///< default: Affine
+  /// Reference point of a pattern; Automatic means Affine.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
   FitOptions Fit;
   unsigned int RandomSeed = 1;
   MeshObserver Observer; ///< called after each level and after the fit; may be empty

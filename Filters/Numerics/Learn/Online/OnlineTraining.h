@@ -28,8 +28,8 @@ struct OnlineOptions
 struct OnlineTrainingOptions : OnlineOptions
 {
   int Frequency = 36; ///< frequency of the geodesic sphere that is the network
-  conformal::ReferencePoint ReferencePoint =
-    conformal::ReferencePoint::Automatic; ///< default: Conformal
+  /// Reference point of a pattern; Automatic means Conformal.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
   unsigned int RandomSeed = 1;
 };
 
