@@ -28,7 +28,8 @@ void RequireConsistentInputs(vtkAlgorithm* self);
 /// In composite data, every block that is not null is checked. Null passes the check, and so do
 /// other data objects that are no vtkDataSet. The cost is one access to each array and offset.
 /// @param[in] what  description of the data for the user, used in the message
-/// @throws std::invalid_argument if data are inconsistent; the message contains the reason and what to do
+/// @throws std::invalid_argument if data are inconsistent; the message contains the reason, and
+///   what to do
 void RequireConsistentData(vtkDataObject* data, const std::string& what);
 
 /// Check that cells contain valid point ids only. Call it before cells are read or passed on.
