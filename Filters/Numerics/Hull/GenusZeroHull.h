@@ -21,8 +21,8 @@ enum class HullMethod
   /// Distance; or WindingNumbers, if the hull by Distance seems wrong and the other is better; see
   /// chooseHull().
   Automatic,
-  Distance,      ///< by distance to the data: the enclosed region is inside, small holes are closed
-  WindingNumbers ///< by winding numbers of all points: holes are closed by extrapolation
+  Distance,      ///< classify by distance to the data: small holes are closed
+  WindingNumbers ///< classify by winding numbers of all points: holes are closed by extrapolation
 };
 
 struct GenusZeroHullOptions
@@ -105,9 +105,9 @@ struct GenusZeroHullResult : Mesh
 /// gap in sparse data. Return false for a hull without inside nodes, and if HandlesByChance is set.
 bool hasHandles(const GenusZeroHullResult& hull);
 
-/// Return whether a hull is unreliable: holes in the data are too large for classification by
-/// distance, nothing is inside, the object has handles, or more than 0.5 % of the samples are
-/// outside and away from the surface.
+/// Return whether a hull is unreliable, which has four possible causes. Holes in the data are too
+/// large for classification by distance; nothing is inside; the object has handles; or more than
+/// 0.5 % of the samples are outside and away from the surface.
 bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples);
 
 /// Compute the area of both sides of all cuts through handles of the object, as a fraction of the

@@ -24,8 +24,8 @@ Index keepLargestPiece(
 /// Position of the cuts through handles that have no nodes deeper inside than the offset.
 enum class HandleCut
 {
-  HalfWay,     ///< as far as possible from the nodes deeper inside: limbs are separated midway
-  FarFromData, ///< as far as possible from the data
+  HalfWay,     ///< cut as far as possible from the nodes deeper inside: midway between limbs
+  FarFromData, ///< cut as far as possible from the data
 };
 
 /// Cut a solid open until it has no handles.

@@ -15,7 +15,7 @@ namespace conformal
 /// Intermediate surface of learning, in the coordinates of the input points.
 struct LearningStage
 {
-  /// Number of the start, counted from 1; abandoned starts are counted, too.
+  /// Number of the start, counted from 1. Abandoned starts are also counted.
   int StartNumber = 1;
   std::string Start;        ///< name of the start, such as "sphere" or "hull"
   std::string Name;         ///< name of the stage, such as "level 8", "turn 1", "fit" or "kept"

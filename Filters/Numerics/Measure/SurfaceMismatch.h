@@ -37,16 +37,19 @@ constexpr double WebDistance = 0.02;
 /// ReferenceDistances are in the unit of the user.
 struct SurfaceMismatch
 {
-  double LengthUnit = 1.0;               ///< unit of the measures, in the unit of the user
-  double MeanSquarePointToSurface = 0.0; ///< E_mis, from reference points to the model's surface
-  /// From reference points to the nearest vertex of the model.
+  double LengthUnit = 1.0; ///< unit of the measures, in the unit of the user
+  /// E_mis: mean square distance from reference points to the model's surface.
+  double MeanSquarePointToSurface = 0.0;
+  /// Mean square distance from reference points to the nearest vertex of the model.
   double MeanSquarePointToVertex = 0.0;
-  double MeanSquareSurfaceToPoint = 0.0; ///< from samples of the model to the reference
-  double HausdorffDistance = 0.0;        ///< maximum distance in either direction
+  /// Mean square distance from samples of the model to the reference.
+  double MeanSquareSurfaceToPoint = 0.0;
+  double HausdorffDistance = 0.0; ///< maximum distance in either direction
   /// Fraction of the model's area that is farther than WebDistance from the reference.
   double WebFraction = 0.0;
-  std::vector<double> ModelDistances;     ///< #V: from each model vertex to the reference
-  std::vector<double> ReferenceDistances; ///< #P: from each reference point to the model's surface
+  std::vector<double> ModelDistances; ///< #V: distance from each model vertex to the reference
+  /// #P: distance from each reference point to the model's surface.
+  std::vector<double> ReferenceDistances;
 };
 
 /// Measure the mismatch error E_mis = 1 / #P sum_x dist(x, M)^2 of a model M, \cite Liou2008
@@ -72,8 +75,9 @@ struct SurfaceMismatch
 /// @param[in] referencePoints     #P by 3; all processes together have at least one point
 /// @param[in] referenceTriangles  may be empty
 /// @param[in] reduce              sum over all processes that hold parts of the reference
-/// @throws std::invalid_argument if the model has no triangles or the reference no points, a
-///   coordinate is not finite, all reference points coincide so that LengthUnit is zero, or a
+/// @throws std::invalid_argument if the model has no triangles, the reference has no points, or a
+///   coordinate is not finite
+/// @throws std::invalid_argument if all reference points coincide, so that the unit is zero, or a
 ///   measure leaves the range of doubles
 /// @post the result depends only on the arguments of all processes, not on threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,

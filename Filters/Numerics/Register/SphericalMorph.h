@@ -26,7 +26,7 @@ struct SphericalMorphOptions
 
 /// Compute the weights of shapes at a position on a path through all shapes. The first shape is at
 /// factor 0, the last at 1, and the others are at equal steps between them.
-/// @param[in] factor  in [0, 1]
+/// @param[in] factor  position on the path, in [0, 1]
 std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 
 /// Blend shapes by weights.

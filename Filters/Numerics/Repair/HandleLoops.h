@@ -21,11 +21,11 @@ struct HandleLoop
 /// Find short loops around handles or through their openings. The surface stays connected if it is
 /// cut along all of them. No two loops share a vertex.
 ///
-/// A tree of shortest paths and a dual tree across the remaining edges leave 2 g edges unused, for
-/// a surface of genus g (\cite Eppstein2003, \cite Erickson2005). Each unused edge defines a loop.
-/// Candidates are the shortest loops through the vertices of these loops that do not separate the
-/// surface. For each handle, one candidate runs around it and one through it. Candidates are
-/// selected by length, the shortest first.
+/// A tree of shortest paths and a dual tree across the remaining edges leave 2 g edges unused
+/// (\cite Eppstein2003, \cite Erickson2005). Here g is the genus of the surface. Each unused edge
+/// defines a loop. Candidates are the shortest loops through the vertices of these loops that do
+/// not separate the surface. For each handle, one candidate runs around it and one through it.
+/// Candidates are selected by length, the shortest first.
 ///
 /// A surface with many handles, or with handles that share loops, may need several calls. Between
 /// calls, cut the surface along the loops and close it. Each call returns at least one loop if the

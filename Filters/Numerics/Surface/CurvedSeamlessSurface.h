@@ -69,9 +69,9 @@ public:
   /// @param[in] model  closed, consistently oriented mesh with positions w_i and sphere positions
   ///   n_i. Vectors n_i may have any length but 0.
   /// @param[in] cloud  samples for DomeHeight::Fitted
-  /// @throws std::invalid_argument if positions are not finite, if a sphere position is zero, if
-  ///   the map does not cover the sphere exactly once, or if the domes are Fitted and there is no
-  ///   cloud
+  /// @throws std::invalid_argument if positions are not finite, a sphere position is zero, or the
+  ///   map does not cover the sphere exactly once
+  /// @throws std::invalid_argument if the domes are Fitted and there is no cloud
   /// @throws Aborted
   explicit CurvedSeamlessSurface(const MappedMesh& model,
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,

@@ -107,10 +107,10 @@ private:
 /// points, and its vertices lie outside of ridges. Curved triangles through these vertices would be
 /// too far outside.
 ///
-/// The result is w_i + share n_i (n_i g_i) / c_i, one step of the projection of the curved onto the
-/// flat surface with a lumped mass matrix. Here g_i is the volume between curved and flat triangles
-/// around the vertex, weighted by the vertex's hat function. c_i is a third of the area of the
-/// adjacent triangles.
+/// The result is w_i + share n_i (n_i g_i) / c_i. This is one step of the projection of the curved
+/// surface onto the flat surface, with a lumped mass matrix. Here g_i is the volume between curved
+/// and flat triangles around the vertex, weighted by the vertex's hat function. c_i is a third of
+/// the area of the adjacent triangles.
 ///
 /// @param[in] around  vertexTriangles() of the surface's triangles
 Points lowerVertices(

@@ -43,7 +43,8 @@ std::vector<double> supportAt(const CurvedSeamlessSurface& surface, const Number
 /// @param[in] triangles     triangles whose vertices are the directions
 /// @param[in] subdivisions  number passed to subdividedNetwork(), or 0 for other directions. With
 ///   0, a triangle is marked if one of its vertices is degenerate.
-/// @param[in] degenerate    for each direction, as written by evaluate(); used if subdivisions is 0
+/// @param[in] degenerate    mark of each direction, as written by evaluate(); used if subdivisions
+///   is 0
 /// @param[out] marks        1 for each marked triangle
 void markDegenerate(const CurvedSeamlessSurface& surface, const Triangles& triangles,
   int subdivisions, const std::vector<unsigned char>& degenerate, unsigned char* marks,

@@ -31,7 +31,7 @@ struct BatchTrainingOptions : BatchOptions
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
   FitOptions Fit;
   unsigned int RandomSeed = 1;
-  MeshObserver Observer; ///< called after each level and after the fit; may be empty
+  MeshObserver Observer; ///< function called after each level and after the fit; may be empty
 };
 
 /// Function that returns whether to continue after a level. Its arguments are the level's mesh and

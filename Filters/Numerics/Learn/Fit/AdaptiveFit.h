@@ -34,8 +34,9 @@ struct AdaptiveStart : LearnedMesh
   int Turns = 3;
   int IterationsPerTurn = 2;                   ///< number of iterations of the fit in each turn
   double OutlierRatio = 10.0;                  ///< limit for outliers, see LocalScale.h
-  std::function<bool(const Vector3&)> Belongs; ///< see LeastSquaresFit.h; may be empty
-  std::shared_ptr<const TriangleTree> Guide;   ///< see LeastSquaresFit.h; may be null
+  std::function<bool(const Vector3&)> Belongs; ///< test whether to use a sample; may be empty
+  std::shared_ptr<const TriangleTree>
+    Guide; ///< guide of the fit, see LeastSquaresFit.h; may be null
 };
 
 /// Fit a closed mesh of options.NumberOfVertices vertices through the samples. Its triangles are

@@ -11,7 +11,7 @@ struct FitOptions
   int Iterations = 10;
   /// Weight of the Laplacian term of a vertex, relative to the mean weight of a vertex's samples.
   double Smoothness = 0.01;
-  bool AutomaticPriority = true; ///< see LeastSquaresFitOptions in LeastSquaresFit.h
+  bool AutomaticPriority = true; ///< whether to weight samples by distance, see LeastSquaresFit.h
 };
 }
 
