@@ -35,8 +35,8 @@ struct AdaptiveStart : LearnedMesh
   int IterationsPerTurn = 2;                   ///< number of iterations of the fit in each turn
   double OutlierRatio = 10.0;                  ///< limit for outliers, see LocalScale.h
   std::function<bool(const Vector3&)> Belongs; ///< test whether to use a sample; may be empty
-  std::shared_ptr<const TriangleTree>
-    Guide; ///< guide of the fit, see LeastSquaresFit.h; may be null
+  /// Guide of the fit, see LeastSquaresFit.h; may be null.
+  std::shared_ptr<const TriangleTree> Guide;
 };
 
 /// Fit a closed mesh of options.NumberOfVertices vertices through the samples. Its triangles are
