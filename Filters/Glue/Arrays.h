@@ -1,5 +1,5 @@
-/// Convert results of the core to arrays, points and triangles of VTK. Every number is checked:
-/// filters write finite numbers only.
+/// Convert results of the numerical core to arrays, points and triangles of VTK. Every number is
+/// checked, because filters write finite numbers only.
 #ifndef GlueArrays_h
 #define GlueArrays_h
 
@@ -13,46 +13,48 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Add an array of 3 doubles per tuple.
+/// Add an array of doubles with 3 components.
 /// @throws std::overflow_error if a number is not finite
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
 
-/// Add an array of 1 double per tuple.
+/// Add an array of doubles with 1 component.
 /// @throws std::overflow_error if a number is not finite
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values);
 
-/// Convert lengths of a frame to the user's unit and add them as an array of 1 double per tuple.
+/// Convert lengths from the unit of a frame to the user's unit. Add them as an array of doubles
+/// with 1 component.
 /// @throws std::overflow_error if a number is not finite
 void AddLengths(vtkFieldData* data, const char* name, std::vector<double> lengths,
   const conformal::CoordinateFrame& frame);
 
 ///@{
-/// Add an array of one number.
+/// Add an array with a single number.
 /// @throws std::overflow_error if the number is not finite
 void AddNumber(vtkFieldData* data, const char* name, double value);
 void AddNumber(vtkFieldData* data, const char* name, long long value);
 ///@}
 
-/// Add an array of one tuple of doubles.
+/// Add an array with a single tuple of doubles.
 /// @throws std::overflow_error if a number is not finite
 void AddTuple(vtkFieldData* data, const char* name, const double* values, int components);
 
-/// Convert lengths or coordinates of a frame to the user's unit, in place.
+/// Convert lengths or coordinates from the unit of a frame to the user's unit, in place.
 /// @param[in] size  number of values
 /// @param[in] what  name of the values in the error message
 /// @throws std::overflow_error if a value leaves the range of doubles
 void LengthsFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
 
-/// Convert areas of a frame to the user's unit, in place.
+/// Convert areas from the unit of a frame to the user's unit, in place.
 /// @param[in] size  number of values
 /// @param[in] what  name of the values in the error message
-/// @throws std::overflow_error if a value leaves the range of doubles or the unit's square is below
-///   2^-960, where areas would lose digits
+/// @throws std::overflow_error if a value leaves the range of doubles, or if the square of the unit
+///   is below 2^-960, so that areas would lose digits
 void AreasFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
 
-/// Replace all content of a surface by points of a frame and triangles.
+/// Replace all content of a surface by triangles and their points. The points are converted from a
+/// frame to the user's coordinates.
 /// @throws std::overflow_error if a coordinate leaves the range of doubles
 void SetSurface(vtkPolyData* surface, const conformal::Points& points,
   const conformal::Triangles& triangles, const conformal::CoordinateFrame& frame);
@@ -60,7 +62,8 @@ void SetSurface(vtkPolyData* surface, const conformal::Points& points,
 /// Replace the polygons of a surface by triangles.
 void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles);
 
-/// Replace the points of a surface by points of a frame, as doubles.
+/// Replace the points of a surface, as doubles. The points are converted from a frame to the user's
+/// coordinates.
 /// @throws std::overflow_error if a coordinate leaves the range of doubles
 void SetPoints(
   vtkPolyData* surface, const conformal::Points& points, const conformal::CoordinateFrame& frame);

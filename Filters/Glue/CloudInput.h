@@ -1,4 +1,4 @@
-// Read the points of a cloud for the numerical core, without points far from all others.
+// Read the points of a cloud for the numerical core. Points far from all others are left out.
 #ifndef GlueCloudInput_h
 #define GlueCloudInput_h
 
@@ -14,28 +14,32 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Cloud in a frame that is computed without its far points. Far points are invalid in the frame
-/// and must be skipped.
+/// Points of a cloud, and the coordinate frame in which they are given. The frame is computed
+/// without far points. Coordinates of far points are invalid in the frame, so these points must be
+/// skipped.
 struct CloudInput
 {
   conformal::CoordinateFrame Frame;
-  conformal::PointView View; ///< the points in the frame, in place or in Copy
+  /// Points in coordinates of the frame; refers to the input's own array or to Copy.
+  conformal::PointView View;
   conformal::FarPoints Far;
   std::function<bool(conformal::Index)> Skip; ///< test for ghosts and far points; may be empty
   conformal::Points Copy;
 };
 
-/// Read a cloud. Points of polygons are part of a surface: if one of these is far from the others,
-/// no point is treated as far.
-/// @param[in] input       must outlive the view
-/// @param[in] priorities  points without a positive priority are not examined; may be empty
-/// @param[in] surface     other data of the frame, or null
+/// Read a cloud. If a polygon uses a far point, the data are regarded as a surface and no point is
+/// treated as far.
+/// @param[in] input       points to read; must outlive cloud.View
+/// @param[in] priorities  one number for each point, or empty. The search for far points ignores
+///   points whose priority is not positive and finite.
+/// @param[in] surface     surface whose points determine the frame together with the cloud, or null
 /// @param[in] reduce      sum over the ranks that hold parts of the points
-/// @param[out] cloud      newly constructed, and not moved afterward
+/// @param[out] cloud      default-constructed object to fill. Do not move it afterward, since View
+///   and Skip may refer to Copy.
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,
   const conformal::Reduce& reduce, CloudInput& cloud);
 
-/// Warn of far points, if there are any.
+/// Issue a warning if there are far points.
 void WarnOfFarPoints(vtkObject* self, const conformal::FarPoints& far);
 }
 

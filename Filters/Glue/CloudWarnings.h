@@ -1,4 +1,4 @@
-// Warnings shared by the filters of points.
+// Issue warnings that several filters of points share.
 #ifndef GlueCloudWarnings_h
 #define GlueCloudWarnings_h
 
@@ -8,7 +8,9 @@ class vtkObject;
 
 namespace glue
 {
-/// Issue one warning each; the calling filter decides whether to warn.
+/// Issue a warning about non-finite points, cut handles, unused normals, points apart from the
+/// surface, or points inside of it. Each function issues one warning; the calling filter decides
+/// whether to call it.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
 void WarnOfUnusedNormals(vtkObject* self);

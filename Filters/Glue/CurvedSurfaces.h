@@ -1,4 +1,5 @@
-/// Curved seamless surfaces of meshes, shared by the map and by the filter that samples it.
+/// Build curved seamless surfaces from meshes, for vtkCurvedSeamlessMap and for the filter
+/// vtkCurvedSeamlessSurface, which samples the map.
 #ifndef GlueCurvedSurfaces_h
 #define GlueCurvedSurfaces_h
 
@@ -15,23 +16,24 @@ namespace glue
 {
 class Processes;
 
-/// Properties of vtkCurvedSeamlessSurface that determine the map, with their defaults.
+/// Properties of vtkCurvedSeamlessSurface that determine the surface, with their defaults.
 struct CurvedSeamlessProperties
 {
-  conformal::CurvedSeamlessSurfaceOptions Options; ///< all but VertexShift
-  double VertexShift = -1.0;                       ///< vtkCurvedSeamlessSurface::GetVertexShift()
+  conformal::CurvedSeamlessSurfaceOptions Options; ///< all options; Options.VertexShift is ignored
+  /// Value of the property; negative to use the mesh's field array "VertexShift".
+  double VertexShift = -1.0;
 };
 
-/// Curved seamless surface, and the frame of its points.
+/// Curved seamless surface, and the coordinate frame of its points.
 struct BuiltSurface
 {
   conformal::CurvedSeamlessSurface Surface;
   conformal::CoordinateFrame Frame;
 };
 
-/// Build the surface of the first rank that has a mesh, on all ranks. Warnings are reported by
-/// `self`.
-/// @param[in] cloud  of this rank, for Fitted domes only
+/// Build the same surface on all ranks, from the mesh of the first rank that has one. `self` issues
+/// the warnings.
+/// @param[in] cloud  points of this rank's part of the cloud, or null; used only for Fitted domes
 /// @throws std::invalid_argument if no rank has a valid surface
 /// @throws conformal::Aborted
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,

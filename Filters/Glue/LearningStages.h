@@ -1,4 +1,4 @@
-// Stages of learning as blocks of a data set.
+// Convert stages of learning to blocks of a data set.
 #ifndef GlueLearningStages_h
 #define GlueLearningStages_h
 
@@ -11,9 +11,9 @@ class vtkMultiBlockDataSet;
 
 namespace glue
 {
-/// Set one block for each stage: a vtkPolyData whose block name is "<number of the start> <start>:
-/// <stage>", with the quality of the surface as field data "StartNumber", "DefectScore",
-/// "UncoveredFraction", "InvertedFraction" and "FoldedFraction".
+/// Set one block for each stage: a vtkPolyData with the stage's surface. The block name is "<number
+/// of the start> <start>: <stage>". The quality of the surface is stored as field data
+/// "StartNumber", "DefectScore", "UncoveredFraction", "InvertedFraction" and "FoldedFraction".
 void SetStages(vtkMultiBlockDataSet* blocks, const std::vector<conformal::LearningStage>& stages,
   const conformal::CoordinateFrame& frame);
 }

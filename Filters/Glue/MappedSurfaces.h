@@ -22,35 +22,36 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Accept vtkPolyData and composite data on a port.
+/// Set up an input port to accept vtkPolyData and composite data.
 void AcceptSurfaces(vtkInformation* portInformation);
 
-/// Surfaces with the names of their blocks, or "".
+/// Surfaces of an input port. The name of a surface is the name of its block, or "".
 struct Surfaces
 {
   std::vector<vtkSmartPointer<vtkPolyData>> Held; ///< shallow copies by Held()
   std::vector<std::string> Names;
-  std::vector<vtkMTimeType> Times; ///< modification times, unique for each state of the data
+  /// Modification time of each surface, unique for each state of the data.
+  std::vector<vtkMTimeType> Times;
 
   std::vector<vtkPolyData*> pointers() const;
-  double numberOfPoints() const; ///< over all surfaces
+  double numberOfPoints() const; ///< total over all surfaces
 };
 
-/// Set a block of the output, with the name of its source surface.
+/// Set a block of the output, and name it as its source surface.
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// Append all surfaces on all connections of a port, blocks in their order; empty blocks are
+/// Append all surfaces on all connections of a port. Blocks keep their order; empty blocks are
 /// skipped.
 /// @throws std::invalid_argument if a block is no vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 
-/// Return whether there is no surface, or one without points, and warn of it.
+/// Return whether there is no surface, or a surface without points. Issue a warning in both cases.
 bool HasEmpty(vtkObject* self, const Surfaces& surfaces);
 
 /// Convert the surfaces and their maps to meshes in a common frame.
-/// @throws std::invalid_argument with the number of the surface, if it has no triangles, no map, or
-///   a point that is not finite
+/// @throws std::invalid_argument if a surface has no triangles, no map, or a point that is not
+///   finite; the message contains the number of the surface
 /// @throws std::length_error if the total number of points exceeds the range of int
 std::vector<conformal::MappedMesh> ToMappedMeshes(
   const Surfaces& surfaces, conformal::CoordinateFrame& frame, const conformal::Run& run = {});

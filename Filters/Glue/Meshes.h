@@ -1,4 +1,5 @@
-// Convert vtkPolyData to the triangle meshes of the core.
+// Convert vtkPolyData to conformal::Mesh, the triangle mesh of the numerical core
+// (Filters/Numerics).
 #ifndef GlueMeshes_h
 #define GlueMeshes_h
 
@@ -15,64 +16,69 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Return the triangles of a surface, with polygons and strips triangulated. Lines, vertices,
-/// polygons of fewer than three points and triangles with repeated points, which join strips, are
-/// skipped.
+/// Return the triangles of a surface. Polygons and strips are triangulated. Lines, vertices and
+/// polygons of fewer than three points are skipped. Triangles of strips with repeated points, which
+/// join strips, are skipped, too.
 /// @param[out] cellIds  source cell of each triangle
 /// @throws std::invalid_argument if a cell contains an invalid point id
 /// @throws std::length_error if ids exceed the range of int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
-/// Return whether there are polygons or strips; false for null.
+/// Return whether a surface has polygons or strips; false for null.
 bool HasTriangles(vtkPolyData* surface);
 
 /// Return whether all cells contain valid point ids only.
 bool HasCellIds(vtkPolyData* surface);
 
-/// Closed surface of genus zero, ready for the core. Positions are finite and in the frame, and
-/// each belongs to a triangle. Triangles have three distinct vertices and consistent orientation.
+/// Closed surface of genus zero, valid for the numerical core. Positions are finite, in coordinates
+/// of the frame given to ToClosedMesh(). Each vertex belongs to a triangle. Triangles have three
+/// distinct vertices and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
-  std::vector<vtkIdType> PointIds; ///< for each vertex, its point in the source surface
-  bool InsideOut = false;          ///< clockwise seen from outside; the triangles are not reversed
+  std::vector<vtkIdType> PointIds; ///< point of the source surface for each vertex
+  /// Whether triangles are clockwise seen from outside. They are stored like that; Outward()
+  /// reverses them.
+  bool InsideOut = false;
 };
 
-/// Convert a surface to a closed mesh. Lossless repairs are made, each with one warning of the
-/// object:
+/// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired.
+/// `self` issues one warning for each kind of repair:
 /// - Coincident points of open edges (polygon soups) are merged.
 /// - Triangles with a repeated point are removed.
 /// - Triangles are oriented consistently with the majority.
 /// - Isolated points are removed.
 ///
-/// @param[in] frame  of the surface, possibly with other data
-/// @throws std::invalid_argument with counts, if coordinates are not finite or the surface is open,
-///   not manifold, disconnected, or of another genus
+/// @param[in] frame  coordinate frame of the result, computed from the surface or from it and other
+///   data
+/// @throws std::invalid_argument if coordinates are not finite, or if the surface is open, not
+///   manifold, disconnected, or not of genus zero; the message contains the number of defects
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
-/// Return the mesh with triangles counter-clockwise seen from outside.
+/// Return a closed mesh as a mesh whose triangles are counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);
 
-/// Set the output to the source surface of a closed mesh. If the surface was repaired, set it to
-/// the mesh with the data of the remaining points.
+/// Set the output to the source surface of a closed mesh. If the surface was repaired, set the
+/// output to the repaired mesh instead, with the point data of the remaining points.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 
-/// Return a surface as a mesh, counter-clockwise seen from outside, if it is closed, valid for
-/// ToClosedMesh() and without isolated points. Return an empty mesh otherwise, including for
-/// invalid point ids. No warnings are issued.
+/// Return a surface as a mesh, counter-clockwise seen from outside. If ToClosedMesh() would throw,
+/// or if the surface has isolated points or invalid point ids, return an empty mesh. No warnings
+/// are issued.
 conformal::Mesh ToMeshIfClosed(
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
-/// Copy the triangles, the points in a frame and the map to the sphere of a surface, unchecked.
-/// @throws std::invalid_argument as ToTriangles() and ToSpherePositions() do
+/// Copy a surface's triangles, its points converted to a frame, and its map to the sphere. The mesh
+/// is not checked.
+/// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws it
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
-/// Convert a surface to a closed mesh, counter-clockwise seen from outside, with its map to the
-/// sphere from the point array "SpherePosition".
-/// @param[in] frame  of the result; may differ from that of the surface
-/// @throws std::invalid_argument as ToClosedMesh() and ToSpherePositions() do
+/// Convert a surface to a closed mesh, counter-clockwise seen from outside, with the map to the
+/// sphere in its point array "SpherePosition".
+/// @param[in] frame  coordinate frame of the result
+/// @throws std::invalid_argument if ToClosedMesh() or ToSpherePositions() throws it
 conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 }

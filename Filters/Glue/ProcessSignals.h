@@ -1,4 +1,4 @@
-// Non-blocking messages between the processes of a filter.
+// Send non-blocking messages between the processes of a filter.
 #ifndef GlueProcessSignals_h
 #define GlueProcessSignals_h
 
@@ -9,9 +9,9 @@ class vtkMultiProcessController;
 
 namespace glue
 {
-/// Signal to the other processes, which are busy or waiting, that this one stops. Only MPI can test
-/// for a message without blocking. With other controllers, and if VTK is built without MPI, signals
-/// are unavailable and must not be used.
+/// Signals by which a process informs the others that it stops, while they compute or wait. Only
+/// MPI can test for a message without blocking. With other controllers, and if VTK is built without
+/// MPI, available() is false and no other function may be called.
 class ProcessSignals
 {
 public:
@@ -22,19 +22,19 @@ public:
 
   bool available() const { return this->Link != nullptr; }
 
-  /// Signal all other processes to stop, unless one already did. Returns immediately.
+  /// Signal all other processes to stop, unless a process already did. Return immediately.
   void askToStop();
 
-  /// Return whether another process signaled to stop. Returns immediately; tests for messages every
-  /// few milliseconds only, so it is cheap.
+  /// Return immediately whether another process signaled to stop. Calls are cheap, since messages
+  /// are tested only every few milliseconds.
   bool heardStop();
 
-  /// Wait until all processes have called this; `idle` is called repeatedly while waiting and must
-  /// not throw.
+  /// Wait until all processes have called this function. Meanwhile, call `idle` repeatedly, which
+  /// must not throw.
   void meet(const std::function<void()>& idle);
 
-  /// Clear all signals to stop. After a signal, all processes must call this at one point of the
-  /// program.
+  /// Clear all signals to stop. After a signal, all processes must call this function at the same
+  /// point of the program.
   void settle();
 
 private:

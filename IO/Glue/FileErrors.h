@@ -1,4 +1,4 @@
-// Errors of files as codes of vtkErrorCode.
+// Convert errors of files to codes of vtkErrorCode.
 #ifndef GlueFileErrors_h
 #define GlueFileErrors_h
 
@@ -10,7 +10,7 @@
 
 namespace glue
 {
-/// Error of a write, with a code of vtkErrorCode.
+/// Error of writing a file, with a code of vtkErrorCode.
 class WriteError : public std::runtime_error
 {
 public:
@@ -23,7 +23,8 @@ public:
 };
 
 /// @{
-/// Return the code of vtkErrorCode for the result of reading or writing; NoError after an abort.
+/// Return the code of vtkErrorCode for the result of reading or writing a file. The code after an
+/// abort is NoError.
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 unsigned long ErrorCodeOf(conformal::WriteCode code);
 ///@}

@@ -1,5 +1,5 @@
-/// Nodes and weights of Gauss-Legendre quadrature.
-/// Newton iteration as in \cite Hale2013.
+/// Compute nodes and weights of Gauss-Legendre quadrature, by Newton iteration as in \cite
+/// Hale2013.
 
 #ifndef ConformalGaussLegendre_h
 #define ConformalGaussLegendre_h
@@ -10,12 +10,14 @@ namespace conformal
 {
 struct GaussLegendre
 {
-  std::vector<double> Nodes;   ///< zeros of the Legendre polynomial of their number, falling
-  std::vector<double> Weights; ///< positive, sum 2
+  /// Zeros of the Legendre polynomial of degree n, descending, for n nodes.
+  std::vector<double> Nodes;
+  std::vector<double> Weights; ///< weights of the nodes, positive, with sum 2
 };
 
-/// The rule of n nodes, which integrates polynomials of degree 2 n - 1 over [-1, 1] exactly.
-/// @param[in] count  n, at least 1
+/// Make the quadrature rule of n nodes. It integrates polynomials of degree 2 n - 1 over [-1, 1]
+/// exactly.
+/// @param[in] count  number n of nodes, at least 1
 GaussLegendre makeGaussLegendre(int count);
 }
 

@@ -1,5 +1,5 @@
-/// Rotate coefficients of surfaces to a common orientation. Alignment to the first-degree ellipsoid
-/// follows \cite Brechbuehler1995.
+/// Rotate surfaces, given by coefficients of spherical harmonics, to a common orientation.
+/// Alignment to the first-degree ellipsoid follows \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicAlignment_h
 #define ConformalHarmonicAlignment_h
@@ -9,14 +9,14 @@
 
 namespace conformal
 {
-/// Rotate functions on the sphere: the value at R p becomes the former value at p.
+/// Rotate functions on the sphere by a rotation R: the new value at R p is the old value at p.
 /// @param[in] coefficients  (L + 1)^2 by #C
-/// @param[in] rotation      R
+/// @param[in] rotation      the rotation R
 Columns rotateHarmonics(
   const Columns& coefficients, const Eigen::Matrix3d& rotation, const Run& run = {});
 
-/// Rigid motion of a surface and rotation of its map. A surface point s that maps to p moves to
-/// SurfaceRotation (s - Center), and maps to MapRotation p.
+/// Rigid motion of a surface, and rotation of its map to the sphere. A surface point s that is
+/// mapped to p is moved to SurfaceRotation (s - Center), and is then mapped to MapRotation p.
 struct HarmonicAlignment
 {
   Eigen::Matrix3d MapRotation = Eigen::Matrix3d::Identity();
@@ -28,22 +28,24 @@ struct HarmonicAlignment
 /// Brechbuehler1995 and in SPHARM-PDM.
 ///
 /// The center moves to the origin. The longest, middle and shortest axis become the x, y and z
-/// axis. Their directions on the sphere become x, y and z, too.
+/// axis. The sphere positions of the ends of these axes also become x, y and z.
 ///
-/// The positive end of the longest and of the middle axis is that to which the surface extends
-/// farther, by the third moment over the sphere. If both ends are equal, the positive end has a
-/// positive largest coordinate on the sphere. The order of axes of equal length is arbitrary.
-/// @param[in] coefficients  (L + 1)^2 by 3, of positions
+/// On the longest and on the middle axis, the positive end is the one to which the surface extends
+/// farther, by the third moment over the sphere. If the third moment is zero, the largest
+/// coordinate of the positive end on the sphere is positive. The order of axes of equal length is
+/// arbitrary.
+/// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
-/// Align the ellipsoid axes of a surface to those of a reference, whatever their orientation.
+/// Align the ellipsoid axes of a surface with those of a reference. Both may have any orientation.
 ///
-/// Candidates are the four proper alignments of the axes, and permutations of axes whose lengths
-/// differ by less than a tenth. The candidate of maximum correlation between the surfaces is
-/// selected, by harmonics up to degree 12.
-/// @param[in] coefficients, reference  (L + 1)^2 by 3, of positions; the degrees may differ
-/// @param[in] movesSurface             whether the surface is moved as well as its map; otherwise,
-///   surfaces are correlated in place
+/// Candidates are the four proper rotations that align the axes, and permutations of axes whose
+/// lengths differ by less than a tenth. The selected candidate has the maximum correlation between
+/// the surfaces, computed with harmonics up to degree 12.
+/// @param[in] coefficients, reference  (L + 1)^2 by 3 coefficients of positions; the degrees may
+///   differ
+/// @param[in] movesSurface             whether to move the surface as well as its map; if false,
+///   surfaces are correlated at their present positions
 HarmonicAlignment alignToReference(
   const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run = {});
 }

@@ -1,5 +1,5 @@
-/// Fast transforms between harmonics and values on a grid of the sphere.
-/// Separation of variables as in \cite Schaeffer2013.
+/// Fast transforms between coefficients of spherical harmonics and values on a grid of the sphere,
+/// by separation of variables as in \cite Schaeffer2013.
 
 #ifndef ConformalHarmonicGrid_h
 #define ConformalHarmonicGrid_h
@@ -10,30 +10,30 @@
 
 namespace conformal
 {
-/// Grid of directions: heights are Gauss-Legendre nodes, longitudes are evenly spaced. A transform
-/// is a Fourier transform along each parallel, then a sum over parallels: O(L^3) for about L^2
-/// directions.
+/// Grid of directions. The heights of its parallels are Gauss-Legendre nodes; longitudes are evenly
+/// spaced. A transform consists of a Fourier transform along each parallel and a sum over
+/// parallels. The cost is O(L^3) for about L^2 directions.
 class HarmonicGrid
 {
 public:
-  /// Make the smallest grid that integrates functions up to a degree exactly.
+  /// Make the smallest grid that integrates functions up to the given degree exactly.
   explicit HarmonicGrid(int degree);
 
   Index size() const { return this->numberOfParallels() * this->NumberOfLongitudes; }
   Index numberOfParallels() const { return static_cast<Index>(this->Parallels.Nodes.size()); }
 
-  /// Return the directions parallel by parallel, the northernmost first.
+  /// Return the directions, parallel by parallel, beginning with the northernmost parallel.
   Points directions() const;
 
-  /// Evaluate functions on the grid.
-  /// @param[in] coefficients  (L + 1)^2 by #C, L at most half of the number of longitudes
+  /// Evaluate functions, given by coefficients, in the directions of the grid.
+  /// @param[in] coefficients  (L + 1)^2 by #C; L is at most half of the number of longitudes
   /// @return size() by #C
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
   /// Integrate values times harmonics over the sphere. The result is exact for functions whose
   /// degree plus L is at most the degree of the grid.
   /// @param[in] values  size() by #C
-  /// @param[in] degree  L
+  /// @param[in] degree  degree L
   /// @return (L + 1)^2 by #C
   Columns analyze(const Columns& values, int degree, const Run& run = {}) const;
 

@@ -1,5 +1,5 @@
-/// Surfaces reconstructed from spherical harmonics.
-/// Representation of \cite Brechbuehler1995.
+/// Reconstruct surfaces from coefficients of spherical harmonics, the representation of \cite
+/// Brechbuehler1995.
 
 #ifndef ConformalHarmonicSurface_h
 #define ConformalHarmonicSurface_h
@@ -12,17 +12,17 @@ namespace conformal
 {
 struct HarmonicSurface : MappedMesh
 {
-  Columns Values; ///< #V by the number of further columns of coefficients
+  Columns Values; ///< #V rows, with one column for each column of coefficients after the positions
 };
 
-/// Evaluate harmonics on a geodesic sphere. Triangles are counter-clockwise seen from outside of
-/// the resulting surface.
-/// @param[in] coefficients  (L + 1)^2 by three or more: of positions, then of other values
-/// @param[in] frequency     see makeGeodesicSphere()
+/// Make a surface by evaluating its coefficients in the directions of a geodesic sphere. The
+/// triangles of the surface are counter-clockwise seen from outside.
+/// @param[in] coefficients  (L + 1)^2 by three or more columns: positions, then other values
+/// @param[in] frequency     frequency of the geodesic sphere, see makeGeodesicSphere()
 HarmonicSurface makeHarmonicSurface(
   const Columns& coefficients, int frequency, const Run& run = {});
 
-/// Return the coefficients up to a degree, or all if there are fewer degrees.
+/// Return the rows of coefficients up to a degree, or all rows if there are fewer degrees.
 Columns upToDegree(const Columns& coefficients, int degree);
 }
 

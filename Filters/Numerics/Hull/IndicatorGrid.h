@@ -16,7 +16,7 @@ namespace conformal
 /// Winding number at each node: about 1 inside, 0 outside, and intermediate where data are missing.
 struct Indicator
 {
-  std::vector<float> Values; ///< of each node
+  std::vector<float> Values; ///< winding number at each node
   double Level = 0.5;        ///< isovalue of the surface: half of the points are inside of it
 };
 
@@ -26,8 +26,8 @@ struct Indicator
 /// evaluated if the cube is near points or may intersect the isosurface. The other nodes are
 /// interpolated.
 ///
-/// @param[in] cloud   its points are within the grid
-/// @param[in] areas   #P by 3, area vectors of the points
+/// @param[in] cloud   cloud whose points are within the grid
+/// @param[in] areas   #P by 3, area vector of each point
 /// @param[in] width   kernel width of the winding numbers
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,

@@ -1,6 +1,6 @@
-/// Make the solid of an indicator one ball, by the changes that fit the indicator best.
-/// Own construction: changes are ordered by their cost, the difference of the indicator from its
-/// level.
+/// Turn a solid, the nodes where an indicator exceeds its level, into one ball without handles and
+/// cavities. Own construction: the cheapest changes are made first, because they contradict the
+/// indicator least. The cost of a change is the difference of the indicator from its level.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h
@@ -15,10 +15,11 @@
 namespace conformal
 {
 /// Join the connected components of a solid to the largest one, along paths where the indicator is
-/// closest to its level. Thin limbs that sparse points have disconnected are reattached.
+/// closest to its level. This reattaches thin limbs that were disconnected because points are
+/// sparse.
 ///
-/// A component that is tiny, farther away than it is wide, or farther than a tenth of the maximum
-/// radius is removed.
+/// A component is removed if it is tiny, or if its distance from the largest component exceeds its
+/// own width or a tenth of the maximum radius.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the faces of the grid
 /// @return the number of nodes on the paths
@@ -34,14 +35,16 @@ Index fillCavities(
 struct HandleRepair
 {
   Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
-  Index NumberOfDefiniteNodes = 0; ///< far inside or outside by the indicator
+  /// Number of changed nodes that the indicator puts clearly inside or outside.
+  Index NumberOfDefiniteNodes = 0;
 };
 
-/// Remove the handles of a solid. Each handle is cut through or its opening is filled, whichever
-/// costs less in the indicator. The cheapest change is made first. Either change is expensive for a
-/// handle of the object itself.
+/// Remove the handles of a solid. Each handle is either cut through, or its opening is filled; the
+/// change of lower cost is made. The handle with the cheapest change is first. For a handle of the
+/// object itself, both changes are expensive.
 ///
-/// @param[in,out] inside  a connected set without cavities
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
+///   without cavities
 HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 }

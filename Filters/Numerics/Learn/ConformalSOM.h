@@ -1,4 +1,5 @@
-/// CSM: a closed mesh learned from scattered points, with its map to the sphere.
+/// Conformal self-organizing map (CSM): learn a closed mesh from scattered points, and map it to
+/// the sphere.
 
 #ifndef ConformalConformalSOM_h
 #define ConformalConformalSOM_h
@@ -17,33 +18,34 @@ namespace conformal
 /// The map of a geodesic mesh is given by the network positions of its neurons. An adaptive mesh is
 /// mapped conformally (GlobalConformalMap.h).
 ///
-/// Implementation note: the initial weights are the unit sphere around the centroid of the samples,
-/// which are scaled to a maximum radius of 1. The constants of the paper refer to this frame. An
-/// adaptive mesh may start from other surfaces (StartSearch.h).
+/// Implementation note: samples are shifted to their centroid and scaled to a maximum radius of 1.
+/// The constants of \cite Liou2008 refer to these coordinates. The initial weights are the unit
+/// sphere. An adaptive mesh may start from other surfaces (StartSearch.h).
 ///
-/// Implementation note: in Online mode, neurons farther than 4 sigma from r are not moved, which
-/// reduces the cost. Their factor in Eq. 3 is below 3.4e-4. Documentation/Filters.md lists the
-/// effect.
+/// Implementation note: in Online mode, neurons farther than 4 sigma from the reference point r are
+/// not moved, which reduces the cost. Their factor in Eq. 3 is below 3.4e-4.
+/// Documentation/Filters.md describes the effect on results.
 ///
-/// @param[in] samples  at least one
-/// @param[in] mesh     closed mesh of genus zero to start from, or null. It requires an adaptive
-///   mesh, or SpherePositions in Online mode as the initial weights. With SpherePositions, it is
-///   any mesh near the samples, of which only the surface is used. Without, it is the samples' own
-///   mesh: its vertices are the samples, and triangles are counter-clockwise seen from outside. It
-///   is ignored for samples in a plane if MeshType is Automatic.
+/// @param[in] samples  at least one sample
+/// @param[in] mesh     closed mesh of genus zero to start from, or null. In Batch mode, a start
+///   mesh requires that the learned mesh is adaptive. In Online mode, the start mesh must have
+///   SpherePositions, and gives the initial weights. A start mesh with SpherePositions may be any
+///   mesh near the samples; only its surface is used. A start mesh without SpherePositions is the
+///   samples' own mesh: its vertices are the samples, and its triangles are counter-clockwise seen
+///   from outside. The start mesh is ignored for samples in a plane if MeshType is Automatic.
 /// @throws std::invalid_argument if there are no samples, or an option is out of range
-/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or a geodesic mesh is
-///   to start from anything but the sphere
+/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or if a geodesic mesh
+///   is requested with a start other than the sphere
 /// @throws Aborted
-/// @post the result depends only on the arguments: same input, same bits, any number of threads;
-///   points scaled by a power of two give weights scaled by it, bit by bit
+/// @post the result depends only on the arguments: equal input gives equal bits for any number of
+///   threads. If points are scaled by a power of two, the resulting weights are scaled by the same
+///   factor, bit by bit.
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const ConformalSOMOptions& options = {}, const MappedMesh* mesh = nullptr, const Run& run = {});
 
-/// Compute the root mean square distance between each neuron and its patterns, in the points' own
-/// unit. A pattern belongs to the neuron of maximum barycentric weight in the triangle of its
-/// projection. Neurons without patterns get 0. Of a large cloud, options.Batch.SamplesPerNeuron
-/// patterns for each neuron are used, so the time does not grow with the cloud.
+/// Compute the root mean square distance between each neuron and its patterns, in the unit of the
+/// input points. Each pattern is assigned to one corner of the triangle that contains its
+/// projection: the corner of maximum barycentric weight. Neurons without patterns get 0.
 /// @return #N values
 std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ConformalSOMOptions& options = {}, const Run& run = {});

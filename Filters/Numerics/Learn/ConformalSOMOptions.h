@@ -1,5 +1,5 @@
-/// Options and result of trainConformalSOM().
-/// Parameters of \cite Liou2008.
+/// Options and result of trainConformalSOM(). Parameters have the meaning and names of \cite
+/// Liou2008.
 
 #ifndef ConformalConformalSOMOptions_h
 #define ConformalConformalSOMOptions_h
@@ -20,25 +20,29 @@ namespace conformal
 {
 enum class TrainingMode
 {
-  Batch, ///< all patterns at a time, from coarse to fine, with a least-squares fit
-  Online ///< the paper's algorithm, one pattern per step
+  Batch, ///< many patterns per step, from coarse to fine networks, then a least-squares fit
+  Online ///< algorithm of \cite Liou2008, one pattern per step
 };
 
-/// Mesh that is learned.
+/// Type of the mesh that is learned.
 enum class MeshType
 {
   Automatic, ///< Adaptive in Batch mode; Geodesic in Online mode and for points in a plane
-  Geodesic,  ///< the paper's geodesic sphere with fixed connectivity; learned from the sphere
-  Adaptive   ///< triangles of equal size on the surface, including limbs; Batch only
+  /// Geodesic sphere with fixed connectivity, as in \cite Liou2008; learned from the sphere.
+  Geodesic,
+  /// Triangles of about equal size all over the surface, including limbs; Batch mode only.
+  Adaptive
 };
 
 /// Surface from which an adaptive mesh is learned.
 enum class StartingShape
 {
-  Automatic, ///< the points' own mesh, else the sphere; a hull if the result spans gaps or is bad
-  Sphere,    ///< always the unit sphere, as in the paper
-  Hull,      ///< always a closed hull of the points
-  Mesh       ///< always the points' own mesh
+  /// The points' own mesh if given, else the sphere; then a hull if the result spans gaps or is
+  /// bad.
+  Automatic,
+  Sphere, ///< always the unit sphere, as in \cite Liou2008
+  Hull,   ///< always a closed hull of the points
+  Mesh    ///< always the points' own mesh, which must be given
 };
 
 constexpr Index MinimumNeurons = 12; ///< vertices of an icosahedron
@@ -46,44 +50,52 @@ constexpr Index MinimumNeurons = 12; ///< vertices of an icosahedron
 struct ConformalSOMOptions
 {
   conformal::MeshType MeshType = conformal::MeshType::Automatic;
-  Index NumberOfNeurons = 12962; ///< at least MinimumNeurons; a geodesic mesh has the nearest
-                                 ///< number of the form 10 f^2 + 2
+  /// Requested number of neurons, at least MinimumNeurons; a geodesic mesh has the nearest number
+  /// of the form 10 f^2 + 2.
+  Index NumberOfNeurons = 12962;
   conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
-  conformal::HullMethod HullMethod = conformal::HullMethod::Automatic; ///< of a hull to start from
+  /// Method of the hull, if learning starts from a hull.
+  conformal::HullMethod HullMethod = conformal::HullMethod::Automatic;
 
-  /// In Batch mode, used while learning from the sphere, not in the fit.
+  /// Reference point of a pattern. In Batch mode it is used while learning from the sphere, not in
+  /// the fit.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
 
   OnlineOptions Online;
   BatchOptions Batch;
   FitOptions Fit;              ///< Batch
-  unsigned int RandomSeed = 1; ///< the only source of randomness
-  StageObserver Observer;      ///< called with each intermediate surface; may be empty
+  unsigned int RandomSeed = 1; ///< seed of all random numbers
+  StageObserver Observer;      ///< function called with each intermediate surface; may be empty
 };
 
 /// Properties of the initial surface.
 struct StartReport
 {
   bool FromHull = false;
-  bool FromMesh = false; ///< the points' own mesh, or another one given
-  conformal::HullMethod Hull = HullMethod::Automatic; ///< method of the hull; Automatic without one
-  bool NormalsUsed = false;                           ///< of the samples, for the hull
-  bool HullLeaks = false;   ///< the points do not enclose anything at the hull's scale
-  double CutFraction = 0.0; ///< fraction of the hull's area on cuts through handles of the object,
-                            ///< which is not of genus zero or has touching limbs
-  Index NumberOfSamplesOutside = 0; ///< samples far from the hull: outliers, or inner parts
+  bool FromMesh = false; ///< whether the start was a given mesh: the points' own or another
+  /// Method of the hull; Automatic if there is no hull.
+  conformal::HullMethod Hull = HullMethod::Automatic;
+  /// Whether the hull used the normals of the samples.
+  bool NormalsUsed = false;
+  bool HullLeaks = false; ///< whether the points enclose nothing at the hull's grid spacing
+  /// Fraction of the hull's area on cuts through handles of the object. If it is above 0, the
+  /// object is not of genus zero, or limbs touch.
+  double CutFraction = 0.0;
+  /// Number of samples far from the hull: outliers or inner parts.
+  Index NumberOfSamplesOutside = 0;
 };
 
-/// Positions are in the points' own coordinates.
+/// Learned mesh with a report on its start. Positions are in the coordinates of the input points.
 struct ConformalSOMResult
   : FittedMesh
   , StartReport
 {
-  std::vector<double> Supported; ///< #N, in [0, 1]: see supportOfVertices()
+  std::vector<double> Supported; ///< #N values in [0, 1], see supportOfVertices()
   SurfaceQuality Quality;        ///< Batch
-  int NumberOfStarts = 1;        ///< number of starts tried; the result is the best of them
-  bool ConformalMapFits = true;  ///< false after underflow; SpherePositions are then less conformal
+  int NumberOfStarts = 1;        ///< number of starts tried; the result is the best one
+  /// Whether the conformal map fits into doubles; if not, SpherePositions are less conformal.
+  bool ConformalMapFits = true;
 };
 }
 

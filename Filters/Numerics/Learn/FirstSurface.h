@@ -1,5 +1,6 @@
-/// Surfaces from which an adaptive mesh is fitted; used by StartSearch.h.
-/// Own construction: several starts, since no single one suits all shapes.
+/// Make the surfaces from which an adaptive mesh is fitted; used by StartSearch.h. Own
+/// construction: there are several ways to make a start surface, because no single one suits all
+/// shapes.
 
 #ifndef ConformalFirstSurface_h
 #define ConformalFirstSurface_h
@@ -16,43 +17,46 @@
 
 namespace conformal
 {
-/// Closed surface in the samples' unit, with its settings of the fit.
+/// Closed start surface in the samples' unit, with settings of the fit that depend on the kind of
+/// start.
 struct FirstSurface : AdaptiveStart
 {
   StartReport Report;
 };
 
-/// Learn from the sphere on a geodesic network of a quarter of the neurons, without a fit.
-/// @param[in] observer  called after each level; may be empty
+/// Learn a start surface from the sphere, on a geodesic network with a quarter of the neurons. It
+/// is not fitted by least squares.
+/// @param[in] observer  function called after each level; may be empty
 /// @throws NumericalFailure at the first level whose network spans parts without samples or is
 ///   stretched over limbs, unless options.StartingShape is Sphere
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});
 
-/// Make a hull of the samples (GenusZeroHull.h). Its spacing follows the density of the samples,
-/// but is no finer than the mesh requires.
+/// Make a hull of the samples (GenusZeroHull.h). The grid spacing is chosen by the density of the
+/// samples, but is no finer than the learned mesh requires.
 /// @throws Aborted
 FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
   const ConformalSOMOptions& options, HullMethod method, const Run& run = {});
 
-/// Orient a mesh outward as the initial surface.
-/// @param[in] mesh   in the samples' unit
-/// @param[in] guide  of the fit, if the samples are vertices of the mesh; may be null
+/// Make a start surface from a mesh by orienting its triangles outward.
+/// @param[in] mesh   closed mesh in the samples' unit
+/// @param[in] guide  guide of the fit (LeastSquaresFit.h), if the samples are vertices of the mesh;
+///   may be null
 /// @throws std::invalid_argument if the mesh is not closed and of genus zero, or extends more than
 ///   four times as far from the samples' center as the samples do
 /// @throws Aborted
 FirstSurface firstSurfaceFromMesh(
   const Mesh& mesh, std::shared_ptr<const TriangleTree> guide, const Run& run = {});
 
-/// Throw unless a mesh, in the samples' unit, extends at most four times as far from the samples'
-/// center as the samples do. On a larger mesh, all samples would be closest to one or two vertices.
+/// Throw if a mesh, in the samples' unit, extends more than four times as far from the samples'
+/// center as the samples do. All samples would be closest to one or two vertices of such a mesh.
 /// @throws std::invalid_argument
 void requireNear(const Points& mesh);
 
 /// Return the vertices of a surface and evenly spaced points on its large triangles. A triangle is
 /// large if its area exceeds the surface area divided by `wanted`.
-/// @param[in] wanted  divisor of the area; at most as many points are added
+/// @param[in] wanted  number by which the area is divided, and maximum number of added points
 Points withPointsBetween(const Mesh& surface, Index wanted);
 }
 

@@ -19,24 +19,25 @@ enum class AlignmentKind
 struct SphericalAlignmentResult
 {
   MoebiusTransform Transform;
-  /// Weighted root mean square distance after the transform, on the unit sphere
+  /// Weighted root mean square distance between corresponding positions on the unit sphere, after
+  /// the transform.
   double Error = 0.0;
 };
 
 /// Find the transform that minimizes the weighted mean square distance between corresponding
 /// positions on the sphere.
 /// @param[in] from, to  #P by 3 unit vectors
-/// @param[in] weights   #P, >= 0
+/// @param[in] weights   #P weights, at least 0
 /// @throws std::invalid_argument if there are too few positions: two for a rotation, three for a
 ///   Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});
 
-/// Carry the sphere map of one surface to the points of another in the same pose. Each point
-/// receives the sphere position of the closest point of the mapped surface.
+/// Transfer the sphere map of one surface to the points of another surface at the same position and
+/// orientation. Each point gets the sphere position of the closest point of the mapped surface.
 /// @param[in] points  #P by 3, finite
-/// @param[in] other   a surface with its map
+/// @param[in] other   surface with a map to the sphere
 /// @return #P by 3 unit vectors
 Points carryMap(const Points& points, const MappedMesh& other, const Run& run = {});
 }

@@ -1,4 +1,4 @@
-/// Mean and principal components of shapes of one connectivity.
+/// Compute the mean and the principal components of shapes with the same triangles.
 
 #ifndef ConformalShapeModes_h
 #define ConformalShapeModes_h
@@ -10,10 +10,10 @@
 
 namespace conformal
 {
-/// Transforms that are removed from the shapes before their comparison.
+/// Kind of transforms by which shapes are aligned before they are compared.
 enum class ShapeAlignment
 {
-  None,      ///< none: compare the shapes as they are
+  None,      ///< no transform
   Rigid,     ///< translation and rotation
   Similarity ///< translation, rotation and scale
 };
@@ -21,27 +21,29 @@ enum class ShapeAlignment
 struct ShapeModesOptions
 {
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  int NumberOfModes = 10; ///< maximum; always less than the number of shapes
+  int NumberOfModes = 10; ///< maximum number of modes; there are always fewer modes than shapes
 };
 
-/// Aligned shape s equals Mean + sum over k of Scores(s, k) Modes[k], if all modes are kept.
+/// Mean and modes (principal components) of #S shapes. If all modes are kept, aligned shape s
+/// equals Mean + sum over k of Scores(s, k) Modes[k].
 struct ShapeModes
 {
-  Points Mean;                   ///< #V by 3, with the position and orientation of the first shape
+  Points Mean;                   ///< #V by 3, at the position and orientation of the first shape
   std::vector<Points> Modes;     ///< #K, each #V by 3: displacements by one standard deviation
-  std::vector<double> Explained; ///< #K fractions of the variance, descending
+  std::vector<double> Explained; ///< #K, fraction of the variance for each mode, descending
   Eigen::MatrixXd Scores;        ///< #S by #K, in standard deviations
 };
 
-/// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute principal
+/// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute their principal
 /// components.
 ///
 /// Vertices are weighted by their area, averaged over the shapes, so that the result does not
-/// depend on the mesh density. The sign of a mode makes its score of maximum magnitude positive. If
-/// several scores have that magnitude up to rounding, the first one decides.
+/// depend on the mesh density. The sign of a mode is chosen so that its score of maximum magnitude
+/// is positive. If several scores have this magnitude up to rounding, the first of them is
+/// positive.
 ///
-/// @param[in] triangles  of all shapes
-/// @param[in] shapes     #S, at least one, each #V by 3
+/// @param[in] triangles  triangles that all shapes have
+/// @param[in] shapes     #S shapes, at least one, each #V by 3
 /// @throws Aborted
 ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>& shapes,
   const ShapeModesOptions& options = {}, const Run& run = {});

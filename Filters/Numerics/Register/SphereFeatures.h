@@ -1,5 +1,6 @@
-/// Features of a closed surface that are invariant to position, orientation and bending.
-/// Own construction: features by geodesic distance do not change under bending.
+/// Compute features of a closed surface that are invariant to position, orientation and bending.
+/// Own construction: features are computed from geodesic distances, because these do not change
+/// under bending.
 
 #ifndef ConformalSphereFeatures_h
 #define ConformalSphereFeatures_h
@@ -15,27 +16,28 @@ namespace conformal
 {
 struct GeodesicFeatureOptions
 {
-  int NumberOfSources = 120; ///< sources of geodesic distances, spread evenly over the surface
+  /// Number of sources of geodesic distances, spread evenly over the surface.
+  int NumberOfSources = 120;
   /// Radii of the features of nearby area, in units of the square root of the area.
   std::vector<double> Radii = { 0.17, 0.35 };
 };
 
 /// Compute features by geodesic distance.
 ///
-/// The first feature of a vertex is the logarithm of its mean geodesic distance to the surface. It
-/// is large at limb ends. The others are logarithms of the nearby area for each radius, weighted by
-/// a Gaussian of the geodesic distance. They are small on thin limbs. Paths run along edges and
-/// across pairs of triangles.
+/// The first feature of a vertex is the logarithm of its mean geodesic distance to all parts of the
+/// surface. This feature is large at limb ends. For each radius, a further feature is the logarithm
+/// of the nearby area, weighted by a Gaussian of the geodesic distance. These features are small on
+/// thin limbs. Geodesic paths run along edges and across pairs of triangles.
 /// @return #V rows, one column for the mean distance and one for each radius
 Rows geodesicFeatures(
   const Mesh& surface, const GeodesicFeatureOptions& options = {}, const Run& run = {});
 
 /// Compute the mean curvature times the square root of the area, smoothed by diffusion.
-/// @param[in] scale  about the smoothing length, in units of the square root of the area
+/// @param[in] scale  approximate smoothing length, in units of the square root of the area
 Eigen::VectorXd smoothMeanCurvature(const Mesh& surface, double scale, const Run& run = {});
 
 /// Shift and scale each column to mean 0 and variance 1.
-/// @param[in] weights  of the rows, not all zero
+/// @param[in] weights  weight of each row; not all are zero
 void normalizeFeatures(Rows& features, const Eigen::VectorXd& weights);
 }
 

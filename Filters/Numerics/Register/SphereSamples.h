@@ -1,5 +1,5 @@
-/// Values at the vertices of a geodesic sphere, interpolated linearly.
-/// Own construction: linear interpolation with a derivative, for descents.
+/// Interpolate values at the vertices of a geodesic sphere. Own construction: weights are returned
+/// with their gradients, because descents need derivatives.
 
 #ifndef ConformalSphereSamples_h
 #define ConformalSphereSamples_h
@@ -11,7 +11,8 @@
 
 namespace conformal
 {
-/// One row for each vertex or direction, so that a lookup reads contiguous memory.
+/// Matrix with one row for each vertex or direction. It is stored row by row, so that a lookup
+/// reads contiguous memory.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Barycentric weights of a direction in a triangle of a sphere mesh, and their gradients.
@@ -33,7 +34,7 @@ public:
   const Mesh& mesh() const { return this->Sphere; }
   Index size() const { return this->Sphere.Positions.rows(); }
 
-  /// @param[in] hint  a triangle that may be near, or -1
+  /// @param[in] hint  triangle that may be close, which reduces the cost; or -1
   SphereWeights weightsAt(const Vector3& direction, int hint = -1) const;
 
 private:
@@ -42,7 +43,7 @@ private:
 };
 
 /// Interpolate values in given directions.
-/// @param[in] values  one row for each vertex of the grid
+/// @param[in] values  values with one row for each vertex of the grid
 Rows sampleAt(
   const SphereGrid& grid, const Rows& values, const Points& directions, const Run& run = {});
 }

@@ -1,5 +1,5 @@
-/// Rotations between the triangles of two shapes.
-/// Polar decomposition as in \cite Alexa2000.
+/// Compute rotations between the triangles of two shapes, by polar decomposition as in \cite
+/// Alexa2000.
 
 #ifndef ConformalTriangleRotations_h
 #define ConformalTriangleRotations_h
@@ -11,23 +11,24 @@
 
 namespace conformal
 {
-/// Return the rotation about an axis by its length in radians.
+/// Return the rotation about the axis of a vector. The angle is the vector's length in radians.
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
 /// Compute the rotation of a triangle's deformation: the orthogonal factor of the polar
 /// decomposition of its gradient. The gradient maps the normal to the normal.
-/// @param[in] from, to   corners by columns
-/// @param[in] otherwise  returned if a triangle has zero area
+/// @param[in] from, to   corners of the triangle, one in each column
+/// @param[in] otherwise  return value if a triangle has zero area
 Eigen::Matrix3d triangleRotation(
   const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Eigen::Matrix3d& otherwise);
 
 /// Compute the rotation vector of each triangle relative to the rotation of the whole shape: R =
 /// exp(whole) exp(vector), where R is triangleRotation().
 ///
-/// Rotation vectors are unique up to full turns. The triangle of smallest rotation gets its
-/// shortest vector. From there, each triangle gets the vector closest to that of a neighbor; pairs
-/// of most similar rotations come first. Limbs may thus rotate by more than half a turn. A whole
-/// turn is not supported, since its axis is undefined.
+/// Rotation vectors are unique up to multiples of 360 degrees. The triangle of smallest rotation
+/// gets its shortest vector. Beginning there, each triangle gets the vector closest to that of a
+/// neighbor; neighbors with the most similar rotations are processed first. Limbs may thus rotate
+/// by more than 180 degrees. A rotation by 360 degrees is not supported, since its axis is
+/// undefined.
 ///
 /// @param[in] neighbors  triangleNeighbors() of the triangles
 /// @param[in] from, to   #V by 3

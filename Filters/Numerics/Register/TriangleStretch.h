@@ -1,5 +1,5 @@
-/// Stretch of a triangle between two metrics.
-/// Symmetric Dirichlet energy of \cite Smith2015.
+/// Compute the stretch of a triangle between two metrics, by the symmetric Dirichlet energy of
+/// \cite Smith2015.
 
 #ifndef ConformalTriangleStretch_h
 #define ConformalTriangleStretch_h
@@ -10,7 +10,7 @@
 
 namespace conformal
 {
-/// Metric of a triangle with edge vectors p and q: the products p.p, p.q, q.q.
+/// Metric of a triangle with edge vectors p and q, stored as the products p.p, p.q and q.q.
 using TriangleMetric = std::array<double, 3>;
 
 double areaOf(const TriangleMetric& metric);
@@ -28,7 +28,7 @@ struct TriangleForm
   Eigen::Matrix<double, 6, 6> Stiffness;
 };
 
-/// Two edges of a triangle in six dimensions, and their derivatives by six unknowns.
+/// Two edge vectors of a triangle in six dimensions, and their derivatives by six unknowns.
 struct MovingTriangle
 {
   Eigen::Matrix<double, 6, 1> P, Q;

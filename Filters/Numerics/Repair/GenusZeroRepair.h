@@ -1,5 +1,5 @@
-/// Repair triangle meshes that are almost closed surfaces of genus zero.
-/// Own construction: a sequence of repairs that moves no point.
+/// Repair triangle meshes that are almost closed surfaces of genus zero. Own construction: holes
+/// are filled and handles are cut without moving points, because the given points are data.
 
 #ifndef ConformalGenusZeroRepair_h
 #define ConformalGenusZeroRepair_h
@@ -22,26 +22,28 @@ struct GenusZeroRepairOptions
 enum class RepairLoopType
 {
   FilledHole,   ///< filled boundary
-  OpenHole,     ///< boundary left open: larger than the maximum
-  CutHandle,    ///< loop around a handle, along which it was cut
-  FilledTunnel, ///< loop through a handle, whose opening was filled
+  OpenHole,     ///< boundary left open, since its filling would be larger than the maximum area
+  CutHandle,    ///< loop around a handle, along which the handle was cut
+  FilledTunnel, ///< loop around the opening of a handle; the opening was filled
 };
 
 /// Location of a repair, or of a hole left open.
 struct RepairLoop
 {
   RepairLoopType Type = RepairLoopType::FilledHole;
-  Points Positions;          ///< #L by 3, in order; the first is not repeated at the end
-  double AreaFraction = 0.0; ///< area of one filling over the area of the original surface
+  /// #L by 3, consecutive points of the loop; the first point is not repeated at the end.
+  Points Positions;
+  double AreaFraction = 0.0; ///< area of one filling divided by the area of the original surface
 };
 
-/// Repaired mesh with its origin. Untouched triangles come first, in the order of the input.
-/// Untouched vertices come first, then their copies along cuts, then new ones.
+/// Repaired mesh, with the source of each triangle and vertex in the input. Unchanged triangles are
+/// first, in the order of the input. Unchanged vertices are first, then their copies along cuts,
+/// then added vertices.
 struct GenusZeroRepairResult : Mesh
 {
-  std::vector<int> TriangleIds; ///< #F, -1 for added triangles
-  std::vector<int> PointIds;    ///< #V, -1 for added vertices
-  /// For each added vertex, the ids of one or more points of which it is the mean.
+  std::vector<int> TriangleIds; ///< #F, triangle of the input, or -1 for an added triangle
+  std::vector<int> PointIds;    ///< #V, point of the input, or -1 for an added vertex
+  /// For each added vertex, ids of one or more input points; their mean gives its point data.
   std::vector<std::vector<int>> Parents;
   std::vector<RepairLoop> Loops;
 
@@ -49,8 +51,8 @@ struct GenusZeroRepairResult : Mesh
   Index NumberOfPointsMerged = 0;
   Index NumberOfTrianglesAdded = 0;
   Index NumberOfTrianglesUntouched = 0;
-  Index EulerNumber = 0;    ///< of the result, by checkGenusZero()
-  bool IsGenusZero = false; ///< of the result, by checkGenusZero()
+  Index EulerNumber = 0;    ///< Euler number of the result, by checkGenusZero()
+  bool IsGenusZero = false; ///< whether the result has genus zero, by checkGenusZero()
 
   Index count(RepairLoopType type) const;
 };

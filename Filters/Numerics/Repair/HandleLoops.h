@@ -1,4 +1,4 @@
-/// Short loops around and through the handles of closed surfaces.
+/// Find short loops around and through the handles of closed surfaces.
 
 #ifndef ConformalHandleLoops_h
 #define ConformalHandleLoops_h
@@ -11,28 +11,30 @@
 
 namespace conformal
 {
-/// Simple loop of glued sides, each of which ends where the next begins.
+/// Loop of glued sides that visits no vertex twice. Each side ends where the next one begins.
 struct HandleLoop
 {
   std::vector<int> Sides;
   double Length = 0.0;
 };
 
-/// Find short loops along which a closed surface can be cut simultaneously and stays connected. No
-/// two loops share a vertex.
+/// Find short loops around handles or through their openings. The surface stays connected if it is
+/// cut along all of them. No two loops share a vertex.
 ///
-/// A tree of shortest paths and a dual tree across the other edges leave 2 g edges over (\cite
-/// Eppstein2003, \cite Erickson2005). Each of these defines a loop. The shortest loops through its
-/// vertices that do not separate the surface are candidates: one around each handle and one through
-/// it. Candidates are selected by length, the shortest first.
+/// A tree of shortest paths and a dual tree across the remaining edges leave 2 g edges unused
+/// (\cite Eppstein2003, \cite Erickson2005). Here g is the genus of the surface. Each unused edge
+/// defines a loop. Candidates are the shortest loops through the vertices of these loops that do
+/// not separate the surface. For each handle, one candidate runs around it and one through it.
+/// Candidates are selected by length, the shortest first.
 ///
-/// Many handles, or handles with shared loops, may need several calls: cut, close and search again.
-/// Each call returns at least one loop if the surface has a handle.
+/// A surface with many handles, or with handles that share loops, may need several calls. Between
+/// calls, cut the surface along the loops and close it. Each call returns at least one loop if the
+/// surface has a handle.
 ///
-/// The cost is about that of a few sorts of the sides and, for each handle, of the shortest paths
-/// around it.
+/// The cost is about that of sorting the sides a few times, plus shortest paths in the neighborhood
+/// of each handle.
 /// @param[in] surface  closed and connected
-/// @param[in] lengths  #3F of the sides, at least 0, equal for glued ones
+/// @param[in] lengths  #3F, length of each side, at least 0; glued sides have equal lengths
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run = {});
 

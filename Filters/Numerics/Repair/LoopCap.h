@@ -1,5 +1,5 @@
-/// Disks of triangles that fill loops.
-/// Own construction: rings of halved size give well-shaped triangles.
+/// Make disks of triangles (caps) that fill loops. Own construction: each ring of vertices has half
+/// as many as the one around it, because this gives well-shaped triangles.
 
 #ifndef ConformalLoopCap_h
 #define ConformalLoopCap_h
@@ -12,27 +12,30 @@
 
 namespace conformal
 {
-/// Triangles of the corners of a loop, 0 to #C - 1, and of added vertices, numbered from #C. They
-/// are oriented as the loop; each edge of the loop belongs to one triangle.
+/// Disk of triangles that fills a loop of #C corners. Ids 0 to #C - 1 are the corners, ids from #C
+/// are added vertices. Triangles have the orientation of the loop. Each edge of the loop belongs to
+/// one triangle.
 struct LoopCap
 {
-  conformal::Triangles Triangles;           ///< #T by 3
-  Points Added;                             ///< #A by 3 positions
-  std::vector<std::pair<int, int>> Parents; ///< #A: range [first, last) of the nearest corners
+  conformal::Triangles Triangles; ///< #T by 3
+  Points Added;                   ///< #A by 3 positions
+  /// #A, range [first, last) of the corners nearest to each added vertex.
+  std::vector<std::pair<int, int>> Parents;
 };
 
-/// Fill a loop with rings of vertices, each with half as many as the one around it, and a fan at
-/// the center. The rounder the loop, the better shaped are its triangles. Three corners get one
-/// triangle.
+/// Fill a loop with rings of vertices and a fan of triangles at the center. Each ring has half as
+/// many vertices as the one around it. The triangles are best shaped for a round loop. A loop of
+/// three corners gets one triangle.
 ///
-/// If rings would fold, as in bays of the loop, its corners are triangulated instead
-/// (PolygonTriangulation.h), provided that no edge is duplicated.
-/// @param[in] corners   at least three
-/// @param[in] isJoined  whether corners i and j, which are not adjacent in the loop, share an edge
+/// If rings would fold, for example in a bay of the loop, the corners are triangulated without
+/// added vertices (PolygonTriangulation.h). This is done only if it duplicates no edge.
+/// @param[in] corners   positions of at least three corners
+/// @param[in] isJoined  function that returns whether corners i and j already share an edge; called
+///   for corners that are not adjacent in the loop
 LoopCap capLoop(const Points& corners, const std::function<bool(int, int)>& isJoined);
 
 /// Fill a loop with a fan around its center, the mean of the midpoints of its edges.
-/// @param[in] corners  at least two
+/// @param[in] corners  positions of at least two corners
 LoopCap fanOf(const Points& corners);
 
 /// Compute the total area of a cap's triangles.

@@ -1,4 +1,5 @@
-/// Curved seamless surface of a closed mesh with a map to the sphere, \cite Liou2008 section 3.
+/// Build and evaluate the curved seamless surface (CSS) of a closed mesh with a map to the sphere,
+/// \cite Liou2008 section 3. The mesh on the sphere is the network, the mesh in space is the model.
 
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
@@ -19,13 +20,15 @@
 
 namespace conformal
 {
-/// Height function of the domes over the flat triangles.
+/// Shape of the domes, the curved patches over the flat triangles of the model.
 enum class DomeHeight
 {
-  None,      ///< no domes
-  Published, ///< domes of the unit sphere in proportion to the model, outward everywhere
-  Scaled,    ///< domes of the unit sphere in proportion to the local size of the model
-  Curvature, ///< curved triangles with the vertices' normals, CurvedTriangles.h
+  None, ///< no domes
+  /// Domes of the unit sphere, scaled to the size of the model, as published; outward everywhere.
+  Published,
+  /// Domes of the unit sphere, scaled to the local size of the model; outward everywhere.
+  Scaled,
+  Curvature, ///< curved triangles by the normals of the vertices, CurvedTriangles.h
   Fitted     ///< curved triangles fitted to a cloud, CurvedTriangleFit.h
 };
 
@@ -33,37 +36,42 @@ struct CurvedSeamlessSurfaceOptions
 {
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  double VertexShift = 0.0; ///< see lowerVertices(), in [0, MaximumVertexShift]; 0 unless the
-                            ///< model's flat triangles were fitted by least squares
+  /// Share of the shift of vertices by lowerVertices(), in [0, MaximumVertexShift]. Use 0 unless
+  /// the model's flat triangles were fitted by least squares.
+  double VertexShift = 0.0;
   CurvedTriangleFitOptions Fit;
 };
 
-/// Surface as a function of the direction, which can be evaluated anywhere.
+/// Curved seamless surface as a function of the direction. It can be evaluated in any direction.
 ///
-/// The constructor executes steps 1 to 5 of the CSS algorithm, an Evaluator steps 6 to 10.
+/// The constructor executes steps 1 to 5 of the CSS algorithm of \cite Liou2008. An Evaluator
+/// executes steps 6 to 10.
 ///
-/// Implementation note: the paper adds the heights of the unit sphere's domes to a model of about
-/// the size of the sphere. Here the model may have any unit and position. Published heights are
-/// multiplied by the maximum distance of a vertex from the mean of the vertices.
+/// Implementation note: \cite Liou2008 adds the heights of the unit sphere's domes to a model of
+/// about the size of this sphere. Here the model may have any unit and position. With
+/// DomeHeight::Published, the heights are therefore multiplied by the maximum distance of a vertex
+/// from the mean of the vertices.
 ///
-/// Implementation note: the sphere's domes rise outward, where the model's volume is positive, for
-/// any orientation of the triangles and for mirrored maps.
+/// Implementation note: the domes of the sphere rise outward for any orientation of the triangles
+/// and for mirrored maps. Outward is the direction for which the model's volume is positive.
 class CurvedSeamlessSurface
 {
 public:
   struct Image
   {
-    Vector3 Position = Vector3::Zero(); ///< q
-    Vector3 Normal = Vector3::Zero(); ///< outward; zero if undefined; that of the flat triangle for
-                                      ///< None, Published and Scaled
-    int Triangle = -1;                ///< r
+    Vector3 Position = Vector3::Zero(); ///< q, the point of the surface
+    /// Outward unit normal, or zero if undefined. For None, Published and Scaled, it is the normal
+    /// of the flat triangle.
+    Vector3 Normal = Vector3::Zero();
+    int Triangle = -1; ///< r, the triangle
   };
 
-  /// @param[in] model  positions w_i, sphere positions n_i of any length but 0; closed and
-  ///   consistently oriented
+  /// @param[in] model  closed, consistently oriented mesh with positions w_i and sphere positions
+  ///   n_i. Vectors n_i may have any length but 0.
   /// @param[in] cloud  samples for DomeHeight::Fitted
-  /// @throws std::invalid_argument if positions are not finite, a sphere position is zero, the map
-  ///   does not cover the sphere exactly once, or Fitted has no cloud
+  /// @throws std::invalid_argument if positions are not finite, a sphere position is zero, or the
+  ///   map does not cover the sphere exactly once
+  /// @throws std::invalid_argument if the domes are Fitted and there is no cloud
   /// @throws Aborted
   explicit CurvedSeamlessSurface(const MappedMesh& model,
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
@@ -75,20 +83,23 @@ public:
 
   class Evaluator;
 
-  /// Return whether derivatives and an inverse exist; they do not for Published and Scaled domes.
+  /// Return whether derivatives and an inverse exist. They do not exist for Published and Scaled
+  /// domes.
   bool differentiable() const
   {
     return this->Options.DomeHeight != DomeHeight::Published &&
       this->Options.DomeHeight != DomeHeight::Scaled;
   }
 
-  /// Return the surface without its map to the sphere. Empty unless differentiable.
+  /// Return the curved triangles of the surface, without the map to the sphere. They are empty if
+  /// differentiable() is false.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
-  /// Return the network: #V by 3, n_i as unit vectors.
+  /// Return the vertices n_i of the network, #V by 3 unit vectors.
   const Points& sphere() const { return this->Sphere; }
 
-  /// Return #F by 3 vertex ids, counter-clockwise on the sphere seen from outside.
+  /// Return the triangles, #F by 3 vertex ids. They are counter-clockwise on the sphere seen from
+  /// outside.
   const conformal::Triangles& triangles() const { return this->Triangles; }
 
   /// Return triangleNeighbors() of the triangles.
@@ -99,9 +110,10 @@ public:
     return std::count(this->Degenerate.begin(), this->Degenerate.end(), 1);
   }
 
-  /// Return 1 for each triangle whose construction is replaced, else 0. A triangle of zero area, on
-  /// the model or on the sphere, is mapped affinely. With Published and Scaled domes, triangles
-  /// with an opposite neighbor are degenerate, too. A curved triangle that would fold is flattened.
+  /// Return 1 for each degenerate triangle, else 0. The usual construction does not apply to
+  /// degenerate triangles. A triangle of zero area, on the model or on the sphere, is mapped
+  /// affinely. A curved triangle that would fold is flattened. With Published and Scaled domes,
+  /// triangles with a neighbor of exactly opposite normal are degenerate, too.
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
@@ -125,8 +137,9 @@ private:
   std::vector<unsigned char> Degenerate;
 };
 
-/// Evaluator of a surface. It starts each search at the last triangle, so that nearby points are
-/// cheap; results do not depend on previous calls. Not thread-safe: use one evaluator per thread.
+/// Evaluator of a surface. Each search starts at the triangle of the previous call, so that nearby
+/// directions are cheap. Results do not depend on previous calls. An evaluator is not thread-safe:
+/// use one evaluator per thread.
 class CurvedSeamlessSurface::Evaluator
 {
 public:
@@ -136,17 +149,17 @@ public:
   {
   }
 
-  /// Compute the image q of a direction p of the sphere, \cite Liou2008 Eqs. 9 to 12.
-  /// @param[in]  direction   p, a unit vector
-  /// @param[out] derivative  of q by p, or null; the derivative along p is zero. On an edge of the
-  ///   mesh, it is that of one adjacent triangle, at a corner that of a nearby point. Zero in
-  ///   triangles of zero area.
+  /// Compute the image q of a direction p, \cite Liou2008 Eqs. 9 to 12.
+  /// @param[in]  direction   direction p, a unit vector
+  /// @param[out] derivative  derivative of q by p, or null. The derivative along p is zero. On an
+  ///   edge of the mesh, it is the derivative in one adjacent triangle; at a corner, it is the
+  ///   derivative at a nearby point. It is zero in triangles of zero area.
   /// @throws std::invalid_argument if the direction is far from a unit vector, or a derivative is
   ///   requested that does not exist
   Image evaluate(const Vector3& direction, Eigen::Matrix3d* derivative = nullptr);
 
-  /// Compute the direction of a point of the flat model, given by its barycentric coordinates in a
-  /// triangle.
+  /// Compute the direction that corresponds to a point of the flat model. The point is given by its
+  /// barycentric coordinates in a triangle.
   Vector3 direction(Index triangle, const Vector3& barycentric);
 
 private:
@@ -166,17 +179,17 @@ class CurvedSeamlessInverse
 public:
   struct Foot
   {
-    Vector3 Direction = Vector3::Zero(); ///< p, whose image is OnSurface
+    Vector3 Direction = Vector3::Zero(); ///< direction p whose image is OnSurface
     FootPoint OnSurface;                 ///< closest point of the surface
   };
 
   /// @param[in] surface  must outlive this
-  /// @throws std::invalid_argument if it is not differentiable
+  /// @throws std::invalid_argument if the surface is not differentiable
   explicit CurvedSeamlessInverse(const CurvedSeamlessSurface& surface, const Run& run = {});
 
-  /// @param[in] point      finite
-  /// @param[in] evaluator  of the same surface
-  /// @param[in] hint       a triangle that may be close, or -1: reduces the cost
+  /// @param[in] point      point with finite coordinates, on the surface or near it
+  /// @param[in] evaluator  evaluator of the same surface
+  /// @param[in] hint       triangle that may be close, which reduces the cost; or -1
   Foot evaluate(
     const Vector3& point, CurvedSeamlessSurface::Evaluator& evaluator, int hint = -1) const;
 
@@ -184,15 +197,16 @@ private:
   CurvedTriangleTree Tree;
 };
 
-/// Output arrays of evaluate(), consecutive for all directions; null arrays are skipped.
+/// Output arrays of evaluate(), with consecutive values for all directions. Null arrays are
+/// skipped.
 struct SurfaceSamples
 {
-  double* Positions = nullptr;         ///< 3 numbers each: q
-  double* Normals = nullptr;           ///< 3 each, see CurvedSeamlessSurface::Image
-  double* Derivatives = nullptr;       ///< 9 each: J = dq/dp, row by row
-  double* Metrics = nullptr;           ///< 9 each: J^T J
-  double* AreaElements = nullptr;      ///< 1 each: area of the surface per area of the unit sphere
-  unsigned char* Degenerate = nullptr; ///< 1 each: whether its triangle is degenerate
+  double* Positions = nullptr;         ///< 3 numbers for each direction: q
+  double* Normals = nullptr;           ///< 3 for each, see CurvedSeamlessSurface::Image
+  double* Derivatives = nullptr;       ///< 9 for each: J = dq/dp, row by row
+  double* Metrics = nullptr;           ///< 9 for each: J^T J
+  double* AreaElements = nullptr;      ///< 1 for each: surface area per area of the unit sphere
+  unsigned char* Degenerate = nullptr; ///< 1 for each: whether its triangle is degenerate
 
   bool differentiates() const { return this->Derivatives || this->Metrics || this->AreaElements; }
 };
@@ -205,26 +219,27 @@ struct SurfaceSamples
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const Run& run = {});
 
-/// Divide each triangle of the network into k x k, see subdivide(). Every triangle thus gets
-/// evaluation points, however small it is on the sphere, and no new triangle crosses an edge of the
-/// network.
+/// Divide each triangle of the network into k x k triangles, see subdivide(). Every triangle thus
+/// gets evaluation points, even if it is small on the sphere. No new triangle crosses an edge of
+/// the network.
 ///
-/// @return unit vectors, n_i first; triangles counter-clockwise on the sphere
+/// @return mesh of unit vectors, n_i first, with triangles counter-clockwise on the sphere
 /// @throws as subdivide()
 Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run = {});
 
-/// Compute the directions of many points on a surface or near it.
+/// Compute the directions whose images are closest to given points, which lie on a surface or near
+/// it.
 ///
-/// @param[out] directions  3 numbers each
-/// @param[out] feet        3 each: closest points of the surface; may be null
-/// @throws std::invalid_argument if a point is not finite, or as CurvedSeamlessInverse
+/// @param[out] directions  3 numbers for each point
+/// @param[out] feet        3 numbers for each point, its closest point of the surface; may be null
+/// @throws std::invalid_argument if a point is not finite, or the surface is not differentiable
 /// @throws Aborted
 void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
   double* feet = nullptr, const Run& run = {});
 
 /// Copy vectors and normalize them.
-/// @param[in] what    kind of the vectors, for messages
-/// @param[out] units  3 each; may be the vectors themselves
+/// @param[in] what    name of the vectors in error messages
+/// @param[out] units  3 numbers for each vector; may be the memory of `vectors`
 /// @throws std::invalid_argument if a vector is zero or not finite
 void copyUnitVectors(
   const PointView& vectors, const char* what, double* units, const Run& run = {});
@@ -238,16 +253,17 @@ struct CurvedSeamlessSurfaceResult
   Points Positions;                      ///< #P by 3, q
   Points Normals;                        ///< #P by 3, see CurvedSeamlessSurface::Image
   std::vector<unsigned char> Degenerate; ///< #P, 1 in degenerate triangles
-  Index NumberOfDegeneratePatches = 0;   ///< of the mesh
+  Index NumberOfDegeneratePatches = 0;   ///< number of degenerate triangles
 };
 
-/// Evaluate a surface once, CSS algorithm steps 1 to 11.
+/// Build a curved seamless surface and evaluate it in given directions, steps 1 to 11 of the CSS
+/// algorithm of \cite Liou2008.
 ///
-/// @param[in] model       as for CurvedSeamlessSurface
-/// @param[in] directions  #P by 3, N^new; any length but 0
+/// @param[in] model       see the constructor of CurvedSeamlessSurface
+/// @param[in] directions  #P by 3, vectors N^new of any length but 0
 /// @param[in] cloud       samples for DomeHeight::Fitted
-/// @throws std::invalid_argument as CurvedSeamlessSurface does, or if a direction is zero or not
-///   finite
+/// @throws std::invalid_argument if CurvedSeamlessSurface throws it, or if a direction is zero or
+///   not finite
 /// @throws Aborted
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
   const Points& directions, const CurvedSeamlessSurfaceOptions& options = {},

@@ -7,9 +7,11 @@ namespace conformal
 {
 struct FitOptions
 {
-  int Iterations = 10;           ///< over all samples, each with new foot points
-  double Smoothness = 0.01;      ///< weight of the Laplacian, per sample of a vertex
-  bool AutomaticPriority = true; ///< see LeastSquaresFit.h
+  /// Number of iterations; each one uses new foot points of the samples.
+  int Iterations = 10;
+  /// Weight of the Laplacian term of a vertex, relative to the mean weight of a vertex's samples.
+  double Smoothness = 0.01;
+  bool AutomaticPriority = true; ///< whether to weight samples by distance, see LeastSquaresFit.h
 };
 }
 

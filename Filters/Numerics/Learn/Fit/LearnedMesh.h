@@ -14,15 +14,20 @@ namespace conformal
 /// Measurements of one epoch (Online), pass (Batch) or iteration of the fit.
 struct TrainingRecord
 {
-  int Frequency = 0;             ///< of the geodesic sphere with about as many triangles
+  /// Frequency of the geodesic sphere with about as many triangles as the mesh.
+  int Frequency = 0;
   double NeighborhoodRadius = 0; ///< sigma(t), a length on the unit sphere
   double LearningRate = 0;       ///< alpha(t); 1 in batch training
-  double MeanSquareError = 0;    ///< of the patterns presented to their projections; max radius 1
-  double MeanDisplacement = 0;   ///< of the neurons' weight vectors; max radius 1
+  /// Mean square distance of the presented patterns from their projections, if the maximum radius
+  /// is 1.
+  double MeanSquareError = 0;
+  /// Mean displacement of the neurons' weight vectors, if the maximum radius is 1.
+  double MeanDisplacement = 0;
 };
 
-/// Positions are the weights w_i, the vertices of M^Delta; SpherePositions are the network
-/// positions n_i, empty while the mesh is not mapped; Triangles are those of S^Delta.
+/// Learned mesh, in the notation of \cite Liou2008. Positions are the weights w_i, the vertices of
+/// the model M^Delta. SpherePositions are the network positions n_i; they are empty while the mesh
+/// is not mapped. Triangles are the triangles of the network S^Delta.
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History;
@@ -31,10 +36,13 @@ struct LearnedMesh : MappedMesh
 /// Mesh fitted to samples by least squares, with measurements of the fit.
 struct FittedMesh : LearnedMesh
 {
-  double NoiseToDetail = 0.0;       ///< variance of the noise over that of unresolved detail
-  double Noise = 0.0;               ///< standard deviation of the noise; max radius 1
-  double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
-  double AreaRatio = 1.0;           ///< area of the mesh over that of the surface before the fit
+  /// Variance of the noise divided by the variance due to unresolved detail.
+  double NoiseToDetail = 0.0;
+  double Noise = 0.0; ///< standard deviation of the noise, if the maximum radius is 1
+  /// Fraction of the area without samples nearby, see unsupportedFraction().
+  double UnsupportedFraction = 0.0;
+  /// Area of the mesh divided by the area of the surface before the fit.
+  double AreaRatio = 1.0;
 };
 
 /// Function called with the name of an intermediate mesh, and the mesh in the samples' unit.

@@ -1,4 +1,5 @@
-/// Online training by the CSM Learning Algorithm; used by trainConformalSOM().
+/// Train online by the CSM Learning Algorithm of \cite Liou2008, one pattern per step. Used by
+/// trainConformalSOM().
 
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h
@@ -12,7 +13,8 @@
 
 namespace conformal
 {
-/// Constants of the paper, options of trainConformalSOM(). t counts epochs from 0.
+/// Constants of \cite Liou2008, which are options of trainConformalSOM(). Here t is the number of
+/// the epoch, counted from 0.
 struct OnlineOptions
 {
   int NumberOfEpochs = 80;
@@ -25,19 +27,20 @@ struct OnlineOptions
 
 struct OnlineTrainingOptions : OnlineOptions
 {
-  int Frequency = 36; ///< of the geodesic sphere that is the network
-  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic; ///< Conformal
+  int Frequency = 36; ///< frequency of the geodesic sphere that is the network
+  /// Reference point of a pattern; Automatic means Conformal.
+  conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
   unsigned int RandomSeed = 1;
 };
 
-/// Learn by steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (max radius
-/// 1).
+/// Learn by steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (maximum
+/// radius 1).
 ///
 /// Implementation note: priorities are used in the second half of the epochs only, when the
-/// neighborhood is narrow. In the first half, they would leave too few neurons for the rest of the
-/// object.
-/// @param[in] network  n_i and triangles, a geodesic sphere of options.Frequency
-/// @param[in] start    w_i(0)
+/// neighborhood is narrow. In the first half, priorities would leave too few neurons for the rest
+/// of the object.
+/// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
+/// @param[in] start    initial weights w_i(0)
 /// @throws Aborted
 LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
   const OnlineTrainingOptions& options, const Run& run = {});
