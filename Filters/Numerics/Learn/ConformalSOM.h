@@ -45,7 +45,9 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 
 /// Compute the root mean square distance between each neuron and its patterns, in the unit of the
 /// input points. Each pattern is assigned to one corner of the triangle that contains its
-/// projection: the corner of maximum barycentric weight. Neurons without patterns get 0.
+/// projection: the corner of maximum barycentric weight. Neurons without patterns get 0. At most
+/// options.Batch.SamplesPerNeuron patterns per neuron are used, so that large clouds take no
+/// longer.
 /// @return #N values
 std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ConformalSOMOptions& options = {}, const Run& run = {});
