@@ -27,6 +27,9 @@
  * (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, falling to
  *   0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
+ * - point array "StandardError" (double, 1 component), of an adaptive mesh in Batch mode: standard
+ *   error of the point along the normal, in the points' unit. Large where points are few or noisy,
+ *   or where the object is rough.
  * - point array "QuantizationError" (double, 1 component), with GenerateErrorScalars: root mean
  *   square distance between a neuron and the input points it stands for.
  * - field data "AffineRank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0
@@ -50,6 +53,9 @@
  * - field data "NoiseLevel" (1 value): standard deviation of the noise that was found, in the
  *   points' unit; 0 where detail explains the distances between points and mesh. In Online mode,
  *   this and the fractions are 0, and AreaRatio is 1. There is a warning for each that is bad.
+ * - field data "EffectiveDegreesOfFreedom" (1 value): number of free parameters of an adaptive mesh
+ *   that was fitted: that of its points if nothing is smoothed, few for a smooth object. 0 where it
+ *   is not known.
  * - field data "StartedFromHull" (1 value): whether the mesh was learned from a hull.
  * - field data "StartedFromMesh" (1 value): whether the mesh was learned from a mesh, the input's
  * own polygons or the mesh on input port 1.
@@ -279,8 +285,9 @@ public:
 
   ///@{
   /**
-   * Batch: weight of the Laplacian in the fit, for each point of a neuron. Not negative. Default
-   * is 0.01; larger values smooth noise. Noise that is found in the points adds to it.
+   * Batch: factor of the smoothness that the fit chooses. Not negative. Default is 1. The fit of
+   * an adaptive mesh finds by cross-validation how smooth the object is in each place, and how
+   * noisy the points are there; that of a geodesic mesh has one smoothness, from the noise.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -388,7 +395,7 @@ private:
   int SamplesPerEpoch = 8000;
   double OnlineConstants[4] = { 0.4, 20.0, 0.01, 60.0 };
   int FitIterations = 10;
-  double Smoothness = 0.01;
+  double Smoothness = 1.0;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
   bool GenerateErrorScalars = false;

@@ -194,8 +194,8 @@ void Gather(Results& results, const std::string& name, vtkDataArray* array,
 Results Run(
   vtkAlgorithm* filter, std::set<std::string> lengths = {}, const std::set<std::string>& areas = {})
 {
-  lengths.insert({ "Points", "QuantizationError", "KernelWidth", "GridSpacing", "HoleWidth",
-    "HoleDepth", "Distance" });
+  lengths.insert({ "Points", "QuantizationError", "StandardError", "KernelWidth", "GridSpacing",
+    "HoleWidth", "HoleDepth", "Distance" });
   Results results;
   const contract::Observed observed(filter);
   filter->Update();

@@ -19,7 +19,7 @@ constexpr Index LargeFront = 500; // rows; these are done one after the other
 
 //------------------------------------------------------------------------------
 MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
-  const std::vector<double>& diagonal, const Points& places, const Run& run)
+  const std::vector<double>& diagonal, const Points& places, const Run& run, int rings)
 {
   // The last step takes about 15 n^1.5 multiplications, at half a nanosecond.
   const double size = static_cast<double>(places.rows());
@@ -38,8 +38,8 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
     levels[level].push_back(part);
     total += this->work(part);
   }
-  // A surface's dissection takes about 15 n^1.5 multiplications.
-  if (total > 1e8 + 300.0 * size * std::sqrt(size))
+  // A surface's dissection takes about 15 n^1.5 multiplications; its cuts are as wide as the rings.
+  if (total > 1e8 + 300.0 * rings * rings * rings * size * std::sqrt(size))
   {
     throw NumericalFailure("the surface cannot be cut into small parts");
   }

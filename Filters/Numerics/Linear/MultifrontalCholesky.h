@@ -24,10 +24,11 @@ class MultifrontalCholesky
 public:
   /// Of the matrix with the given diagonal and the negative weights beside it.
   /// @param[in] places  a point for each unknown, for the order of elimination
+  /// @param[in] rings   of a mesh's vertices that the matrix couples to each, for the limit of work
   /// @throws NumericalFailure if the matrix is not positive definite, or its factor is so full
   ///         that it would take too long: neighbors are far apart
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
-    const Points& places, const Run& run = {});
+    const Points& places, const Run& run = {}, int rings = 1);
 
   /// @param[in,out] columns  right-hand sides, then solutions
   void solve(Columns& columns) const;

@@ -281,7 +281,8 @@ FittedMesh trainBatch(
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;
   // The more noise, the smoother; far samples are noise then, not tips.
-  fit.LastSmoothness = options.Fit.Smoothness + SmoothnessForNoise * noise * noise;
+  fit.LastSmoothness =
+    options.Fit.Smoothness * (FitOptions::UsualSmoothness + SmoothnessForNoise * noise * noise);
   fit.FirstSmoothness = fit.LastSmoothness;
   fit.Evenness = Evenness;
   fit.AutomaticPriority = options.Fit.AutomaticPriority && noise < LittleNoise;

@@ -38,8 +38,8 @@ struct AdaptiveStart : LearnedMesh
 /// sphere.
 ///
 /// The start is remeshed (Remeshing.h) and fitted (LeastSquaresFit.h) in turns, from smooth to
-/// fine; the last fit keeps the connectivity. Then vertices move onto sharp edges that the
-/// triangles cut off (SharpEdges.h).
+/// fine; the last fit keeps the connectivity. Then the surface is made fair (FairFit.h), and
+/// vertices move onto sharp edges that the triangles cut off (SharpEdges.h).
 ///
 /// The noise is estimated from the errors of this mesh and of a mesh of a quarter of its vertices
 /// (NoiseEstimate.h), and sets the smoothness of the last fit. Noise that is large against the

@@ -7,8 +7,11 @@ namespace conformal
 {
 struct FitOptions
 {
-  int Iterations = 10;           ///< over all samples, each with new foot points
-  double Smoothness = 0.01;      ///< weight of the Laplacian, per sample of a vertex
+  static constexpr double UsualSmoothness =
+    0.01; ///< weight of the Laplacian, per sample of a vertex
+
+  int Iterations = 10;     ///< over all samples, each with new foot points
+  double Smoothness = 1.0; ///< factor of the smoothness that the samples choose, or that is usual
   bool AutomaticPriority = true; ///< see LeastSquaresFit.h
 };
 }

@@ -31,8 +31,10 @@ struct FittedMesh : LearnedMesh
 {
   double NoiseToDetail = 0.0; ///< variance of the noise over that of detail too fine for the mesh
   double Noise = 0.0;         ///< standard deviation of the noise; max radius 1
-  double UnsupportedFraction = 0.0; ///< of the area, see SurfaceSupport.h
-  double AreaRatio = 1.0;           ///< area of the mesh over that of the surface before the fit
+  double UnsupportedFraction = 0.0;  ///< of the area, see SurfaceSupport.h
+  std::vector<double> StandardError; ///< #V, along the normal; max radius 1; empty where unknown
+  double DegreesOfFreedom = 0.0;     ///< of the surface; 0 where unknown
+  double AreaRatio = 1.0;            ///< area of the mesh over that of the surface before the fit
 };
 }
 
