@@ -180,7 +180,7 @@ void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   }
 }
 
-// What the points have that their user should know.
+// Warn of defects of the points.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable)
 {
   if (unusable > 0)
@@ -235,7 +235,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
   }
 }
 
-// What learning saw that its user should know.
+// Warn of defects of the result, and of the points where the result shows them.
 void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples)
 {
