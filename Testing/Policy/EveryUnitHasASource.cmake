@@ -40,6 +40,10 @@ list(TRANSFORM keys REPLACE "@[a-z]+{([A-Za-z0-9]+)," "\\1")
 
 foreach (header IN LISTS headers)
   file(READ "${core}/${header}" text)
+  if (text MATCHES "[\\]cite *(\n|[A-Za-z0-9]+:)")
+    message(SEND_ERROR "Filters/Numerics/${header}: Doxygen finds no citation where a line ends with \\cite, "
+      "or where a colon follows the key")
+  endif ()
   string(REGEX REPLACE "\n *//+<?" " " text "${text}")
   string(REGEX MATCHALL "[\\]cite +[A-Za-z0-9]+" citations "${text}")
   foreach (citation IN LISTS citations)

@@ -1,5 +1,5 @@
-/// Compute normals of a cloud, pointing outward, from all points together, \cite Lin2022 and \cite
-/// Lin2024.
+/// Compute normals of a cloud, pointing outward, from all points together, \cite Lin2022 and
+/// \cite Lin2024.
 
 #ifndef ConformalOrientation_h
 #define ConformalOrientation_h

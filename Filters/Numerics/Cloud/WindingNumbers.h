@@ -12,7 +12,7 @@ namespace conformal
 {
 /// Winding numbers of a cloud. The winding number of a closed surface is 1 inside and 0 outside.
 /// Points y_j with area vectors a_j (area times outward unit normal) represent parts of the
-/// surface, \cite Barill2018:
+/// surface. By the method of \cite Barill2018,
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///

@@ -24,8 +24,8 @@ struct HarmonicAlignment
   Vector3 Center = Vector3::Zero();
 };
 
-/// Align a surface to the axes of the ellipsoid that its harmonics of degree 1 define, as in \cite
-/// Brechbuehler1995 and in SPHARM-PDM.
+/// Align a surface to the axes of the ellipsoid that its harmonics of degree 1 define, as in
+/// \cite Brechbuehler1995 and in SPHARM-PDM.
 ///
 /// The center moves to the origin. The longest, middle and shortest axis become the x, y and z
 /// axis. The sphere positions of the ends of these axes also become x, y and z.

@@ -1,5 +1,5 @@
-/// Reconstruct surfaces from coefficients of spherical harmonics, the representation of \cite
-/// Brechbuehler1995.
+/// Reconstruct surfaces from coefficients of spherical harmonics, the representation of
+/// \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicSurface_h
 #define ConformalHarmonicSurface_h

@@ -13,9 +13,9 @@
 
 namespace conformal
 {
-/// Extract the surface between a set of nodes and its complement by marching tetrahedra \cite
-/// Gueziec2001. The surface has one vertex on each edge that joins a node of the set to a node
-/// outside of it. The surface is always closed and manifold, and has the topology of the set's
+/// Extract the surface between a set of nodes and its complement by marching tetrahedra
+/// \cite Gueziec2001. The surface has one vertex on each edge that joins a node of the set to a
+/// node outside of it. The surface is always closed and manifold, and has the topology of the set's
 /// boundary.
 ///
 /// If the values rise through the level from the inside node to the outside node, the vertex lies

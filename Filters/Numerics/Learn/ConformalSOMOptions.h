@@ -1,5 +1,5 @@
-/// Options and result of trainConformalSOM(). Parameters have the meaning and names of \cite
-/// Liou2008.
+/// Options and result of trainConformalSOM(). Parameters have the meaning and names of
+/// \cite Liou2008.
 
 #ifndef ConformalConformalSOMOptions_h
 #define ConformalConformalSOMOptions_h

@@ -1,5 +1,5 @@
-/// Edge weights of a triangle mesh: equal weights, \cite Tutte1963, and cotangent weights, \cite
-/// Pinkall1993.
+/// Edge weights of a triangle mesh: equal weights, \cite Tutte1963, and cotangent weights,
+/// \cite Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h

@@ -1,5 +1,5 @@
-/// Progressive mesh: a tetrahedron, and vertex splits that restore a closed surface from it, \cite
-/// Hoppe1996.
+/// Progressive mesh: a tetrahedron, and vertex splits that restore a closed surface from it,
+/// \cite Hoppe1996.
 
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h

@@ -15,8 +15,8 @@ namespace conformal
 /// that cuts off an edge is thus assigned to one of the edge's planes. A vertex belongs to an edge
 /// if smoothed normals of its triangles differ by more than 37 degrees. Most of the area around the
 /// vertex must also lie in planes, which excludes bends and noise. The vertex moves to the point
-/// closest to its planes: onto the edge of two planes, or into the corner of three, \cite
-/// Kobbelt2001.
+/// closest to its planes: onto the edge of two planes, or into the corner of three,
+/// \cite Kobbelt2001.
 ///
 /// If the whole move would cause a defect, the vertex moves half or a quarter of the way, or stays.
 /// Defects are needles, folds, and triangles rotated by a right angle or more.

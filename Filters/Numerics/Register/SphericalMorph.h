@@ -1,5 +1,5 @@
-/// Interpolate between shapes with the same triangles, by the Poisson interpolation of \cite
-/// Xu2005.
+/// Interpolate between shapes with the same triangles, by the Poisson interpolation of
+/// \cite Xu2005.
 
 #ifndef ConformalSphericalMorph_h
 #define ConformalSphericalMorph_h

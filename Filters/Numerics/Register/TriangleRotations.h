@@ -1,5 +1,5 @@
-/// Compute rotations between the triangles of two shapes, by polar decomposition as in \cite
-/// Alexa2000.
+/// Compute rotations between the triangles of two shapes, by polar decomposition as in
+/// \cite Alexa2000.
 
 #ifndef ConformalTriangleRotations_h
 #define ConformalTriangleRotations_h

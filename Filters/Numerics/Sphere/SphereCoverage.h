@@ -1,5 +1,5 @@
-/// Measure degree and folds of a sphere map. Degrees are computed by solid angles, \cite
-/// VanOosterom1983.
+/// Measure degree and folds of a sphere map. Degrees are computed by solid angles,
+/// \cite VanOosterom1983.
 
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h

@@ -1,5 +1,5 @@
-/// Valid and optimal positions of a vertex inside the triangles around it on the sphere, \cite
-/// Praun2003.
+/// Valid and optimal positions of a vertex inside the triangles around it on the sphere,
+/// \cite Praun2003.
 
 #ifndef ConformalSphereStar_h
 #define ConformalSphereStar_h

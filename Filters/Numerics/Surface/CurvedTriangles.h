@@ -15,9 +15,9 @@
 
 namespace conformal
 {
-/// PN triangle \cite Vlachos2001: the cubic, with vertices w, normals n and barycentric coordinates
-/// m,
-/// q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) n_k) n_k.
+/// PN triangle of \cite Vlachos2001, the cubic, with vertices w, normals n and barycentric
+/// coordinates m, q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j -
+/// w_k) n_k) n_k.
 ///
 /// A curved edge depends only on the positions and normals at its ends, so adjacent triangles join
 /// without a gap. Triangles bulge outward on ridges and inward in hollows, since (w_j - w_k) n_k

@@ -26,9 +26,9 @@ public:
   /// several are equally close, the lowest id is returned.
   int findWinner(const Vector3& x) const;
 
-  /// Apply Eq. 3 of \cite Liou2008: w_i += learningRate exp(-|r - n_i|^2 / (2 radius^2)) (x - w_i).
-  /// Neurons farther from r than Reach times the radius are not moved. For other neurons, the
-  /// factor of x - w_i has a relative error of at most 1e-4.
+  /// Apply Eq. 3, \cite Liou2008, to all neurons: w_i += learningRate exp(-|r - n_i|^2 / (2
+  /// radius^2)) (x - w_i). Neurons farther from r than Reach times the radius are not moved. For
+  /// other neurons, the factor of x - w_i has a relative error of at most 1e-4.
   void update(const Vector3& x, const Vector3& r, double learningRate, double radius);
 
   Vector3 weight(int neuron) const;
