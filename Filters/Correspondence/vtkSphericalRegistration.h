@@ -131,8 +131,8 @@ public:
   ///@{
   /**
    * Add a point array of 1 component of both surfaces as a feature to match, with a weight. The
-   * weight is finite and at least 0; that of the stretch is 1. Each array is shifted and scaled to
-   * mean 0 and variance 1 over its surface. Default is none.
+   * weight is finite and at least 0; that of the stretch is StretchWeight. Each array is shifted
+   * and scaled to mean 0 and variance 1 over its surface. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

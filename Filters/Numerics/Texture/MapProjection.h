@@ -18,10 +18,10 @@ enum class MapProjection
   Equirectangular,
   /// Equal areas; two disks, with the northern hemisphere left, the southern right
   LambertAzimuthal,
-  Mollweide, ///< equal areas; an ellipse, twice as wide as high
-             /// Conformal except at four points of the equator, \cite Peirce1879, computed by an
-             /// integral of \cite Carlson1995. The map is a square with the north pole in the
-             /// middle and the south pole in the corners.
+  /// Equal areas; an ellipse, twice as wide as high
+  Mollweide,
+  /// Conformal except at four points of the equator, \cite Peirce1879, computed by an integral of
+  /// \cite Carlson1995; a square with the north pole in the middle, the south pole in the corners
   PeirceQuincuncial
 };
 

@@ -17,7 +17,7 @@ namespace conformal
 {
 struct AlignedScansOptions
 {
-  bool InvertRotation = false;     ///< whether to rotate by the inverse rotations
+  bool InvertRotation = false;     ///< whether to invert the rotations of parseAlignedScans()
   bool AllowExternalFiles = false; ///< whether scans may be outside of the folder of the file
   bool RequireAllScans = false;    ///< whether a missing scan is an error
 };
