@@ -103,15 +103,6 @@ def bear_with_handles():
     return zero_set(distance)
 
 
-def sphere_of(surface):
-    """The sphere as the surface's triangles cover it."""
-    points, sphere = vtkPoints(), vtkPolyData()
-    points.SetData(surface.GetPointData().GetArray("SpherePosition"))
-    sphere.SetPoints(points)
-    sphere.SetPolys(surface.GetPolys())
-    return sphere
-
-
 class TestPictures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -332,7 +323,7 @@ class TestPictures(unittest.TestCase):
             flips_actor(conformal_map(surface, method)) for method in ("GuYau", "Robust")))
 
     def test_balance_gives_limbs_room_on_the_sphere(self):
-        spheres = [sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
+        spheres = [how_it_works.sphere_of(conformal_map(self.network.GetOutput(), balance=balance))
                    for balance in (0.0, 0.1, 0.5)]
         self.expect_actor("AreaBalance", *(pictures.mesh_actor(sphere) for sphere in spheres),
                           seen=spheres[0], size=280)
