@@ -36,16 +36,6 @@ conformal::GenusZeroHullOptions OptionsOf(vtkGenusZeroHull* self)
   return options;
 }
 
-// Points of the normalized frame in that of the samples.
-conformal::Points Restore(const conformal::TrainingSamples& samples, conformal::Points points)
-{
-  for (conformal::Index i = 0; i < points.rows(); ++i)
-  {
-    points.row(i) = samples.restore(points.row(i));
-  }
-  return points;
-}
-
 // Warn of problems of the points and of their hull.
 void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples,
   const conformal::GenusZeroHullResult& hull)
@@ -181,7 +171,7 @@ int vtkGenusZeroHull::RequestData(
       if (!samples.empty())
       {
         steps.next();
-        glue::SetSurface(output, Restore(samples, hull.Positions), hull.Triangles, cloud.Frame);
+        glue::SetSurface(output, samples.restoreAll(hull.Positions), hull.Triangles, cloud.Frame);
         AddFigures(output->GetFieldData(), samples, hull, cloud.Far, cloud.Frame);
         glue::KeepOwnShare(output, inPieces, processes);
       }

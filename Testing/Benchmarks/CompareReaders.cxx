@@ -1,8 +1,10 @@
 // Prints what broken files do to our readers and to those of VTK. Every file is read in a child
 // process of its own, so that a crash is one line of the table.
-#include "../Cxx/ReaderCases.h"
+#include "../Cases/ReaderCase.h"
 #include "../Cxx/ReaderCheck.h"
 #include "../Formats/Bytes/Mutations.h"
+#include "../Formats/PLY/PLYSamples.h"
+#include "../Formats/TextCloud/TextCloudSamples.h"
 
 #include "vtkErrorCode.h"
 #include "vtkOBJReader.h"
@@ -58,7 +60,7 @@ Contestant Of(std::vector<std::string> files)
 std::vector<Contestant> Contestants()
 {
   std::vector<Contestant> all;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     all.push_back({ test.Name,
       [test](const std::string& path)

@@ -83,7 +83,8 @@ struct Property
 /// What a writer writes in a mode.
 struct File
 {
-  std::string Ending; ///< none for an algorithm that is no writer
+  std::string Ending;                          ///< none for an algorithm that is no writer
+  std::vector<std::string> EndingsBeside = {}; ///< of further files that the writer makes
   std::function<Algorithm(const std::string& path)> Read = {}; ///< none where it gives no points
   bool KeepsPoints = true; ///< whether every point is one of the file
 

@@ -23,7 +23,8 @@ inline Mode Writes(const char* ending, const std::function<Algorithm(const std::
   unsigned int reads = BadIds, const Setter& set = {})
 {
   Mode mode = { ending, { Surface(reads) }, set };
-  mode.File = { ending, read };
+  mode.File.Ending = ending;
+  mode.File.Read = read;
   return mode;
 }
 

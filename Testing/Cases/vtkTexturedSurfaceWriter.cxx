@@ -16,6 +16,8 @@ Case TexturedSurfaceWriter()
   all.Modes = { Writes(".glb", Reading<vtkGLTFReader>, reads),
     WritesOther(".obj", Reading<vtkOBJReader>, reads),
     Writes(".ply", Reading<vtkConformalPLYReader>, reads) };
+  all.Modes[1].File.EndingsBeside = { ".png", ".mtl" };
+  all.Modes[2].File.EndingsBeside = { ".png" };
   for (Mode& mode : all.Modes)
   {
     mode.Ports.push_back(Picture());

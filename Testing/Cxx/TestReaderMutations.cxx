@@ -1,7 +1,7 @@
 // Broken files: none crashes a reader, hangs it, makes it want much memory, or passes for whole.
+#include "../Cases/ReaderCase.h"
 #include "../Formats/Bytes/Mutations.h"
 #include "../TemporaryFolder.h"
-#include "ReaderCases.h"
 #include "ReaderCheck.h"
 #include "ReaderContract.h"
 
@@ -28,7 +28,7 @@ std::size_t PeakMemory()
 }
 
 // Reads a file and looks at the outcome. Returns whether it was read.
-bool ExpectTrustworthy(const contract::ReaderCase& test, const std::string& path)
+bool ExpectTrustworthy(const cases::ReaderCase& test, const std::string& path)
 {
   const Clock::time_point start = Clock::now();
   const contract::Reading reading(test.Make(), path);
@@ -52,7 +52,7 @@ TEST(ReaderMutations, EndInAnErrorOrInWholeData)
 {
   constexpr int numberOfMutations = 2000;
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -80,11 +80,11 @@ TEST(ReaderMutations, EndInAnErrorOrInWholeData)
 TEST(ReaderMutations, HandMadeBadFilesAreRefused)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
-    std::vector<std::string> files = contract::FilesOfNobody();
+    std::vector<std::string> files = cases::FilesOfNoReader();
     files.insert(files.end(), test.BadFiles.begin(), test.BadFiles.end());
     EXPECT_GE(files.size(), 40u);
     for (const std::string& bytes : files)

@@ -1,18 +1,30 @@
 // What readers and writers owe each other and their observers, tried with every one of them: names
 // that change while they run, a file that is read and replaced by one pipeline, and points that no
 // format may merge.
+#include "../Cases/ReaderCase.h"
 #include "../Formats/SPHARM/SPHARMSamples.h"
 #include "../TemporaryFolder.h"
 #include "MeshFixtures.h"
-#include "ReaderCases.h"
 #include "ReaderContract.h"
 #include "WriterCases.h"
 #include "WriterContract.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkConformalPLYReader.h"
+#include "vtkConformalPLYWriter.h"
+#include "vtkFreeSurferReader.h"
+#include "vtkFreeSurferWriter.h"
+#include "vtkGIFTIReader.h"
+#include "vtkGIFTIWriter.h"
 #include "vtkSPHARMCoefficientReader.h"
 #include "vtkSPHARMCoefficientWriter.h"
+#include "vtkSPHARMSurfaceReader.h"
+#include "vtkSPHARMSurfaceWriter.h"
+#include "vtkSurfaceFileReader.h"
+#include "vtkSurfaceFileWriter.h"
+#include "vtkSurfacePageWriter.h"
 #include "vtkTable.h"
+#include "vtkTextCloudReader.h"
 
 #include <array>
 #include <cstring>
@@ -320,7 +332,7 @@ std::size_t DistinctLines(const std::string& text, const std::string& begin)
 // The distinct points of a file, by the reader that knows it; 0 if none does.
 std::size_t DistinctPointsOf(const std::string& path)
 {
-  for (const contract::ReaderCase& reader : contract::ReaderCases())
+  for (const cases::ReaderCase& reader : cases::AllReaders())
   {
     if (reader.CanReadFile(path.c_str()) == 1)
     {
@@ -335,7 +347,7 @@ std::size_t DistinctPointsOf(const std::string& path)
 TEST(ReadersAndWriters, EveryReaderKeepsTheNamesThatItBeganWith)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -406,10 +418,10 @@ TEST(ReadersAndWriters, ReadersKeepTheNamesOfFilesBeside)
 
 TEST(ReadersAndWriters, EveryWriterKeepsTheNamesThatItBeganWith)
 {
-  const std::size_t count = contract::WriterSetUpsOfAllContents().size();
+  const std::size_t count = contract::WriterSetUps().size();
   for (std::size_t which = 0; which < count; ++which)
   {
-    const auto makeSetUp = [&]() { return contract::WriterSetUpsOfAllContents()[which]; };
+    const auto makeSetUp = [&]() { return contract::WriterSetUps()[which]; };
     SCOPED_TRACE(makeSetUp().label() + " " + std::to_string(which));
     const TemporaryFolder folder;
     const std::string path = folder.file("a" + makeSetUp().Endings.back());
@@ -481,8 +493,8 @@ TEST(ReadersAndWriters, CoefficientsKeepTheNamesThatTheyBeganWith)
 TEST(ReadersAndWriters, EveryWriterMayReplaceTheFileThatItsReaderRead)
 {
   const TemporaryFolder folder;
-  std::vector<contract::ReaderCase> readers = contract::ReaderCases();
-  for (contract::ReaderCase& reader : readers)
+  std::vector<cases::ReaderCase> readers = cases::AllReaders();
+  for (cases::ReaderCase& reader : readers)
   {
     if (reader.Name == "vtkConformalPLYReader") // a surface that every writer takes
     {
@@ -492,7 +504,7 @@ TEST(ReadersAndWriters, EveryWriterMayReplaceTheFileThatItsReaderRead)
     }
   }
   std::set<std::string> replaced;
-  for (const contract::ReaderCase& test : readers)
+  for (const cases::ReaderCase& test : readers)
   {
     std::vector<std::pair<std::string, std::string>> inputs = test.Beside;
     inputs.emplace_back("a file", test.Files[0]);
@@ -600,7 +612,7 @@ TEST(ReadersAndWriters, EveryWriterKeepsDistinctPointsOrRefuses)
   {
     const vtkSmartPointer<vtkPolyData> surface = DistantSphere(radius, distance);
     ASSERT_EQ(DistinctPoints(surface), 642u);
-    for (WriterSetUp& setUp : contract::WriterSetUpsOfAllContents())
+    for (WriterSetUp& setUp : contract::WriterSetUps())
     {
       SCOPED_TRACE(setUp.label() + " " + std::to_string(distance));
       const TemporaryFolder folder;

@@ -1,10 +1,10 @@
 #include "vtkSPHARMCoefficientReader.h"
 
+#include "../Cases/ReaderCase.h"
 #include "../Formats/Bytes/Mutations.h"
 #include "../Formats/SPHARM/SPHARMSamples.h"
 #include "../TemporaryFolder.h"
 #include "FilterContract.h"
-#include "ReaderCases.h"
 #include "vtkSurfaceHarmonicsSource.h"
 
 #include "vtkErrorCode.h"
@@ -114,7 +114,7 @@ TEST(SPHARMCoefficientReader, BadFilesAreRefused)
     vtkErrorCode::PrematureEndOfFileError, "line 2: the file ends");
   ExpectRefused(TableReading(folder.write("many.coef", "{ 1050625,{1,2,3}}")),
     vtkErrorCode::PrematureEndOfFileError, "coefficients");
-  for (const std::string& file : contract::FilesOfNobody())
+  for (const std::string& file : cases::FilesOfNoReader())
   {
     const std::string path = folder.write("file", file);
     EXPECT_EQ(vtkSPHARMCoefficientReader::CanReadFile(path.c_str()), 0);
@@ -144,7 +144,7 @@ TEST(SPHARMCoefficientReader, DegreesTooHighAreRefused)
 TEST(SPHARMCoefficientReader, FilesOfOthersAreNotTaken)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     for (const std::string& file : test.Files)
     {

@@ -1,12 +1,16 @@
 // What all readers do alike, tried with every one of them.
 #include "vtkSurfaceFileReader.h"
 
+#include "../Cases/ReaderCase.h"
 #include "../CommaLocale.h"
 #include "../TemporaryFolder.h"
-#include "ReaderCases.h"
 #include "ReaderContract.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkConformalPLYReader.h"
+#include "vtkFreeSurferReader.h"
+#include "vtkGIFTIReader.h"
+#include "vtkPCDReader.h"
 
 #include <algorithm>
 #include <ctime>
@@ -69,7 +73,7 @@ TEST(SurfaceFileReader, EveryReaderRefusesAnEndlessFile)
   const std::string path = folder.write("endless", "");
   std::filesystem::resize_file(std::filesystem::u8path(path), std::uintmax_t(16) << 30);
   const MemoryLimit limit(std::uint64_t(4) << 30);
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     EXPECT_EQ(test.CanReadFile(path.c_str()), 0);
@@ -86,7 +90,7 @@ TEST(SurfaceFileReader, EveryReaderRefusesAnEndlessFile)
 TEST(SurfaceFileReader, EveryReaderNamesTheFilesItReads)
 {
   using Names = std::vector<std::string>;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     const vtkSmartPointer<vtkSurfaceFileReader> reader = test.Make();
@@ -150,7 +154,7 @@ TEST(SurfaceFileReader, ColorsOfBothKindsAreKept)
 TEST(SurfaceFileReader, EveryReaderReadsItsFilesInEveryLocale)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -180,14 +184,14 @@ TEST(SurfaceFileReader, EveryReaderReadsItsFilesInEveryLocale)
 TEST(SurfaceFileReader, EveryReaderKnowsItsOwnFilesAndNoOthers)
 {
   const TemporaryFolder folder;
-  const std::vector<contract::ReaderCase> cases = contract::ReaderCases();
-  for (const contract::ReaderCase& owner : cases)
+  const std::vector<cases::ReaderCase>& readers = cases::AllReaders();
+  for (const cases::ReaderCase& owner : readers)
   {
     folder.write(owner.Beside);
     for (const std::string& file : owner.Files)
     {
       const std::string path = folder.write("a file", file);
-      for (const contract::ReaderCase& reader : cases)
+      for (const cases::ReaderCase& reader : readers)
       {
         EXPECT_EQ(reader.CanReadFile(path.c_str()), reader.Name == owner.Name ? 1 : 0)
           << reader.Name << " and a file of " << owner.Name << ":\n"
@@ -205,7 +209,7 @@ TEST(SurfaceFileReader, EveryReaderKnowsItsOwnFilesAndNoOthers)
       byte = static_cast<char>(isText ? ' ' + random() % 95 : random());
     }
     const std::string path = folder.write("a file", bytes);
-    for (const contract::ReaderCase& reader : cases)
+    for (const cases::ReaderCase& reader : readers)
     {
       EXPECT_EQ(reader.CanReadFile(path.c_str()), 0) << reader.Name << " and random file " << i;
     }
@@ -215,7 +219,7 @@ TEST(SurfaceFileReader, EveryReaderKnowsItsOwnFilesAndNoOthers)
 TEST(SurfaceFileReader, EveryReaderRefusesWhatIsNoFile)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -253,7 +257,7 @@ TEST(SurfaceFileReader, EveryReaderRefusesWhatIsNoFile)
 TEST(SurfaceFileReader, EveryReaderStopsWhenAskedWithoutAWord)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -278,7 +282,7 @@ TEST(SurfaceFileReader, EveryReaderStopsWhenAskedWithoutAWord)
 TEST(SurfaceFileReader, EveryReaderRecoversFromAnErrorAndRunsOnlyWhenModified)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -301,7 +305,7 @@ TEST(SurfaceFileReader, EveryReaderRecoversFromAnErrorAndRunsOnlyWhenModified)
 TEST(SurfaceFileReader, PiecesOfEveryReaderMakeTheWhole)
 {
   const TemporaryFolder folder;
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
@@ -339,7 +343,7 @@ TEST(SurfaceFileReader, PiecesOfEveryReaderMakeTheWhole)
 
 TEST(SurfaceFileReader, EveryReaderPrintsItsController)
 {
-  for (const contract::ReaderCase& test : contract::ReaderCases())
+  for (const cases::ReaderCase& test : cases::AllReaders())
   {
     contract::ExpectPrints(test.Make(), "Controller");
   }

@@ -1,21 +1,14 @@
-// Every writer of surfaces, with what it needs beside the surface.
+// Every writer of surfaces in every mode of its case, with a picture where it has a port for one.
 #ifndef WriterCases_h
 #define WriterCases_h
 
+#include "../Cases/Case.h"
 #include "FilterContract.h"
 
-#include "vtkConformalOFFWriter.h"
-#include "vtkConformalPLYWriter.h"
-#include "vtkFreeSurferWriter.h"
-#include "vtkGIFTIWriter.h"
-#include "vtkGuMeshWriter.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkSPHARMSurfaceWriter.h"
 #include "vtkSmartPointer.h"
-#include "vtkSurfacePageWriter.h"
-#include "vtkTextCloudWriter.h"
-#include "vtkTexturedSurfaceWriter.h"
+#include "vtkSurfaceFileWriter.h"
 
 #include <random>
 #include <string>
@@ -23,11 +16,11 @@
 
 namespace contract
 {
-/// A writer, and what the names of its files end in; that of FileName is the last.
+/// A writer, and the endings of the names of its files; the ending of FileName is the last.
 struct WriterSetUp
 {
   vtkSmartPointer<vtkSurfaceFileWriter> Writer;
-  std::vector<std::string> Endings = { "" };
+  std::vector<std::string> Endings;
 
   std::string label() const { return this->Writer->GetClassName() + this->Endings.back(); }
 
@@ -54,53 +47,35 @@ struct WriterSetUp
   std::string Message = {};
 };
 
-/// Every writer of surfaces, once for each of its sets of files.
-inline std::vector<WriterSetUp> WriterSetUps()
+/// A picture of noise, so that its file is not small.
+inline vtkSmartPointer<vtkImageData> NoisePicture()
 {
-  std::vector<WriterSetUp> setUps = { { vtkSmartPointer<vtkConformalOFFWriter>::New() },
-    { vtkSmartPointer<vtkConformalPLYWriter>::New() },
-    { vtkSmartPointer<vtkFreeSurferWriter>::New() }, { vtkSmartPointer<vtkGIFTIWriter>::New() },
-    { vtkSmartPointer<vtkGuMeshWriter>::New() }, { vtkSmartPointer<vtkTextCloudWriter>::New() } };
-  vtkNew<vtkImageData> picture;
+  auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(20, 20, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::mt19937 random; // noise, so that the file is not small
+  std::mt19937 random;
   for (vtkIdType i = 0; i < picture->GetPointData()->GetScalars()->GetNumberOfValues(); ++i)
   {
     picture->GetPointData()->GetScalars()->SetVariantValue(i, static_cast<unsigned char>(random()));
   }
-  for (const std::vector<std::string>& endings :
-    { std::vector<std::string>{ ".glb" }, { ".png", ".mtl", ".obj" }, { ".png", ".ply" } })
-  {
-    auto writer = vtkSmartPointer<vtkTexturedSurfaceWriter>::New();
-    writer->SetInputData(1, picture);
-    setUps.push_back({ writer, endings });
-  }
-  auto page = vtkSmartPointer<vtkSurfacePageWriter>::New();
-  page->SetThreeJSFileName(CONFORMALSOM_THREE_STAND_IN);
-  page->SetInputData(1, picture);
-  setUps.push_back({ page, { ".html" } });
-  setUps.push_back(
-    { vtkSmartPointer<vtkSPHARMSurfaceWriter>::New(), { "_para.vtk", "_surf.vtk" } });
-  return setUps;
+  return picture;
 }
 
-/// Every writer of surfaces, once for each of its sets of files and contents.
-inline std::vector<WriterSetUp> WriterSetUpsOfAllContents()
+/// Every writer of surfaces, once for each mode of its case.
+inline std::vector<WriterSetUp> WriterSetUps()
 {
-  std::vector<WriterSetUp> setUps = WriterSetUps();
-  for (const int content : { vtkFreeSurferWriter::SPHERE, vtkFreeSurferWriter::CURVATURE })
+  const vtkSmartPointer<vtkImageData> picture = NoisePicture();
+  std::vector<WriterSetUp> setUps;
+  for (const cases::Case& of : cases::All())
   {
-    auto writer = vtkSmartPointer<vtkFreeSurferWriter>::New();
-    writer->SetContent(content);
-    setUps.push_back({ writer });
-  }
-  for (const int content :
-    { vtkGIFTIWriter::GEOMETRY, vtkGIFTIWriter::SPHERE, vtkGIFTIWriter::SHAPE })
-  {
-    auto writer = vtkSmartPointer<vtkGIFTIWriter>::New();
-    writer->SetContent(content);
-    setUps.push_back({ writer });
+    for (const cases::Mode& mode : of.isWriter() ? of.Modes : std::vector<cases::Mode>())
+    {
+      const bool hasPicture = mode.Ports.size() > 1;
+      const cases::Algorithm made = of.make(mode, hasPicture ? 1 : -1, picture);
+      std::vector<std::string> endings = mode.File.EndingsBeside;
+      endings.push_back(mode.File.Ending);
+      setUps.push_back({ vtkSurfaceFileWriter::SafeDownCast(made), endings });
+    }
   }
   return setUps;
 }

@@ -1,7 +1,9 @@
 // Fuzzes the class named by the environment variable CONFORMALSOM_FUZZED_CLASS, by its case:
-// filters by what the case makes of bytes, writers in each of their modes.
+// filters by what the case makes of bytes, writers in each of their modes, readers by a file of the
+// bytes. A reader needs no program of its own; those of the parsers are faster, without a file.
 #include "../Cases/Case.h"
 #include "../Cases/FuzzFilter.h"
+#include "../Cases/ReaderCase.h"
 #include "../Hostile/Folder.h"
 
 #include "vtkImageData.h"
@@ -10,6 +12,7 @@
 #include "vtkSurfaceFileWriter.h"
 
 #include <cstdlib>
+#include <fstream>
 
 namespace
 {
@@ -58,13 +61,35 @@ void WriteAndRead(const cases::Case& of, fuzz::FilterSource& source)
   }
   require(messages.errors() == 0 || !isWritten, "its file cannot be read");
 }
+
+// A file is read whole, or refused with a message and no points.
+void Read(const cases::ReaderCase& of, const std::uint8_t* bytes, std::size_t size)
+{
+  const hostile::Folder folder;
+  for (const auto& [name, content] : of.Beside)
+  {
+    std::ofstream(folder.file(name), std::ios::binary) << content;
+  }
+  const std::string path = folder.file("a file");
+  std::ofstream(path, std::ios::binary)
+    .write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+  const vtkSmartPointer<vtkSurfaceFileReader> reader = of.Make();
+  reader->SetFileName(path.c_str());
+  fuzz::run(reader);
+}
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-  fuzz::FilterSource source(bytes, size);
   static const char* const name = std::getenv("CONFORMALSOM_FUZZED_CLASS");
+  static const cases::ReaderCase* const reader = cases::FindReader(name ? name : "");
+  if (reader)
+  {
+    Read(*reader, bytes, size);
+    return 0;
+  }
   static const cases::Case& of = cases::Of(name ? name : "");
+  fuzz::FilterSource source(bytes, size);
   if (of.isWriter())
   {
     WriteAndRead(of, source);

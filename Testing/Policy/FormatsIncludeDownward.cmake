@@ -2,7 +2,10 @@
 # the core its execution context; no two units (a header and its source) include each other, not even through others.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Bytes Text Files PLY OFF PCD GuMesh FreeSurfer GIFTI PlateModel TextCloud SPHARM StanfordScans Textured Page)
+file(GLOB rooms RELATIVE "${SOURCE_DIR}/IO/Formats" "${SOURCE_DIR}/IO/Formats/*")
+set(below_others Bytes Text PLY)
+list(REMOVE_ITEM rooms CMakeLists.txt ${below_others})
+list(PREPEND rooms ${below_others})
 set(below_Bytes)
 foreach (room IN LISTS rooms)
   if (NOT room STREQUAL "Bytes")

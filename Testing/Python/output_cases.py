@@ -1,6 +1,6 @@
 """Runs of every class of the package whose outputs record_outputs.py records.
 
-CASES has one entry for each class; that of a filter of mapped surfaces can be derived. The run `default`
+CASES has one entry for each class; add_derived_cases() makes those that are not listed. The run `default`
 sets no property but those that the class does not work without; it gets its input from the chain of
 defaults that learns the built-in bear, or from a surface made by code. The run `small` sets sizes too, so
 that it is fast, on inputs made by code. All other runs differ from `small` in what their names state: one
@@ -9,7 +9,9 @@ for each value of each enumeration, one for each switch, and those of CASES.
 import functools
 import os
 import re
+import subprocess
 import sys
+import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -628,10 +630,34 @@ CASES = {
 }
 
 
+def files_of_case(name):
+    """Valid files of the case Testing/Cases/<name>.cxx of a reader, for each run of its own."""
+    program = os.path.join(os.path.dirname(conformalsom.__file__), "..", "..", "Testing", "Cases", "ReaderFiles")
+    runs = {}
+    with tempfile.TemporaryDirectory() as folder:
+        listed = subprocess.run([program, name, folder], check=True, capture_output=True, text=True).stdout
+        for i, path in enumerate(listed.splitlines()):
+            beside = sorted(set(os.listdir(os.path.dirname(path))) - {os.path.basename(path)})
+            runs["default" if i == 0 else f"file {i}"] = {
+                file: read_bytes(os.path.join(os.path.dirname(path), file))
+                for file in [os.path.basename(path)] + beside}
+    return runs
+
+
 def add_derived_cases():
-    """Add a case for each filter without one: mapped surfaces on all ports, and its enumerations and switches."""
+    """Add a case for each class without one.
+
+    A filter gets mapped surfaces on all ports, a writer one mapped surface, a reader the files of its C++ case;
+    their enumerations and switches are tried too.
+    """
     for name, class_ in concrete_classes().items():
-        if name not in CASES and not name.endswith(("Reader", "Writer")):
+        if name in CASES:
+            continue
+        if name.endswith("Reader"):
+            CASES[name] = Reader(files_of_case(name))
+        elif name.endswith("Writer"):
+            CASES[name] = Writer("surface", inputs(painted))
+        else:
             CASES[name] = Filter(inputs(*[mapped] * class_().GetNumberOfInputPorts()))
 
 

@@ -151,6 +151,24 @@ void TrainingSamples::setNormals(const PointView& normals)
   this->Oriented = true;
 }
 
+Points TrainingSamples::normalizeAll(Points points) const
+{
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = this->normalize(points.row(i));
+  }
+  return points;
+}
+
+Points TrainingSamples::restoreAll(Points points) const
+{
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    points.row(i) = this->restore(points.row(i));
+  }
+  return points;
+}
+
 void TrainingSamples::findFrame(const Run& run)
 {
   std::vector<double> extremes(7, -std::numeric_limits<double>::infinity());

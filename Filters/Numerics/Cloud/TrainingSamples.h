@@ -64,6 +64,10 @@ public:
   /// Convert a point from input coordinates to normalized coordinates. The inverse is restore().
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
   Vector3 restore(const Vector3& x) const { return x * this->Scale + this->Center; }
+  /// Convert many points from input coordinates to normalized coordinates.
+  Points normalizeAll(Points points) const;
+  /// Convert many points from normalized coordinates to input coordinates.
+  Points restoreAll(Points points) const;
   double scale() const { return this->Scale; }
 
   /// Return the number of points with a coordinate that is not finite, over all ranks.

@@ -112,10 +112,7 @@ void observe(const TrainingSamples& samples, const ConformalSOMOptions& options,
   stage.Start = start;
   stage.Name = name;
   stage.Surface = surface;
-  for (Index i = 0; i < stage.Surface.Positions.rows(); ++i)
-  {
-    stage.Surface.Positions.row(i) = samples.restore(stage.Surface.Positions.row(i));
-  }
+  stage.Surface.Positions = samples.restoreAll(std::move(stage.Surface.Positions));
   options.Observer(stage);
 }
 
@@ -159,10 +156,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     result.SpherePositions = std::move(map.Positions);
     result.ConformalMapFits = map.Tier != GlobalConformalTier::Progressive;
   }
-  for (Index i = 0; i < result.Positions.rows(); ++i)
-  {
-    result.Positions.row(i) = samples.restore(result.Positions.row(i));
-  }
+  result.Positions = samples.restoreAll(std::move(result.Positions));
   run.report(1.0);
   return result;
 }

@@ -52,28 +52,10 @@ constexpr double ToleratedWebs = 0.001; // share of the area
 /// Shares of the time of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.72, ShareOfQuality = 0.08;
 
-Points normalized(Points points, const TrainingSamples& samples)
-{
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    points.row(i) = samples.normalize(points.row(i));
-  }
-  return points;
-}
-
-Points restored(Points points, const TrainingSamples& samples)
-{
-  for (Index i = 0; i < points.rows(); ++i)
-  {
-    points.row(i) = samples.restore(points.row(i));
-  }
-  return points;
-}
-
 /// Convert points from one normalized frame to another.
 Points moved(Points points, const TrainingSamples& from, const TrainingSamples& to)
 {
-  return normalized(restored(std::move(points), from), to);
+  return to.normalizeAll(from.restoreAll(std::move(points)));
 }
 
 /// Return whether this rank has the first of the samples.
@@ -221,7 +203,7 @@ private:
       stage.StartNumber = this->StartNumber;
       stage.Start = this->StartName;
       stage.Name = name;
-      stage.Surface = { restored(mesh.Positions, samples), mesh.Triangles };
+      stage.Surface = { samples.restoreAll(mesh.Positions), mesh.Triangles };
       stage.Quality = evaluateSurface(samples, mesh.Positions, mesh.Triangles, mesh.Noise, quiet);
       stage.DefectScore = defectScore(stage.Quality);
       this->Options.Observer(stage);
@@ -351,7 +333,7 @@ private:
 
   conformal::Mesh normalizedMesh(const TrainingSamples& samples) const
   {
-    return { normalized(this->Mesh->Positions, samples), this->Mesh->Triangles };
+    return { samples.normalizeAll(this->Mesh->Positions), this->Mesh->Triangles };
   }
 
   const TrainingSamples& Samples;

@@ -278,12 +278,8 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
 /// Convert lengths to the samples' normalized unit, or back.
 CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& samples, bool restore)
 {
-  Points positions = surface.positions();
-  for (Index i = 0; i < positions.rows(); ++i)
-  {
-    const Vector3 x = positions.row(i);
-    positions.row(i) = restore ? samples.restore(x) : samples.normalize(x);
-  }
+  const Points positions = restore ? samples.restoreAll(surface.positions())
+                                   : samples.normalizeAll(surface.positions());
   return CurvedTriangles(positions, surface.normals(), surface.triangles());
 }
 

@@ -1,0 +1,12 @@
+#include "vtkConformalOFFReader.h"
+
+#include "../Formats/OFF/OFFSamples.h"
+#include "ReaderCase.h"
+
+namespace cases
+{
+ReaderCase ConformalOFFReader()
+{
+  return CaseOfReader<vtkConformalOFFReader>(samples::OFFFiles(), samples::BadOFFFiles());
+}
+}
