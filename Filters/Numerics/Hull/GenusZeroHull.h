@@ -82,15 +82,16 @@ struct GenusZeroHullResult : Mesh
   /// Kernel width of the winding numbers, which increases with the noise. Set by WindingNumbers.
   double Width = 0.0;
   double Spacing = 0.0; ///< grid spacing: the option Spacing, or a multiple of it
-  /// Distance: number of enclosed nodes, farther than the offset from the points. If the points
-  /// enclose nothing, the number is 0. WindingNumbers: number of nodes of the solid.
+  /// With method Distance, the number of enclosed nodes: nodes of the solid that are farther than
+  /// the offset from the points. With method WindingNumbers, the number of nodes of the solid.
   Index NumberOfInsideNodes = 0;
   /// Euler number of the solid before its handles were removed: 1 minus the number of handles.
   Index EulerNumber = 1;
   /// Number of nodes removed from the solid to cut handles, or added to fill handles.
   Index NumberOfCutNodes = 0;
-  /// Distance: number of removed nodes that are farther than the offset from the points.
-  /// WindingNumbers: number of changed nodes whose winding number was clearly inside or outside.
+  /// With method Distance, the number of enclosed nodes that were removed. With method
+  /// WindingNumbers, the number of changed nodes whose winding number was clearly inside or
+  /// outside.
   Index NumberOfCutInsideNodes = 0;
   /// Number of nodes near points in the cut through one handle: the maximum over all handles. Set
   /// by Distance.
@@ -125,10 +126,9 @@ bool hasHandles(const GenusZeroHullResult& hull);
 /// - More than 0.5 % of the samples are outside of the surface and not near it.
 bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples);
 
-/// Compute the fraction of the surface that is due to cuts through handles of the object, in [0,
-/// 1]. The fraction is the area of both sides of all cuts, divided by the area of the surface, and
-/// at most
-/// 1. Return 0 if hasHandles() is false.
+/// Compute the fraction of the surface that is due to cuts through handles of the object. The
+/// fraction is the area of both sides of all cuts, divided by the area of the surface. Its range
+/// is [0, 1]. Return 0 if hasHandles() is false.
 double cutFraction(const GenusZeroHullResult& hull);
 
 /// Make one closed surface of genus zero around a cloud. The distance between the points and the

@@ -34,8 +34,8 @@ enum class HandleCut
 /// Cut a solid, a set of nodes, until it has no handles.
 ///
 /// A ball grows within the solid, beginning with the deepest node of the solid. Only simple nodes
-/// are added (isSimpleNode()), since they preserve the topology. The nodes that cannot be added are
-/// removed from the solid. They form the cut.
+/// are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
+/// added are removed from the solid. They form the cut.
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
 /// The other nodes follow. HandleCut::HalfWay sorts them by the length of the path from the
@@ -56,8 +56,8 @@ Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
 /// Fill the handles of a solid, a set of nodes, until it has none.
 ///
 /// The outside grows from the faces of the grid toward the solid. Only simple nodes are added to
-/// the outside (isSimpleNode()), since they preserve the topology. The nodes that cannot be added
-/// become nodes of the solid.
+/// the outside (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
+/// added become nodes of the solid.
 ///
 /// Nodes are processed by decreasing distance from the solid. Among nodes at equal distance, the
 /// node with the lowest value is first. A handle is therefore filled where its opening is

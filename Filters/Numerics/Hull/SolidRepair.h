@@ -1,8 +1,8 @@
-/// Change a solid into one ball without handles and cavities. The solid consists of the grid nodes
-/// where an indicator (winding number) exceeds its level. The method is an own construction, not
-/// from a publication. The cheapest changes are made first, because they contradict the indicator
-/// least. The cost of changing a node increases with the difference between its indicator value and
-/// the level.
+/// Change a solid so that it has the topology of a ball: connected, without handles and cavities.
+/// The solid consists of the grid nodes where an indicator (winding number) exceeds its level. The
+/// method is an own construction, not from a publication. The cheapest changes are made first,
+/// because they contradict the indicator least. The cost of changing a node increases with the
+/// difference between its indicator value and the level.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h

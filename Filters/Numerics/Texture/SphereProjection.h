@@ -80,8 +80,8 @@ int patchOf(const Vector3& n, const SphereImage& image);
 
 /// Project a direction to texture coordinates by the projection of one part of the sphere.
 /// Directions on a seam, or beyond the seam by rounding, thus get coordinates on the side of this
-/// part. The zero vector is accepted. It is the center of a triangle whose flat interior contains
-/// the center of the sphere. It is projected into the part, too.
+/// part. The zero vector is accepted and projected into the part. It occurs if a flat triangle
+/// passes through the center of the sphere.
 /// @param[in] patch  index into spherePatches()
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }

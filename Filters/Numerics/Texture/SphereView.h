@@ -1,4 +1,4 @@
-/// Position and axes of an image on the sphere, \cite Liou2008 section 4.2.
+/// Define the position and axes of an image on the sphere, \cite Liou2008 section 4.2.
 
 #ifndef ConformalSphereView_h
 #define ConformalSphereView_h

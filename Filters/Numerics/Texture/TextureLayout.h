@@ -1,5 +1,5 @@
-/// Texture coordinates of a surface, for an image that is placed on the sphere, \cite Liou2008
-/// section 4.2.
+/// Store texture coordinates of a surface, for an image that is placed on the sphere,
+/// \cite Liou2008 section 4.2.
 
 #ifndef ConformalTextureLayout_h
 #define ConformalTextureLayout_h
