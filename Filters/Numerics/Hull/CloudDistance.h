@@ -40,9 +40,9 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 ///
 /// Implementation note: two kinds of outliers are ignored. The first kind are the samples marked by
 /// strayPoints(), which do not lie on the surface formed by other samples. The second kind are
-/// isolated samples, single or in groups of a few. They are at least two spacings away from all
-/// others. Isolated samples are kept if the cloud is sparse, or if they are more than a twentieth
-/// of all samples.
+/// isolated samples, single or in groups of a few. Isolated samples are at least two spacings away
+/// from all other samples. Isolated samples are kept if the cloud is sparse, or if they are more
+/// than a twentieth of all samples.
 ///
 /// Memory: 9 bytes per node during the computation.
 ///

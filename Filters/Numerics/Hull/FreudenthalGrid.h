@@ -26,7 +26,7 @@ namespace conformal
 ///
 /// A set of nodes represents all simplices whose nodes are in the set. The topology of a set and
 /// the topology of its complement are dual to each other. Each node has the same 14 neighbors in
-/// both.
+/// the set and in the complement.
 struct FreudenthalGrid
 {
   Vector3 Origin = Vector3::Zero();
@@ -85,10 +85,10 @@ Index eulerNumber(
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes);
 
-/// Return whether a node is simple. Adding a simple node to a set, or removing it, preserves the
-/// topology of set and complement. A node is simple if two conditions hold. First, the neighbors in
-/// the set are connected, and there is at least one. Second, the neighbors in the complement are
-/// connected, and there is at least one.
+/// Return whether a node is simple. Adding a simple node to a set, or removing a simple node,
+/// preserves the topology of set and complement. A node is simple if two conditions hold. First,
+/// the neighbors in the set are connected, and there is at least one. Second, the neighbors in the
+/// complement are connected, and there is at least one.
 ///
 /// @param[in] neighbors  bit i is 1 if neighbor i of FreudenthalGrid::neighborSteps() is in the set
 bool isSimpleNode(unsigned int neighbors);

@@ -1,7 +1,8 @@
 /// Make a closed surface of genus zero around a point cloud. The method is an own construction, not
-/// from a publication. It makes a set of grid nodes without handles, because its boundary has genus
-/// zero for any cloud. All lengths are in the normalized frame of the samples. There, the weighted
-/// centroid is the origin, and the largest distance of a sample from the origin is 1.
+/// from a publication. The surface is the boundary of a set of grid nodes without handles, because
+/// such a boundary always has genus zero. All lengths are in the normalized frame of the samples.
+/// There, the weighted centroid is the origin, and the largest distance of a sample from the origin
+/// is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -82,8 +83,8 @@ struct GenusZeroHullResult : Mesh
   /// Kernel width of the winding numbers, which increases with the noise. Set by WindingNumbers.
   double Width = 0.0;
   double Spacing = 0.0; ///< grid spacing: the option Spacing, or a multiple of it
-  /// With method Distance, the number of enclosed nodes: nodes of the solid that are farther than
-  /// the offset from the points. With method WindingNumbers, the number of nodes of the solid.
+  /// With method Distance, the number of enclosed nodes (nodes farther than the offset from the
+  /// points). With method WindingNumbers, the number of nodes of the solid.
   Index NumberOfInsideNodes = 0;
   /// Euler number of the solid before its handles were removed: 1 minus the number of handles.
   Index EulerNumber = 1;
@@ -164,7 +165,7 @@ GenusZeroHullResult makeGenusZeroHull(
   const TrainingSamples& samples, const GenusZeroHullOptions& options = {}, const Run& run = {});
 
 /// Make the hull by HullMethod::Distance. If seemsWrong() is true for this hull, make a second hull
-/// by HullMethod::WindingNumbers. Return the second hull if it is better.
+/// by HullMethod::WindingNumbers. Return the better hull.
 ///
 /// Handles that occur in both hulls are handles of the object. If the points are very noisy,
 /// winding numbers are unreliable. The hull by distance is then returned, unless its member Leaks

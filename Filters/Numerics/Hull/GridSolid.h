@@ -31,17 +31,17 @@ enum class HandleCut
   FarFromData, ///< cut as far as possible from the data
 };
 
-/// Cut a solid, a set of nodes, until it has no handles.
+/// Cut the handles of a solid, a set of nodes, until no handle is left.
 ///
 /// A ball grows within the solid, beginning with the deepest node of the solid. Only simple nodes
 /// are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
-/// added are removed from the solid. They form the cut.
+/// added are removed from the solid. These nodes form the cut.
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
 /// The other nodes follow. HandleCut::HalfWay sorts them by the length of the path from the
 /// enclosed nodes. HandleCut::FarFromData sorts them by distance to the data. A handle is therefore
-/// cut where it is thinnest. Limbs can be joined only because they are closer to each other than
-/// twice the offset. Such limbs are separated by a cut midway between them.
+/// cut where it is thinnest. Limbs may be joined only because their distance is less than twice the
+/// offset. A cut midway between the limbs then separates them.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
 ///   have no cavities
@@ -53,7 +53,7 @@ Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, HandleCut place = HandleCut::HalfWay,
   const Run& run = {});
 
-/// Fill the handles of a solid, a set of nodes, until it has none.
+/// Fill the handles of a solid, a set of nodes, until no handle is left.
 ///
 /// The outside grows from the faces of the grid toward the solid. Only simple nodes are added to
 /// the outside (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be

@@ -15,8 +15,8 @@ namespace conformal
 {
 /// Extract the surface between a set of nodes and its complement by marching tetrahedra
 /// \cite Gueziec2001. Let an edge be cut if one of its nodes is in the set and the other is not.
-/// The surface has one vertex on each cut edge. The surface is always closed and manifold. It has
-/// the topology of the boundary of the set.
+/// The surface has one vertex on each cut edge. The surface is always closed and manifold. The
+/// topology is that of the boundary of the set.
 ///
 /// The values should be below the level at nodes in the set, and above the level at other nodes.
 /// The vertex is then where linear interpolation along the edge reaches the level. Otherwise, the
@@ -30,8 +30,8 @@ Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uin
   const std::vector<float>& values, double level, const Run& run = {});
 
 /// Smooth a closed surface without shrinkage \cite Taubin1995. Each pass has two steps. The first
-/// step moves each vertex halfway to the centroid of its neighbors. The second step moves it 0.53
-/// times the distance away from the centroid of the moved neighbors.
+/// step moves each vertex halfway to the centroid of its neighbors. The second step moves the
+/// vertex away from the centroid of the moved neighbors, by 0.53 times the distance.
 void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run = {});
 }
 

@@ -1,8 +1,8 @@
 /// Change a solid so that it has the topology of a ball: connected, without handles and cavities.
 /// The solid consists of the grid nodes where an indicator (winding number) exceeds its level. The
 /// method is an own construction, not from a publication. The cheapest changes are made first,
-/// because they contradict the indicator least. The cost of changing a node increases with the
-/// difference between its indicator value and the level.
+/// because these changes contradict the indicator least. The cost of changing a node increases with
+/// the difference between its indicator value and the level.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h
@@ -20,10 +20,10 @@ namespace conformal
 /// nodes where the indicator is closest to its level. Sparse points can disconnect thin limbs,
 /// which are thus reattached.
 ///
-/// A component is removed if it is tiny, with fewer than 0.05 % of all nodes of the solid. It is
-/// also removed if its path is too long. The maximum length is the side of a cube with as many
-/// nodes as the component. It is at most a tenth of the largest distance of a sample from the
-/// origin.
+/// A component is removed if it is tiny, with fewer than 0.05 % of all nodes of the solid. A
+/// component is also removed if its path is too long. The maximum length is the side of a cube with
+/// as many nodes as the component. The maximum length is also limited to a tenth of the largest
+/// distance of a sample from the origin.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid
@@ -46,9 +46,9 @@ struct HandleRepair
   Index NumberOfDefiniteNodes = 0;
 };
 
-/// Remove the handles of a solid. A handle is removed by one of two changes: it is cut through, or
-/// its opening is filled. The change of lower cost is made. The handle with the cheapest change is
-/// removed first. If the object itself has a handle, both changes of this handle are expensive.
+/// Remove the handles of a solid. A handle is removed by a cut through the handle, or by filling
+/// its opening. The change of lower cost is made. The handle with the cheapest change is removed
+/// first. If the object itself has a handle, both changes of this handle are expensive.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and

@@ -11,9 +11,9 @@
 
 namespace conformal
 {
-/// Distortion of each triangle, and a summary. A triangle is degenerate if it has no area on the
-/// mesh or on the sphere. Degenerate triangles get the values of undistorted triangles, and are
-/// left out of the summary.
+/// Distortion of each triangle, and a summary. A triangle is degenerate if its area on the mesh or
+/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles, and are left
+/// out of the summary.
 struct Distortion
 {
   /// Mean absolute change of the three angles of each triangle, #F [degrees].

@@ -108,8 +108,9 @@ void closeLoop(GluedSurface& surface, const std::vector<int>& loop, const LoopCa
 /// @return the loop of open sides on the right
 std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop);
 
-/// Insert vertices where several glued edges join the same two vertices. A vertex is inserted in
-/// each of these edges but one. Afterward, vertex ids alone determine which triangles are adjacent.
+/// Insert vertices where several glued edges join the same two vertices. One of these edges is left
+/// unchanged; a vertex is inserted in each of the others. Afterward, vertex ids alone determine
+/// which triangles are adjacent.
 /// @return the number of inserted vertices
 Index splitDoubleEdges(GluedSurface& surface);
 }

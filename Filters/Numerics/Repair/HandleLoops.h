@@ -19,8 +19,8 @@ struct HandleLoop
   double Length = 0.0; ///< sum of the lengths of the sides
 };
 
-/// Find short loops around handles or through their openings. If the surface is cut along all of
-/// these loops, it stays connected. No two loops share a vertex.
+/// Find short loops around handles or through their openings. A cut along all of these loops leaves
+/// the surface connected. No two loops share a vertex.
 ///
 /// The method is that of \cite Eppstein2003 and \cite Erickson2005. Let g be the genus of the
 /// surface. A tree of shortest paths is grown along edges, and a dual tree across the remaining

@@ -20,7 +20,7 @@ struct LoopCap
 {
   conformal::Triangles Triangles; ///< vertex ids of the triangles, #T by 3
   Points Added;                   ///< positions of the added vertices, #A by 3
-  /// For each added vertex, the range [first, last) of the corners nearest to it, #A.
+  /// Range [first, last) of the nearest corners, for each added vertex, #A.
   std::vector<std::pair<int, int>> Parents;
 };
 
@@ -32,8 +32,8 @@ struct LoopCap
 /// without added vertices (PolygonTriangulation.h). If that would duplicate an edge, the rings are
 /// kept.
 /// @param[in] corners  positions of at least three corners
-/// @param[in] isJoined  function that returns whether corners i and j already share an edge. It is
-///   called only for corners that are not adjacent in the loop.
+/// @param[in] isJoined  function that returns whether corners i and j already share an edge. The
+///   function is called only for corners that are not adjacent in the loop.
 LoopCap capLoop(const Points& corners, const std::function<bool(int, int)>& isJoined);
 
 /// Fill a loop with a fan of triangles around its center. The center is the mean of the midpoints

@@ -58,7 +58,7 @@ struct CurvedSeamlessSurfaceOptions
 /// vertex from the mean of the vertices.
 ///
 /// Implementation note: the domes of the sphere bulge outward for any orientation of the triangles
-/// and for mirrored maps. If the normals are outward, the volume of the model is positive.
+/// and for mirrored maps. The outward side is determined by the sign of the volume of the model.
 class CurvedSeamlessSurface
 {
 public:
@@ -90,8 +90,8 @@ public:
 
   class Evaluator;
 
-  /// Return whether the surface has derivatives and an inverse map. With DomeHeight Published and
-  /// Scaled, it has neither.
+  /// Return whether the surface has derivatives and an inverse map. Derivatives and inverse map do
+  /// not exist with DomeHeight Published and Scaled.
   bool differentiable() const
   {
     return this->Options.DomeHeight != DomeHeight::Published &&
@@ -109,7 +109,7 @@ public:
   /// counter-clockwise.
   const conformal::Triangles& triangles() const { return this->Triangles; }
 
-  /// Return triangleNeighbors() of the triangles.
+  /// Return the neighbors of each triangle, see triangleNeighbors().
   const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
   Index numberOfDegeneratePatches() const
@@ -141,9 +141,9 @@ private:
   bool InsideOut = false;
   SphereLocator Locator;
   FlatMap Flat;
-  SphereDomes Domes;          // for Published and Scaled
+  SphereDomes Domes;          // used by DomeHeight Published and Scaled
   std::vector<double> Scales; // factors of the domes at each vertex
-  CurvedTriangles Curved;     // for Curvature and Fitted
+  CurvedTriangles Curved;     // used by DomeHeight None, Curvature and Fitted
   std::vector<unsigned char> Degenerate;
 };
 
@@ -236,16 +236,15 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const Run& run = {});
 
 /// Divide each triangle of the network into k x k triangles, where k is `subdivisions` (see
-/// subdivide()). Every triangle thus gets evaluation points, even if it is small on the sphere. No
-/// new triangle crosses an edge of the network.
+/// subdivide()). Every triangle thus gets evaluation points, even a triangle that is small on the
+/// sphere. No new triangle crosses an edge of the network.
 ///
 /// @return mesh of unit vectors. The vertices of the network are first. Seen from outside, the
 ///   triangles are counter-clockwise.
 /// @throws std::invalid_argument if subdivide() throws it
 Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run = {});
 
-/// Compute the direction of each given point. This is the direction for which the surface has its
-/// closest point to the given point.
+/// Compute a direction for each given point: the direction of the closest point on the surface.
 ///
 /// @param[in] points  points on the surface or near it
 /// @param[out] directions  unit vectors, 3 numbers for each point

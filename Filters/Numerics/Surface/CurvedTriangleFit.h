@@ -26,8 +26,8 @@ struct CurvedTriangleFitOptions
 /// therefore do not slide tangentially, and the map of the surface to the sphere is preserved.
 ///
 /// The regularization is lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2. Here L is the uniform
-/// Laplacian. n' is the mean normal of the adjacent triangles, and h is the mean length of the
-/// adjacent edges. The factor lambda is FitSmoothness times the total weight of the samples,
+/// Laplacian, and n' is the mean normal of the adjacent triangles. The length h is the mean length
+/// of the adjacent edges. The factor lambda is FitSmoothness times the total weight of the samples,
 /// divided by the number of vertices.
 ///
 /// Outliers are ignored. An outlier is a sample much farther from the surface than neighboring

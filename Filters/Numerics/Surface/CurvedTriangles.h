@@ -107,14 +107,14 @@ private:
 /// coincide with the original flat triangles.
 ///
 /// Use this function for a mesh that was fitted to points by least squares. The flat triangles of
-/// such a mesh are in the middle of the points, and the vertices on ridges are outside. Curved
+/// such a mesh are in the middle of the points. Vertices on ridges are therefore outside. Curved
 /// triangles through these vertices would be too far outside.
 ///
 /// Let w_i be the position and n_i the normal of vertex i. Let c_i be a third of the area of the
 /// adjacent triangles. Let g_i be the integral of the displacement from the flat to the curved
 /// triangles. The integral is weighted by the hat function of the vertex. The new position is w_i -
-/// share n_i (n_i . g_i) / c_i. This formula is one step of the projection of the curved surface
-/// onto the flat surface, with a lumped mass matrix.
+/// share n_i (n_i . g_i) / c_i. This is one step of a projection of the curved surface onto the
+/// flat surface, with a lumped mass matrix.
 ///
 /// @param[in] surface  curved triangles through the original vertices
 /// @param[in] around  triangles around each vertex, see vertexTriangles()

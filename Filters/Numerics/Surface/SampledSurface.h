@@ -17,8 +17,8 @@ namespace conformal
 using PointsIn = Eigen::Ref<const Points>; ///< #P by 3, a view of existing memory
 using PointsOut = Eigen::Ref<Points>;      ///< #P by 3, a view of existing memory
 
-/// Return whether most of the area of a mesh is oriented opposite to given normals. It is so
-/// oriented if the map to the sphere is mirrored.
+/// Return whether most of the area of a mesh is oriented opposite to given normals. This occurs if
+/// the map to the sphere is mirrored.
 bool isOrientedInward(
   const PointsIn& positions, const Triangles& triangles, const PointsIn& normals);
 

@@ -21,9 +21,10 @@ constexpr double MaximumVertexShift = 2.0;
 /// Estimate the factor (share) for lowerVertices() from the samples to which a mesh was fitted. The
 /// share is the sum of two parts.
 ///
-/// The first part minimizes the squared distance between the curved triangles and the samples. Its
-/// range is [0, 1]; the share 1 preserves the volume. This part is 1 if the foot points (closest
-/// points) of the samples cover the triangles evenly. It is 0 if the samples are at the vertices.
+/// The first part minimizes the squared distance between the curved triangles and the samples. The
+/// range of this part is [0, 1]. The share 1 preserves the volume. This part is 1 if the foot
+/// points (closest points) of the samples cover the triangles evenly. This part is 0 if the samples
+/// are at the vertices.
 ///
 /// The second part corrects for decimated samples. Decimation keeps more samples where the object
 /// is curved, and places them outside of the object there. Flat triangles between the samples then
@@ -31,8 +32,9 @@ constexpr double MaximumVertexShift = 2.0;
 ///
 /// Two means are therefore computed of the distance by which lowerVertices() moves vertices. The
 /// first is averaged over the samples, the second over the area with samples nearby. If the first
-/// mean is larger, the second part is 3 times the relative excess. Otherwise, it is 0, as for
-/// samples whose density is independent of curvature. The factor 3 was measured on decimated scans.
+/// mean is larger, the second part is 3 times the relative excess. Otherwise, the second part is 0,
+/// as for samples whose density is independent of curvature. The factor 3 was measured on decimated
+/// scans.
 ///
 /// @param[in] mesh  closed mesh in the unit of the original points
 /// @param[in] samples  points to which the mesh was fitted

@@ -54,7 +54,7 @@ struct MapMarks
 };
 
 /// Mark the pixels outside of the map, and the pixels on its graticule. A pixel is on a line if a
-/// meridian or parallel is between it and the pixel to the right or above. Near the poles, only
+/// meridian or parallel separates this pixel from its right or upper neighbor. Near the poles, only
 /// meridians at multiples of 90 degrees are marked.
 /// @param[in] spacing  angle between neighboring lines, at least 1 [degrees]; 0 for no lines
 MapMarks markMap(const MapImage& image, double spacing, const Run& run = {});

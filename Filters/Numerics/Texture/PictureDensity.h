@@ -36,8 +36,8 @@ struct Picture
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
 /// Combine a density with the details of a picture. Half of the points follow the density, the
-/// other half follow the details. The values of the picture may have any unit. If the picture has
-/// only one color, it has no details, and the density is returned unchanged.
+/// other half follow the details. The values of the picture may have any unit. A picture with only
+/// one color has no details. The density is then returned unchanged.
 /// @param[in] density  density of the half that does not follow the picture
 /// @param[in] picture  grid of pixels
 /// @param[in] image  position and projection of the picture on the sphere

@@ -25,7 +25,7 @@ struct WrappedPlace
 WrappedPlace wrapped(const Vector2& st, TextureWrap wrap);
 
 /// Cut the triangles along the border of the image, and along the borders between the parts of its
-/// projection (SpherePatch). If points on these borders need several texture coordinates, they are
+/// projection (SpherePatch). Points on these borders that need several texture coordinates are
 /// duplicated.
 /// @param[in,out] texture  texture of the uncut surface: Image, and the Coordinates and
 ///   OutsideImage of all vertices. The function adds the cut surface. Vertices without triangles

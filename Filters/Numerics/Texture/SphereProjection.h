@@ -80,8 +80,8 @@ int patchOf(const Vector3& n, const SphereImage& image);
 
 /// Project a direction to texture coordinates by the projection of one part of the sphere.
 /// Directions on a seam, or beyond the seam by rounding, thus get coordinates on the side of this
-/// part. The zero vector is accepted and projected into the part. It occurs if a flat triangle
-/// passes through the center of the sphere.
+/// part. The zero vector is accepted and projected into the part. The zero vector occurs if a flat
+/// triangle passes through the center of the sphere.
 /// @param[in] patch  index into spherePatches()
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }

@@ -24,8 +24,8 @@ enum class TextureWrap
 
 struct SphericalTexture
 {
-  /// Texture coordinates (s, t) of each point, #P by 2, finite. They are in [0, 1] except for
-  /// TextureWrap::Repeat.
+  /// Texture coordinates (s, t) of each point, #P by 2, finite. The coordinates are in [0, 1]
+  /// except for TextureWrap::Repeat.
   TextureCoordinates Coordinates;
   std::vector<unsigned char> OutsideImage; ///< 1 for each point outside of the image, else 0, #P
   SphereImage Image; ///< projection of the image, and its position on the sphere
