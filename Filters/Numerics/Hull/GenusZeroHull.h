@@ -1,8 +1,8 @@
 /// Make a closed surface of genus zero around a point cloud. The method is an own construction, not
-/// from a publication. The surface is the boundary of a set of grid nodes without handles, because
-/// such a boundary always has genus zero. All lengths are in the normalized frame of the samples.
-/// There, the weighted centroid is the origin, and the largest distance of a sample from the origin
-/// is 1.
+/// from a publication. The surface is the boundary of a set of grid nodes with the topology of a
+/// ball. Such a boundary always has genus zero. All lengths are in the normalized frame of the
+/// samples. There, the weighted centroid is the origin, and the largest distance of a sample from
+/// the origin is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -114,9 +114,9 @@ struct GenusZeroHullResult : Mesh
 /// points. A handle may also exist only because two limbs are closer to each other than twice the
 /// offset. A cut between the limbs then removes nodes of neither kind.
 ///
-/// A few removed nodes are tolerated, since sparse points can have gaps. These are one enclosed
-/// node per handle, at most four in total, and three nodes near points. Return false if no node is
-/// enclosed, or if HandlesByChance is set.
+/// A few removed nodes are tolerated, since sparse points can have gaps. The tolerance is one
+/// enclosed node per handle, at most four in total, and three nodes near points. Return false if no
+/// node is enclosed, or if HandlesByChance is set.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Return whether a hull is unreliable. There are four possible causes:
@@ -148,8 +148,8 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// HullMethod::Distance is used instead.
 ///
 /// The surface is closed and of genus zero by construction, for any cloud. Samples that are too
-/// sparse for the grid enclose nothing, or have a hole as wide as the cavity. If the solid then
-/// contains fewer than half of the samples, all steps are repeated with twice the spacing.
+/// sparse for the grid enclose nothing, or have a hole as wide as the cavity behind. If the solid
+/// then contains fewer than half of the samples, all steps are repeated with twice the spacing.
 ///
 /// Memory: at most 17 bytes per node during the computation. Let h be the grid spacing. With
 /// HullMethod::Distance, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by

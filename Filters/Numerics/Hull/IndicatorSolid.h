@@ -41,10 +41,9 @@ struct IndicatorSolid
 /// 2. Use the normals of the samples if enough of them consistently indicate the inside. Otherwise,
 ///    estimate normals (Orientation.h).
 /// 3. Compute winding numbers on a grid (IndicatorGrid.h). Nodes above the isovalue are inside. If
-///    the points are noisy, the kernel width is a multiple of the noise (Orientation.h). If noisy
-///    points result in more than four handles and cavities, increase the width by half and repeat
-///    this step. There are at most two repetitions. Keep the solid with the fewest handles and
-///    cavities.
+///    the points are noisy, the kernel width is at least 2.5 times the noise. If noisy points
+///    result in more than four handles and cavities, increase the width by half and repeat this
+///    step. There are at most two repetitions. Keep the solid with the fewest handles and cavities.
 /// 4. Join components, fill cavities and open handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///

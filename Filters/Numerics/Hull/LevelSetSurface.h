@@ -18,10 +18,10 @@ namespace conformal
 /// The surface has one vertex on each cut edge. The surface is always closed and manifold. The
 /// topology is that of the boundary of the set.
 ///
-/// The values should be below the level at nodes in the set, and above the level at other nodes.
-/// The vertex is then where linear interpolation along the edge reaches the level. Otherwise, the
-/// vertex is the midpoint of its edge. This occurs, for example, where a handle of the set was cut
-/// or filled.
+/// Usually, the value is below the level at nodes in the set, and above the level at other nodes.
+/// The vertex is then where linear interpolation along the edge reaches the level. If one end of an
+/// edge has a value on the wrong side, the vertex is the midpoint of the edge. This occurs, for
+/// example, where a handle of the set was cut or filled.
 ///
 /// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @param[in] values  value of each node

@@ -61,7 +61,7 @@ private:
   Vector3 controlPoint(int k, int j) const;
 
   std::array<Vector3, 3> W, N;
-  Eigen::Matrix3d Rise; // (w_j - w_k) n_k at (k, j)
+  Eigen::Matrix3d Rise; // (w_j - w_k) . n_k at (k, j)
 };
 
 /// Evaluate normals for shading over a triangle. The normals are the quadratic field of

@@ -31,8 +31,8 @@ void smoothNormals(const PointsIn& positions, const Triangles& triangles, Points
 /// Replace each normal of length zero by the direction for which the point was evaluated.
 void fillNormals(PointsOut normals, const PointsIn& directions, const Run& run = {});
 
-/// Interpolate the support of the vertices linearly. The support of a vertex is the degree to which
-/// points of the scan were near it, in [0, 1].
+/// Interpolate the support of the vertices linearly. The support of a vertex, in [0, 1], is the
+/// degree to which points of the scan were near the vertex.
 /// @param[in] support  support of each vertex of the surface, #V. Values are clamped to [0, 1].
 ///   Values that are not finite count as 0.
 /// @param[in] directions  unit vectors, #P by 3

@@ -23,8 +23,8 @@ namespace conformal
 /// - At a corner, the quotient of Eq. 11 is 0/0. The quotient is then 1, and the height is 0.
 /// - In Eq. 11, a_q' is a point on the perpendicular to an edge through q'. If the image of the
 ///   centroid is beyond an end of the edge, a_q' is where the perpendicular leaves the subtriangle.
-/// - If neighbors have exactly opposite normals, they have no mean normal (Eq. 8). The normal of
-///   each triangle is then used at the common edge.
+/// - Neighbors with exactly opposite normals have no mean normal (Eq. 8). The normal of each
+///   triangle is then used at the common edge.
 /// - A triangle of zero area has no normal. At its edges, the normals of the neighbors are used.
 class SphereDomes
 {
