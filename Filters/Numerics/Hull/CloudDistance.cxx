@@ -72,7 +72,7 @@ double minimumSpacing(const Box& bounds, double tooSmall, int margin)
   return std::ceil(high / Digit) * Digit;
 }
 
-// Nearest sample of every node, by propagation.
+// Find the nearest sample of every node by propagation.
 class NearestSamples
 {
 public:
@@ -92,7 +92,7 @@ public:
       });
   }
 
-  // Remove samples beside the surface, which would cause bumps.
+  // Mark samples that do not lie on the surface of the others, since these would cause bumps.
   void dropStray(const Run& run) { this->Stray = strayPoints(this->Taken, run); }
 
   // Update the 8 corners of the cube of every sample. The minimum does not depend on the order.
@@ -199,7 +199,7 @@ public:
   // Propagate seeds forward and backward along all lines of an axis.
   void sweep(int axis, const Run& run)
   {
-    // Planes that contain the lines; within a plane, steps along the lines and across.
+    // Process the planes that contain the lines, in groups.
     const std::array<int, 3>& size = this->Grid.Size;
     const int normal = axis == 2 ? 1 : 2;
     const int groups = (size[normal] + PlanesPerReport - 1) / PlanesPerReport;

@@ -1,5 +1,5 @@
-/// Compute the distance to a point cloud at the nodes of a grid around it.
-/// Nearest samples are propagated from node to node as in \cite Danielsson1980.
+/// Compute the distance to a point cloud at the nodes of a grid around the cloud.
+/// The nearest sample of each node is propagated to neighboring nodes as in \cite Danielsson1980.
 
 #ifndef ConformalCloudDistance_h
 #define ConformalCloudDistance_h
@@ -14,32 +14,35 @@
 
 namespace conformal
 {
-/// Make a grid around the samples. It extends `margin` nodes beyond their bounding box on each
-/// side.
+/// Make a grid of cubes around the samples. On each side, the grid extends `margin` nodes beyond
+/// the bounding box of the samples.
 /// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes; the message
 ///   contains a spacing that is large enough
 FreudenthalGrid gridAround(
   const TrainingSamples& samples, double spacing, int margin, const Run& run = {});
 
-/// Make a grid around a box. It extends `margin` nodes beyond the box on each side.
+/// Make a grid of cubes around a box. On each side, the grid extends `margin` nodes beyond the box.
 FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin);
 
 constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 
 /// Compute the distance of each node to the nearest sample, in units of the grid spacing.
 ///
-/// Distances up to 1 are exact to float precision. A larger distance is measured to the nearest
-/// sample of some neighboring node, and is never too small. The mean error is a few hundredths, the
-/// maximum error is below 1.
+/// Distances up to 1 are exact to float precision. Larger distances are upper bounds: each is the
+/// distance to a sample that is nearest to a neighboring node. Their mean error is a few
+/// hundredths, their maximum error is below 1.
 ///
-/// Implementation note: if a cloud has many more than 32 / h^2 samples, about 32 / h^2 are selected
-/// at equal steps of their sequence. Here h is the spacing in units of the maximum radius. A sphere
-/// thus gets two or three samples for each square of the grid. The selection reduces the cost and
+/// Implementation note: a large cloud is reduced. Let h be the grid spacing divided by the largest
+/// distance of a sample from the origin. If there are many more than 32 / h^2 samples, about 32 /
+/// h^2 are selected, evenly from their sequence. On a sphere around the origin, two or three
+/// samples then remain for each area of one squared spacing. The selection reduces the cost and
 /// keeps outliers isolated.
 ///
-/// Implementation note: outliers of a dense cloud are ignored. An outlier is a sample, or a group
-/// of a few samples, at least two spacings away from all others. If more than a twentieth of all
-/// samples are isolated, no sample is ignored.
+/// Implementation note: two kinds of outliers are ignored. The first kind are the samples marked by
+/// strayPoints(), which do not lie on the surface formed by other samples. The second kind are
+/// isolated samples, single or in groups of a few. Isolated samples are at least two spacings away
+/// from all other samples. Isolated samples are kept if the cloud is sparse, or if they are more
+/// than a twentieth of all samples.
 ///
 /// Memory: 9 bytes per node during the computation.
 ///

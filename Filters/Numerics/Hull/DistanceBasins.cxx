@@ -189,7 +189,8 @@ double enclosure(
   Index seen = 0;
   for (Index i = 0; i < directions.rows(); ++i)
   {
-    // Data are no nearer than the distance; nodes are up to one spacing off the ray.
+    // No sample is nearer to a node than the distance of the node. The nearest node is up to one
+    // spacing away from the ray.
     const Vector3 direction = directions.row(i);
     Vector3 x = grid.coordinates(node).cast<double>();
     float distance = distances[node];
@@ -266,7 +267,7 @@ Division divide(
   return result;
 }
 
-// Find the basin that is most likely inside of a leaking cloud, or -1.
+// Find the basin that is most likely inside of a leaking cloud. Return -1 if there is no candidate.
 int findLikeliest(const FreudenthalGrid& grid, const std::vector<float>& distances, double offset,
   const Basins& basins, const std::vector<LostBasin>& lost)
 {

@@ -1,5 +1,6 @@
-/// Classify grid nodes as inside or outside of a point cloud that may have holes. Basins of the
-/// distance to the data are merged by their persistence, \cite Edelsbrunner2002.
+/// Classify grid nodes as inside or outside of a point cloud that may have holes. Each local
+/// maximum of the distance to the points defines a region, its basin. Basins are merged by their
+/// persistence, \cite Edelsbrunner2002.
 
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h
@@ -13,42 +14,48 @@
 
 namespace conformal
 {
-/// Hole in the data between a closed basin of the distance and the outside.
+/// Hole in a point cloud through which a cavity is connected to the outside.
 struct DataHole
 {
-  /// Distance to the data at the saddle in the hole, about the hole's radius; 0 for no hole.
+  /// Distance to the points at the saddle of the distance in the hole. This is approximately the
+  /// radius of the hole; 0 if there is no hole.
   double Saddle = 0.0;
-  double Peak = 0.0; ///< maximum distance to the data in the basin behind the hole
+  double Peak = 0.0; ///< maximum distance of a node in the cavity to the points
 };
 
 struct OutsideNodes
 {
-  std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside
+  std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside, else 0
   DataHole LargestHole;              ///< largest hole that was closed
-  /// Whether almost no node passed the persistence test, so that the likeliest basin was kept as
-  /// inside.
+  /// Whether the cloud leaks: almost no node was inside by the persistence rule of findOutside().
+  /// In this case, the likeliest basin was classified as inside.
   bool Leaks = false;
 };
 
-/// Classify the nodes of a grid. A node is either outside of a cloud, or it is inside or within an
-/// offset of the data.
+/// Find the nodes of a grid that are outside of a point cloud. The other nodes are enclosed by the
+/// points, or are within the offset of a point.
 ///
-/// The nodes farther than the offset from the data form basins, one for each local maximum (peak)
-/// of the distance. Basins are merged from the highest saddle down, in the order of a watershed
-/// transform. A basin that reaches the outside is merged into it unless its peak exceeds
-/// `persistence` times the saddle. Even a hole much wider than the offset is therefore closed if
-/// the cavity behind it is wider than the hole.
+/// The nodes farther than the offset from the points form basins, one for each local maximum of the
+/// distance. A basin consists of the nodes from which steepest ascent leads to the same maximum,
+/// its peak. The saddle between two basins is the largest distance at which the basins touch each
+/// other. Basins are merged from the highest saddle down, as in a watershed transform.
 ///
-/// If almost no node is inside by this rule, the cloud leaks: it has a hole about as wide as the
-/// cavity behind it. One basin is then classified as inside. A candidate's peak is at least a tenth
-/// higher than its saddle to the outside. Two thirds of all directions from the peak lead to data.
-/// The candidate with the largest difference between peak and saddle is selected.
+/// Suppose that a basin touches the outside at a saddle. If its peak exceeds `persistence` times
+/// the saddle, the basin is classified as inside. The hole at the saddle is thus closed. Otherwise,
+/// the basin is merged into the outside. Even a hole much wider than the offset is thus closed if
+/// the cavity behind the hole is wider.
 ///
-/// @param[in,out] distances  distance of each node to the data, in any unit. Nodes on the faces of
-///   the grid are always outside; their distances are set to the largest float.
-/// @param[in] offset         distance within which nodes are not outside, in the unit of the
+/// The cloud leaks if almost no node is inside by this rule. A hole is then about as wide as the
+/// cavity behind it. One basin is then classified as inside. A basin is a candidate if two
+/// conditions hold. First, its peak is at least 1.1 times its saddle to the outside. Second, at
+/// least two thirds of all rays from the peak reach a point of the cloud. The candidate with the
+/// largest difference between peak and saddle is selected.
+///
+/// @param[in,out] distances  distance of each node to the points, in any unit. Nodes on the faces
+///   of the grid are always outside; their distances are set to the largest float.
+/// @param[in] offset  nodes within this distance of a point are not outside; in the unit of the
 ///   distances
-/// @param[in] persistence    minimum ratio of peak to saddle of an inside basin, at least 1
+/// @param[in] persistence  minimum ratio of peak to saddle of an inside basin, at least 1
 OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,
   double persistence, const Run& run = {});
 }

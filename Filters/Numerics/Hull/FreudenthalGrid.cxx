@@ -57,9 +57,9 @@ std::vector<bool> makeSimpleNodeTable()
   return table;
 }
 
-// Compute the share of a cube's lowest corner in the Euler number: that of the simplices of which
-// it is the lowest node. These are ascending paths through corners, each of which has all axes of
-// the previous one.
+// Compute the part of the Euler number that is due to simplices whose lowest node is a given corner
+// of a cube. Such a simplex is an ascending path through corners: the bits of each corner include
+// all bits of the previous corner.
 int eulerShare(unsigned int corners, unsigned int from)
 {
   int sum = 1;
@@ -85,7 +85,8 @@ public:
       this->Shares[corners] = (corners & 1U) ? eulerShare(corners, 0) : 0;
     }
   }
-  // Return the share of the cube above a node.
+  // Return the part of the Euler number that is due to simplices whose lowest node is the given
+  // node.
   int of(int node) const
   {
     if (!this->Inside[node])

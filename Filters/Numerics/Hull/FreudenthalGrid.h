@@ -1,5 +1,5 @@
-/// Grid of cubes with the triangulation of \cite Freudenthal1942. Sets of its nodes have an
-/// unambiguous topology.
+/// Divide the cubes of a grid into tetrahedra by the triangulation of \cite Freudenthal1942. Every
+/// set of grid nodes then has an unambiguous topology.
 
 #ifndef ConformalFreudenthalGrid_h
 #define ConformalFreudenthalGrid_h
@@ -13,16 +13,20 @@
 
 namespace conformal
 {
-/// Grid of cubes with its Freudenthal triangulation.
+/// Represent a grid of cubes with its Freudenthal triangulation.
 ///
 /// Each cube of the grid is divided into six tetrahedra. The corners of a tetrahedron are the nodes
-/// of a path along edges of the cube, from its lowest to its highest corner. The bits of the number
-/// s of a corner, s in [0, 8), are its offsets from the lowest corner along the three axes. Two
-/// nodes share an edge if one is a corner of the cube whose lowest corner is the other.
+/// of a path along three edges of the cube. The path leads from the lowest corner of the cube to
+/// the highest corner.
+///
+/// The corners of a cube are numbered 0 to 7. Bits 0, 1 and 2 of the number are the offsets from
+/// the lowest corner along x, y and z. The lowest corner of a cube is joined by an edge to each
+/// other corner of the cube. Each node therefore has 14 neighbors. Seven are corners of the cube
+/// whose lowest corner is the node. The others are in the opposite directions.
 ///
 /// A set of nodes represents all simplices whose nodes are in the set. The topology of a set and
-/// that of its complement are dual to each other. Both are defined by the same 14 neighbors of each
-/// node.
+/// the topology of its complement are dual to each other. Each node has the same 14 neighbors in
+/// the set and in the complement.
 struct FreudenthalGrid
 {
   Vector3 Origin = Vector3::Zero();
@@ -46,45 +50,47 @@ struct FreudenthalGrid
   /// Convert spatial coordinates to grid coordinates. Nodes have integer grid coordinates.
   Vector3 toGrid(const Vector3& x) const { return (x - this->Origin) / this->Spacing; }
 
-  /// Return the differences in node id from the lowest corner of a cube to its corners 0 to 7.
+  /// Return the differences in node id between the corners 0 to 7 of a cube and its lowest corner.
   std::array<int, 8> cornerSteps() const;
-  /// Return the differences in node id to the 14 neighbors of a node. Neighbors 0 to 6 are corners
-  /// 1 to 7 of the cube whose lowest corner is the node. Neighbors 7 to 13 are the nodes of whose
-  /// cubes the node is corner 1 to 7.
+  /// Return the differences in node id between the 14 neighbors of a node and the node. Neighbors 0
+  /// to 6 are corners 1 to 7 of the cube whose lowest corner is the node. Neighbors 7 to 13 are in
+  /// the directions opposite to neighbors 0 to 6.
   std::array<int, 14> neighborSteps() const;
 };
 
-/// Call body(first, last) for every row of nodes, without the nodes on the faces of the grid. The
-/// row consists of nodes first to last - 1, and each of them has all 14 neighbors.
+/// Call body(first, last) for every row of nodes that are not on the faces of the grid. The row
+/// consists of the nodes first to last - 1. Each of these nodes has all 14 neighbors.
 void forInnerRows(const FreudenthalGrid& grid, const Run& run,
   const std::function<void(int first, int last)>& body);
 
-/// Replace the mark of a node, and of all nodes connected to it by nodes with the same mark.
+/// Replace the mark of a connected component of nodes. The component consists of `start` and all
+/// nodes that are connected to it by nodes with the same mark.
 ///
 /// @param[in,out] marks  mark of each node; marks on the faces of the grid must differ from the
 ///   mark of `start`
-/// @param[in] mark       new mark, different from the old mark
-/// @param[out] reached   nodes with the new mark, beginning with `start`
+/// @param[in] mark  new mark, different from the old mark
+/// @param[out] reached  nodes with the new mark, beginning with `start`
 void markPiece(const FreudenthalGrid& grid, std::vector<std::uint8_t>& marks, int start,
   std::uint8_t mark, std::vector<int>& reached, const Run& run = {});
 
 /// Compute the Euler number (vertices - edges + triangles - tetrahedra) of a set of nodes.
-/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the faces of the grid
+/// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 Index eulerNumber(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, const Run& run = {});
 
-/// Compute the part of the Euler number due to simplices that contain at least one of the given
-/// nodes. If only the given nodes join or leave the set, the Euler number changes by as much as
-/// this part.
-/// @param[in] nodes  given nodes, none of them on the faces of the grid
+/// Compute the part of the Euler number that is due to simplices with at least one of the given
+/// nodes. If only given nodes are added to the set or removed, both numbers change by the same
+/// amount.
+/// @param[in] nodes  given nodes; none of them may be on the faces of the grid
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes);
 
-/// Return whether a node can join or leave a set without changing the topology of the set or of its
-/// complement. This requires that the neighbors inside the set are connected, and that the
-/// neighbors outside of it are connected.
+/// Return whether a node is simple. Adding a simple node to a set, or removing a simple node,
+/// preserves the topology of set and complement. A node is simple if two conditions hold. First,
+/// the neighbors in the set are connected, and there is at least one. Second, the neighbors in the
+/// complement are connected, and there is at least one.
 ///
-/// @param[in] neighbors  bit i is 1 if neighbor i of neighborSteps() is in the set
+/// @param[in] neighbors  bit i is 1 if neighbor i of FreudenthalGrid::neighborSteps() is in the set
 bool isSimpleNode(unsigned int neighbors);
 }
 

@@ -27,7 +27,8 @@ void requireRange(double value, double minimum, double maximum, const char* name
   }
 }
 
-// Return the usual number of stray samples: closed scans lose up to one sample in a thousand.
+// Return the number of samples outside of the hull that is tolerated: one in 200. Hulls of closed
+// scans have up to one in a thousand.
 Index usualStrays(const TrainingSamples& samples)
 {
   constexpr Index share = 200;
@@ -56,8 +57,8 @@ Index countSamples(const TrainingSamples& samples, const HullData& data, const R
   return sum;
 }
 
-// Keep nodes of data, marked 1, in components that touch the outside. Return the number of removed
-// nodes.
+// Keep the components of nodes near data (marked 1) that touch the outside. Return the number of
+// removed nodes.
 Index keepSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   std::vector<std::uint8_t>& nodes, const Run& run)
 {
@@ -92,12 +93,12 @@ Index countInside(
   return count;
 }
 
-// Cut handles as far from the data as possible; return how many nodes near data the largest cut
-// has.
+// Cut handles as far from the data as possible. Return the largest number of nodes near data in one
+// cut.
 Index countCutData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& solid,
   const std::vector<float>& distances, double offset, const Run& run)
 {
-  // If data are as dense as the grid, nodes this near form rows without gaps.
+  // If the samples are as dense as the grid, the nodes within this distance form rows without gaps.
   constexpr double nearness = 0.6; // offsets
   std::vector<std::uint8_t> opened = solid;
   cutHandles(grid, opened, distances, offset, HandleCut::FarFromData, run);
@@ -181,8 +182,8 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   return result;
 }
 
-// Count the steps from each node to the surface of a solid, from 1, on both sides; 0 for nodes
-// farther than the maximum.
+// Count the steps from each node to the surface of a solid. Nodes next to the surface, on both
+// sides, have the number 1. Nodes beyond the maximum have the number 0.
 std::vector<std::uint16_t> stepsToSurface(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, int maximum)
 {
@@ -223,11 +224,12 @@ std::vector<std::uint16_t> stepsToSurface(
   return reached;
 }
 
-// Mark nodes next to the surface, where samples are data. Around samples of sparse parts, the
-// surface may be off by the spacing of the samples, and nodes up to that distance are marked.
+// Mark the nodes near the surface of a solid. In sparse parts of the cloud, the error of the
+// surface may be as large as the spacing of the samples. Around such samples, nodes up to that
+// distance from the surface are marked.
 std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
 {
-  // The reach grows with the kernel width that the noise required.
+  // The distance of marked nodes increases with the kernel width, and thus with the noise.
   constexpr double reach = 1.5, farthest = 24.0;
   const FreudenthalGrid& grid = solid.Grid;
   const double layers = std::max(1.0, std::floor(reach * solid.Width / grid.Spacing));
@@ -261,8 +263,8 @@ std::vector<std::uint8_t> nodesOfData(const IndicatorSolid& solid)
   return data;
 }
 
-// Make the hull by winding numbers. Return no triangles if they do not separate inside from
-// outside.
+// Make the hull by winding numbers. If the winding numbers do not separate inside from outside, the
+// result has no triangles.
 GenusZeroHullResult makeHullByWindingNumbers(
   const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
@@ -361,8 +363,10 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
 {
   // Most clouds need no second hull, so it gets little of the progress.
   constexpr double share = 0.95;
-  constexpr Index shareOfLimbs = 4000;   // limbs of at most this share may lack an end
-  constexpr double maximumNoise = 0.004; // of thinned points; about twice as much over all points
+  // At most one sample in 4000, such as the end of a limb, may be left out.
+  constexpr Index shareOfLimbs = 4000;
+  // Noise of thinned points; that of all points is about twice as much.
+  constexpr double maximumNoise = 0.004;
   options.Method = HullMethod::Distance;
   winding.Method = HullMethod::WindingNumbers;
   GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
@@ -415,8 +419,8 @@ GenusZeroHullResult makeGenusZeroHull(
   {
     return chooseHull(samples, options, options, run);
   }
-  // A repeated attempt used most of the progress. The next ones are fast on a grid of an eighth of
-  // the nodes, and share the rest.
+  // The first attempt accounts for most of the progress. Later attempts have an eighth of the nodes
+  // each, and share the remaining progress.
   double reached = 0.0;
   const auto attempt = [&](double spacing)
   {

@@ -21,10 +21,11 @@ struct Waiting
   }
 };
 
-// Less than the difference between layers.
+// Maximum of the values in keys; less than 1, the difference between layers.
 constexpr float MaximumValue = 0.99F;
 
-// Compute the number of steps from each node to a set; 0 within it and on the faces of the grid.
+// Compute the number of steps from each node to a set. The number is 0 in the set and on the faces
+// of the grid.
 std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside)
 {
   const std::array<int, 14> steps = grid.neighborSteps();
@@ -64,8 +65,9 @@ std::vector<int> layersAround(const FreudenthalGrid& grid, const std::vector<std
   return layers;
 }
 
-// Grow a set of nodes within another one by simple nodes, which preserve its topology, the lowest
-// key first. The key of a node may depend on the path to it.
+// Grow a set of nodes within another set. Only simple nodes are added, which preserve the topology
+// of the growing set. The node with the lowest key is first. The key of a node may depend on the
+// path to the node.
 template <typename KeyOf>
 class Growth
 {
@@ -117,7 +119,8 @@ public:
     return count;
   }
 
-  // Return the final number of nodes, including those of begin().
+  // Add simple nodes until none is left. Return the final number of nodes, including the node of
+  // begin().
   Index grow(Index total, const Run& run)
   {
     Index looks = 0;
@@ -223,8 +226,8 @@ Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   {
     return 0;
   }
-  // Negative beyond the offset, by depth; otherwise, the path length from there or the distance to
-  // the data.
+  // The key of an enclosed node is its negative depth. The key of another node is the path length
+  // from the enclosed nodes, or the distance to the data.
   const auto keyOf = [&](int node, float way)
   {
     const float later = place == HandleCut::HalfWay ? std::max(0.0F, way) : distances[node];

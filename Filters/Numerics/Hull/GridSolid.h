@@ -1,6 +1,7 @@
-/// Make sets of grid nodes solid: connected and without handles. Own construction: a ball grows by
-/// simple nodes in order of distance, because it then meets itself where handles are thin, and
-/// handles are cut there.
+/// Make sets of grid nodes solid: connected and without handles. The method is an own construction,
+/// not from a publication. A ball grows inside the set, beginning with the nodes that are farthest
+/// from the points of the cloud. Each node is added only if the topology of the ball is preserved.
+/// Parts of the ball then touch each other where a handle is thin, and the handle is cut there.
 
 #ifndef ConformalGridSolid_h
 #define ConformalGridSolid_h
@@ -14,57 +15,67 @@
 
 namespace conformal
 {
-/// Keep the largest connected component of a set of nodes. Of equally large components, keep that
-/// with the lowest node id.
-/// @param[in,out] inside  1 for the nodes of the set, else 0; 0 on the faces of the grid
+/// Keep the largest connected component of a set of nodes. If several components are equally large,
+/// keep the component that contains the lowest node id.
+/// @param[in,out] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @return the number of nodes kept
 Index keepLargestPiece(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
-/// Position of the cuts through handles that have no nodes deeper inside than the offset.
+/// Position of the cut through a handle. A node is called enclosed if its distance to the data, the
+/// points of a cloud, exceeds a given offset. The position applies to handles without enclosed
+/// nodes.
 enum class HandleCut
 {
-  HalfWay,     ///< cut as far as possible from the nodes deeper inside: midway between limbs
+  HalfWay,     ///< cut as far as possible from the enclosed nodes: midway between limbs
   FarFromData, ///< cut as far as possible from the data
 };
 
-/// Cut a solid open until it has no handles.
+/// Cut the handles of a solid, a set of nodes, until no handle is left.
 ///
-/// A ball grows within the solid from the solid's deepest node. Only simple nodes are added
-/// (isSimpleNode()), since they preserve the topology. The nodes that cannot be added are the cut.
-/// Nodes beyond the offset are added first, deepest first. The other nodes follow, ordered by path
-/// length from the first nodes (HalfWay) or by distance to the data (FarFromData). A handle is
-/// therefore cut where it is thinnest. Limbs that are joined only because their distance is less
-/// than twice the offset are separated between them.
+/// A ball grows within the solid, beginning with the deepest node of the solid. Only simple nodes
+/// are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
+/// added are removed from the solid. These nodes form the cut.
 ///
-/// @param[in,out] inside  a connected set without cavities, as keepLargestPiece() leaves it
-/// @param[in] distances   distance of each node to the data, in units of the spacing
-/// @param[in] offset      nodes farther than this from the data are inside nodes; in the unit of
-///   the distances
-/// @return the number of nodes cut
+/// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
+/// The other nodes follow. HandleCut::HalfWay sorts them by the length of the path from the
+/// enclosed nodes. HandleCut::FarFromData sorts them by distance to the data. A handle is therefore
+/// cut where it is thinnest. Limbs may be joined only because their distance is less than twice the
+/// offset. A cut midway between the limbs then separates them.
+///
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
+///   have no cavities
+/// @param[in] distances  depth of each node: the distance to the data, or another value that
+///   increases toward the inside
+/// @param[in] offset  nodes of greater depth are enclosed nodes; in the unit of the distances
+/// @return the number of nodes removed
 Index cutHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, HandleCut place = HandleCut::HalfWay,
   const Run& run = {});
 
-/// Fill a solid until it has no handles.
+/// Fill the handles of a solid, a set of nodes, until no handle is left.
 ///
-/// The outside grows from the faces of the grid toward the solid. Only simple nodes are added to it
-/// (isSimpleNode()), since they preserve the topology. The nodes that cannot be added are added to
-/// the solid. Nodes are processed by decreasing distance from the solid; of nodes at equal
-/// distance, the one with the lowest value is first. A handle is therefore filled where its opening
-/// is narrowest.
+/// The outside grows from the faces of the grid toward the solid. Only simple nodes are added to
+/// the outside (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
+/// added become nodes of the solid.
 ///
-/// @param[in,out] inside  a connected set without cavities, as keepLargestPiece() leaves it; 0 on
-///   the faces of the grid
-/// @param[in] values      value of each node, in [0, 1), larger toward the inside
+/// Nodes are processed by decreasing distance from the solid. Among nodes at equal distance, the
+/// node with the lowest value is first. A handle is therefore filled where its opening is
+/// narrowest.
+///
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid.
+///   The solid must be connected and have no cavities.
+/// @param[in] values  value of each node, in [0, 1), larger toward the inside
 /// @return the number of nodes added
 Index fillHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, const Run& run = {});
 
-/// Count the nodes near the data in each connected component of a cut, and return the largest
-/// count.
-/// @param[in] uncut, cut  the nodes of the solid before and after the cut
-/// @param[in] nearness    a node is near the data if its distance is at most this
+/// Count the nodes near the data in each connected component of a cut. Return the largest of these
+/// numbers.
+/// @param[in] uncut, cut  nodes of the solid before and after the cut: 1 in the solid, else 0
+/// @param[in] distances  distance of each node to the data, in any unit
+/// @param[in] nearness  maximum distance of a node that is near the data, in the unit of the
+///   distances
 Index maximumCutNearData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& uncut,
   const std::vector<std::uint8_t>& cut, const std::vector<float>& distances, double nearness);
 }

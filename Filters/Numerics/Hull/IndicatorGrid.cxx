@@ -121,7 +121,8 @@ std::vector<float> coarseNumbers(const FreudenthalGrid& grid, const CoarseGrid& 
   return numbers;
 }
 
-// Cubes of the coarse grid, by their lowest nodes, that need more than their corners.
+// Find the cubes of the coarse grid in which all nodes must be evaluated. Each cube is identified
+// by its lowest node.
 std::vector<Index> cubesToEvaluate(const FreudenthalGrid& grid, const CoarseGrid& coarseGrid,
   const std::vector<float>& coarse, const Points& points, double level)
 {

@@ -1,5 +1,5 @@
-/// Compute winding numbers at the nodes of a grid around a cloud.
-/// Winding numbers of \cite Barill2018.
+/// Compute winding numbers at the nodes of a grid around a point cloud, by the method of
+/// \cite Barill2018.
 
 #ifndef ConformalIndicatorGrid_h
 #define ConformalIndicatorGrid_h
@@ -13,22 +13,25 @@
 
 namespace conformal
 {
-/// Winding number at each node: about 1 inside, 0 outside, and intermediate where data are missing.
+/// Winding number at each node of a grid: about 1 inside, about 0 outside, intermediate where the
+/// cloud has holes.
 struct Indicator
 {
   std::vector<float> Values; ///< winding number at each node
-  double Level = 0.5;        ///< isovalue of the surface: half of the points are inside of it
+  double Level = 0.5; ///< isovalue of the surface: the median of the winding numbers at the points
 };
 
-/// Compute winding numbers at the nodes, blurred over the adjacent nodes of each axis.
+/// Compute winding numbers at the nodes of a grid, and blur them along each axis. The blur has
+/// weight 1/2 for the node and weight 1/4 for each of the two neighbors.
 ///
-/// Every fourth node along each axis is evaluated. In cubes of evaluated nodes, all nodes are
-/// evaluated if the cube is near points or may intersect the isosurface. The other nodes are
-/// interpolated.
+/// Every fourth node along each axis forms a coarse grid, which is evaluated first. Cubes of the
+/// coarse grid that are near points or may intersect the isosurface are evaluated at all nodes. The
+/// other nodes are interpolated.
 ///
-/// @param[in] cloud   cloud whose points are within the grid
-/// @param[in] areas   #P by 3, area vector of each point
-/// @param[in] width   kernel width of the winding numbers
+/// @param[in] grid  grid that contains the points of the cloud
+/// @param[in] cloud  hierarchy of clusters of the points
+/// @param[in] areas  area vector of each point (area times outward unit normal), #P by 3
+/// @param[in] width  kernel width of the winding numbers, in the unit of the points
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run = {});

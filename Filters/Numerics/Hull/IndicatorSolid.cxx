@@ -21,16 +21,19 @@ constexpr double SelectedPoints = 50000.0;
 constexpr Index ThinnedPoints = 10000;
 constexpr Index MinimumPoints = 20; // for a solid
 
-// Widths, in units of the largest radius and of the typical spacing of the thinned points.
+// Kernel widths: the minimum, in units of the largest radius; the multiple of the typical spacing
+// of the thinned points; and the ratio of the first to the last width of the orientation.
 constexpr double MinimumWidth = 0.01, WidthOfSpacing = 0.5, FirstToLastWidth = 4.0;
 
-// Noise above this fraction of the spacing needs a width of its own, and wider ones while there are
-// more handles and cavities than tolerated.
+// If the noise exceeds NoiseOfSpacing times the spacing, the width is at least WidthOfNoise times
+// the noise. While there are more handles and cavities than tolerated, the width is multiplied by
+// NextWidth.
 constexpr double NoiseOfSpacing = 0.25, WidthOfNoise = 2.5, NextWidth = 1.5;
 constexpr int NumberOfWidths = 3;
 constexpr Index ToleratedFaults = 4;
 
-// The surface over missing data may bulge out of the data's box by as much.
+// Maximum distance by which the surface over holes may extend beyond the bounding box of the
+// points.
 constexpr double Bulge = 0.1;
 
 Box boxOf(const Points& points)
@@ -43,7 +46,7 @@ Box boxOf(const Points& points)
   return box;
 }
 
-// Nodes above the level, none in the grid's outer layers: what is there is outside.
+// Mark the nodes above the level. Nodes in the three outer layers of the grid are always outside.
 std::vector<std::uint8_t> nodesAbove(const FreudenthalGrid& grid, const Indicator& indicator)
 {
   constexpr int layers = 3;
@@ -62,7 +65,7 @@ std::vector<std::uint8_t> nodesAbove(const FreudenthalGrid& grid, const Indicato
   return inside;
 }
 
-// What has to be repaired on the largest piece of a solid.
+// Numbers of handles and cavities of the largest component of a solid.
 struct Faults
 {
   Index Handles = 0, Cavities = 0;
@@ -78,7 +81,7 @@ Faults faultsOf(const FreudenthalGrid& grid, std::vector<std::uint8_t> inside)
   return faults;
 }
 
-// Thinned samples with area vectors, and the solid that is being made of them.
+// Search for the solid that is enclosed by thinned samples.
 class SolidSearch
 {
 public:
@@ -92,7 +95,7 @@ public:
     this->Solid.Grid = gridAround(boxOf(this->Cloud.Positions), spacing, margin);
   }
 
-  // Find area vectors by the normals of the samples, or without them where these are of no use.
+  // Find area vectors of the samples. If the normals of the samples are consistent, they are used.
   void orientSamples(bool hasNormals, const Run& run)
   {
     if (hasNormals)
@@ -107,10 +110,11 @@ public:
     this->IsNoisy = noise > NoiseOfSpacing * this->SpacingOfPoints;
   }
 
-  // Find the nodes inside, with wider kernels while noise leaves many faults; keep the fewest.
+  // Find the nodes inside. While noise causes many handles and cavities, repeat with a wider
+  // kernel. Keep the result with the fewest.
   void findInside(const Run& run)
   {
-    constexpr double share = 0.8; // of what is left of the progress, for each width
+    constexpr double share = 0.8; // each width accounts for this fraction of the remaining progress
     Index minimum = -1;
     double begin = 0.0;
     for (int i = 0; i < NumberOfWidths; ++i)
@@ -138,7 +142,7 @@ public:
     }
   }
 
-  // Return the solid as one ball.
+  // Repair the solid so that it has the topology of a ball, and return it.
   IndicatorSolid repaired(const Run& run)
   {
     IndicatorSolid& solid = this->Solid;
@@ -166,8 +170,8 @@ private:
     }
   }
 
-  // Widen the kernel for a try; the first one has the width of the orientation unless noise needs
-  // more.
+  // Set the kernel width of an attempt. The first attempt uses the width of the orientation, or a
+  // larger width for noisy points.
   void widen(int number, const Run& run)
   {
     const double widthOfNoise = WidthOfNoise * this->Solid.Noise;

@@ -35,7 +35,7 @@ int permutationSign(const std::array<int, 4>& p)
   return sign;
 }
 
-// @param[in] set  bit i for corner i of a right-handed tetrahedron: whether it is in the set
+// @param[in] set  bit i is 1 if corner i of a right-handed tetrahedron is in the set
 Cut cutOf(unsigned int set)
 {
   std::array<int, 4> order; // corners in the set first

@@ -14,21 +14,24 @@
 namespace conformal
 {
 /// Extract the surface between a set of nodes and its complement by marching tetrahedra
-/// \cite Gueziec2001. The surface has one vertex on each edge that joins a node of the set to a
-/// node outside of it. The surface is always closed and manifold, and has the topology of the set's
-/// boundary.
+/// \cite Gueziec2001. Let an edge be cut if one of its nodes is in the set and the other is not.
+/// The surface has one vertex on each cut edge. The surface is always closed and manifold. The
+/// topology is that of the boundary of the set.
 ///
-/// If the values rise through the level from the inside node to the outside node, the vertex lies
-/// where linear interpolation reaches the level. Otherwise, for example at a cut, the vertex is the
-/// midpoint of its edge.
+/// Usually, the value is below the level at nodes in the set, and above the level at other nodes.
+/// The vertex is then where linear interpolation along the edge reaches the level. If one end of an
+/// edge has a value on the wrong side, the vertex is the midpoint of the edge. This occurs, for
+/// example, where a handle of the set was cut or filled.
 ///
-/// @param[in] inside  1 for the nodes of the set, else 0; 0 on the faces of the grid
+/// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @param[in] values  value of each node
+/// @param[in] level  isovalue of the surface
 Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<float>& values, double level, const Run& run = {});
 
-/// Smooth a closed surface without shrinkage \cite Taubin1995. Each pass moves vertices toward the
-/// centroid of their neighbors, and then slightly farther in the opposite direction.
+/// Smooth a closed surface without shrinkage \cite Taubin1995. Each pass has two steps. The first
+/// step moves each vertex halfway to the centroid of its neighbors. The second step moves the
+/// vertex away from the centroid of the moved neighbors, by 0.53 times the distance.
 void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run = {});
 }
 

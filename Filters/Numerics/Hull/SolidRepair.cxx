@@ -12,15 +12,17 @@ namespace conformal
 {
 namespace
 {
-/// Base cost of a node on a path or in a repair, added to its difference from the level of the
-/// indicator.
+/// Base cost of changing a node. The difference of the node's indicator from the level is added.
 constexpr double NodeCost = 0.02;
 
-constexpr double TinyPiece = 0.0005;  ///< of all nodes inside
-constexpr double ReachOfPiece = 1.0;  ///< in units of the side of a cube of equally many nodes
-constexpr double FarthestReach = 0.1; ///< in units of the maximum radius
+/// Maximum size of a tiny component, relative to all nodes inside.
+constexpr double TinyPiece = 0.0005;
+/// Maximum path length, in sides of a cube of equally many nodes.
+constexpr double ReachOfPiece = 1.0;
+constexpr double FarthestReach = 0.1; ///< maximum path length, in units of the maximum radius
 constexpr int NumberOfRounds = 3;
-constexpr double Definite = 0.25; ///< difference from the level
+/// Minimum difference from the level of a node clearly inside or outside.
+constexpr double Definite = 0.25;
 
 /// Node with its path cost; ordered by the lowest cost, then by the lowest node.
 struct Reached
@@ -105,7 +107,8 @@ public:
   }
 
 private:
-  /// Test for nodes of the grid's three outer layers, which paths and their surroundings avoid.
+  /// Test for nodes in the three outer layers of the grid. Paths, and the neighbors of their nodes,
+  /// avoid these layers.
   struct FaceTest
   {
     explicit FaceTest(const FreudenthalGrid& grid)
@@ -175,8 +178,8 @@ public:
   {
   }
 
-  /// Remove tiny components and mark the largest one; the others are Apart. The largest is first;
-  /// of equal ones, that of the lowest node.
+  /// Remove tiny components. Mark the largest component as Joined, the others as Apart. Return the
+  /// components, the largest first. Among equal components, the one with the lowest node is first.
   std::vector<std::vector<int>> largePieces()
   {
     std::vector<std::vector<int>> pieces;
@@ -205,7 +208,8 @@ public:
     return pieces;
   }
 
-  /// Join each component to the first one by the cheapest path, or remove it if that is too long.
+  /// Join each component to the first one by the cheapest path. If the path is too long, remove the
+  /// component.
   /// @return the number of nodes added
   Index joinToFirst(
     const std::vector<std::vector<int>>& pieces, const Indicator& indicator, const Run& run)

@@ -1,6 +1,8 @@
-/// Turn a solid, the nodes where an indicator exceeds its level, into one ball without handles and
-/// cavities. Own construction: the cheapest changes are made first, because they contradict the
-/// indicator least. The cost of a change is the difference of the indicator from its level.
+/// Change a solid so that it has the topology of a ball: connected, without handles and cavities.
+/// The solid consists of the grid nodes where an indicator (winding number) exceeds its level. The
+/// method is an own construction, not from a publication. The cheapest changes are made first,
+/// because these changes contradict the indicator least. The cost of changing a node increases with
+/// the difference between its indicator value and the level.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h
@@ -14,19 +16,23 @@
 
 namespace conformal
 {
-/// Join the connected components of a solid to the largest one, along paths where the indicator is
-/// closest to its level. This reattaches thin limbs that were disconnected because points are
-/// sparse.
+/// Join the connected components of a solid to the largest component. The joining paths follow
+/// nodes where the indicator is closest to its level. Sparse points can disconnect thin limbs,
+/// which are thus reattached.
 ///
-/// A component is removed if it is tiny, or if its distance from the largest component exceeds its
-/// own width or a tenth of the maximum radius.
+/// A component is removed if it is tiny, with fewer than 0.05 % of all nodes of the solid. A
+/// component is also removed if its path is too long. The maximum length is the side of a cube with
+/// as many nodes as the component. The maximum length is also limited to a tenth of the largest
+/// distance of a sample from the origin.
 ///
-/// @param[in,out] inside  1 for the nodes of the solid, else 0; 0 on the faces of the grid
-/// @return the number of nodes on the paths
+/// @param[in] indicator  winding number at each node, and the level of the surface
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid
+/// @return the number of nodes added: nodes on the paths, and neighbors of these nodes
 Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 
-/// Fill the cavities of a solid.
+/// Fill the cavities of a solid: add all nodes that are not connected to the faces of the grid.
+/// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid
 /// @return the number of cavities
 Index fillCavities(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
@@ -35,16 +41,18 @@ Index fillCavities(
 struct HandleRepair
 {
   Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
-  /// Number of changed nodes that the indicator puts clearly inside or outside.
+  /// Number of changed nodes that were clearly inside or outside: the difference between indicator
+  /// and level exceeded 0.25.
   Index NumberOfDefiniteNodes = 0;
 };
 
-/// Remove the handles of a solid. Each handle is either cut through, or its opening is filled; the
-/// change of lower cost is made. The handle with the cheapest change is first. For a handle of the
-/// object itself, both changes are expensive.
+/// Remove the handles of a solid. A handle is removed by a cut through the handle, or by filling
+/// its opening. The change of lower cost is made. The handle with the cheapest change is removed
+/// first. If the object itself has a handle, both changes of this handle are expensive.
 ///
+/// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
-///   without cavities
+///   have no cavities
 HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
   std::vector<std::uint8_t>& inside, const Run& run = {});
 }

@@ -11,38 +11,41 @@
 
 namespace conformal
 {
-/// Distortion of each triangle, and a summary. A triangle is degenerate if it has no area on the
-/// mesh or on the sphere. Degenerate triangles get the values of undistorted ones, and are left out
-/// of the summary.
+/// Distortion of each triangle, and a summary. A triangle is degenerate if its area on the mesh or
+/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles, and are left
+/// out of the summary.
 struct Distortion
 {
-  /// #F: mean absolute change of the angles at the three corners, in degrees.
+  /// Mean absolute change of the three angles of each triangle, #F [degrees].
   std::vector<double> AngleDistortion;
-  /// #F: logarithm of the triangle's fraction of the sphere's area divided by its fraction of the
-  /// mesh's area.
+  /// Logarithm of the area ratio of each triangle, #F. The ratio is the fraction of the total area
+  /// on the sphere, divided by the fraction of the mesh area.
   std::vector<double> AreaDistortion;
-  /// #F: K >= 1, the ratio of the larger to the smaller singular value of the triangle's map.
+  /// Quasi-conformal error K of each triangle, at least 1, #F. K is the ratio of the larger to the
+  /// smaller singular value of the map of the triangle.
   std::vector<double> QuasiConformalError;
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation of AreaDistortion
-  /// Number of times that the map covers the sphere; negative for a mirrored map.
+  /// Number of times that the map covers the sphere. The number is negative for a mirrored map.
   double SphereDegree = 0.0;
-  /// Triangles oriented against most of the area, or without area on the sphere.
+  /// Number of triangles that are oriented opposite to most of the area, or have no area on the
+  /// sphere.
   Index NumberOfFlippedTriangles = 0;
   Index NumberOfZeroAreaTriangles = 0;
 };
 
-/// Measure the distortion of a map to the sphere. On each triangle of the mesh, the map is linear;
-/// its image is the flat triangle between the sphere positions of the vertices.
+/// Measure the distortion of a map to the sphere. The map is linear on each triangle of the mesh.
+/// The image of a triangle is the flat triangle between the sphere positions of the vertices.
 ///
-/// K = 1 and AngleDistortion = 0 for a conformal map; AreaDistortion = 0 everywhere for an
-/// equal-area map.
+/// For a conformal map, QuasiConformalError is 1 and AngleDistortion is 0 everywhere. For an
+/// equal-area map, AreaDistortion is 0 everywhere.
 ///
-/// @param[in] points           #V by 3, finite
-/// @param[in] triangles        #F by 3 ids in [0, #V)
-/// @param[in] spherePositions  #V by 3 unit vectors
-/// @throws std::invalid_argument if points are not finite or the sizes differ
+/// @param[in] points  positions of the vertices in space, #V by 3, finite
+/// @param[in] triangles  #F by 3 ids in [0, #V)
+/// @param[in] spherePositions  positions of the vertices on the sphere, #V by 3 unit vectors
+/// @throws std::invalid_argument if points are not finite, or if the numbers of points and sphere
+///   positions differ
 Distortion measureDistortion(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const Run& run = {});
 }

@@ -12,8 +12,8 @@ namespace conformal
 {
 enum class AlignmentKind
 {
-  Rotation, ///< preserves angles and areas
-  Moebius   ///< preserves angles
+  Rotation, ///< a rotation, which preserves angles and areas
+  Moebius   ///< a Moebius transform, which preserves angles
 };
 
 struct SphericalAlignmentResult
@@ -26,18 +26,20 @@ struct SphericalAlignmentResult
 
 /// Find the transform that minimizes the weighted mean square distance between corresponding
 /// positions on the sphere.
-/// @param[in] from, to  #P by 3 unit vectors
-/// @param[in] weights   #P weights, at least 0
-/// @throws std::invalid_argument if there are too few positions: two for a rotation, three for a
+/// @param[in] from  positions that are transformed, #P by 3 unit vectors
+/// @param[in] to  corresponding positions, #P by 3 unit vectors
+/// @param[in] weights  weights of the pairs, at least 0, #P
+/// @throws std::invalid_argument if there are fewer than two pairs for a rotation, or three for a
 ///   Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});
 
-/// Transfer the sphere map of one surface to the points of another surface at the same position and
-/// orientation. Each point gets the sphere position of the closest point of the mapped surface.
-/// @param[in] points  #P by 3, finite
-/// @param[in] other   surface with a map to the sphere
+/// Transfer the sphere map of a surface to given points. The points and the surface must have the
+/// same position and orientation in space. Each point gets the sphere position of the closest point
+/// of the surface.
+/// @param[in] points  #P by 3 coordinates, finite
+/// @param[in] other  surface with a map to the sphere
 /// @return #P by 3 unit vectors
 Points carryMap(const Points& points, const MappedMesh& other, const Run& run = {});
 }

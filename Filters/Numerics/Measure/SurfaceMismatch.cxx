@@ -158,9 +158,9 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
       break;
     }
   }
-  // Step evenly through the area. Inside triangles use the additive recurrence of the plastic
-  // number: any run of it fills the unit square evenly, for large and small triangles. Only the
-  // start of both is random.
+  // Place samples at equal steps of the area. Inside triangles, use the additive recurrence of the
+  // plastic number. Any part of this sequence fills the unit square evenly, for large and small
+  // triangles. Only the starts of the steps and of the sequence are random.
   std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
   // The C++ standard fixes the numbers of the engine but not those of its distributions.
   const auto uniform = [&]() { return static_cast<double>(engine() >> 11) * 0x1p-53; };
@@ -228,7 +228,7 @@ double meanOf(const std::vector<double>& values, Index total, const Reduce& redu
   return sum / static_cast<double>(total);
 }
 
-// No value is below 0.
+// Compute the maximum of values that are at least 0.
 double maximumOf(const std::vector<double>& values, const Reduce& reduce = {})
 {
   double ofOwn = 0.0;
@@ -282,7 +282,7 @@ double fractionAbove(const std::vector<double>& values, double limit)
 }
 
 // Throw unless distances of this maximum, and their mean squares, are finite and no square is lost.
-// @param[in] square  of the unit of the figures
+// @param[in] square  square of the unit of the measures
 void requireSquares(const SurfaceMismatch& result, double square, double maximumDistance)
 {
   constexpr double minimumSquare = 0x1p-960; // smaller squares would lose digits

@@ -39,7 +39,7 @@ struct Corner
   }
 
   Vector3 ToNext, ToPrevious;
-  double Sine, Cosine; // times the product of the edge lengths
+  double Sine, Cosine; // sine and cosine of the angle, times the product of the edge lengths
 };
 }
 
@@ -146,7 +146,7 @@ SurfaceShape measureSurfaceShape(
   {
     throw std::invalid_argument("the surface has no area");
   }
-  constexpr double speck = 1e-9; // relative to the mean: keeps densities of needles finite
+  constexpr double speck = 1e-9; // relative to the mean: keeps densities at thin triangles finite
   areas = areas.cwiseMax(speck * area / static_cast<double>(size));
   Columns integrals(size, 2);
   integrals << meanCurvatureIntegrals(surface), gaussianCurvatureIntegrals(surface);

@@ -129,8 +129,9 @@ std::vector<double> sideLengths(const GluedSurface& surface)
   return lengths;
 }
 
-// Return whether a loop passes through a handle. A loop around a handle encloses the inside, one
-// through a handle the outside: its center then lies on the side of the normals.
+// Return whether a loop passes through the opening of a handle. A loop around a handle encloses the
+// inside of the body. A loop through a handle encloses the outside: the center of the loop is on
+// the side of the normals.
 bool isTunnel(const GluedSurface& surface, const std::vector<int>& loop)
 {
   Vector3 middle = Vector3::Zero();

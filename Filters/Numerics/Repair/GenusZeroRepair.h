@@ -1,5 +1,6 @@
-/// Repair triangle meshes that are almost closed surfaces of genus zero. Own construction: holes
-/// are filled and handles are cut without moving points, because the given points are data.
+/// Repair triangle meshes that are almost closed surfaces of genus zero. The method is an own
+/// construction, not from a publication. Holes are filled and handles are cut without moving
+/// points, because the given points are measured data.
 
 #ifndef ConformalGenusZeroRepair_h
 #define ConformalGenusZeroRepair_h
@@ -15,35 +16,40 @@ namespace conformal
 {
 struct GenusZeroRepairOptions
 {
-  /// Maximum area of the filling of a hole, as a fraction of the surface area.
+  /// Maximum area of the filling of a hole, in [0, 1]. The unit is the area of the largest part of
+  /// the input.
   double MaximumHoleArea = 0.25;
 };
 
 enum class RepairLoopType
 {
-  FilledHole,   ///< filled boundary
-  OpenHole,     ///< boundary left open, since its filling would be larger than the maximum area
-  CutHandle,    ///< loop around a handle, along which the handle was cut
+  FilledHole, ///< filled boundary
+  OpenHole, ///< boundary that was left open, since the area of its filling would exceed the maximum
+  CutHandle,    ///< loop around a handle; the handle was cut along this loop
   FilledTunnel, ///< loop around the opening of a handle; the opening was filled
 };
 
-/// Location of a repair, or of a hole left open.
+/// Location of a repair, or of a hole that was left open.
 struct RepairLoop
 {
   RepairLoopType Type = RepairLoopType::FilledHole;
-  /// #L by 3, consecutive points of the loop; the first point is not repeated at the end.
+  /// Consecutive points of the loop, #L by 3. The first point is not repeated at the end.
   Points Positions;
-  double AreaFraction = 0.0; ///< area of one filling divided by the area of the original surface
+  /// Area of one filling divided by the area of the largest part of the input.
+  double AreaFraction = 0.0;
 };
 
 /// Repaired mesh, with the source of each triangle and vertex in the input. Unchanged triangles are
-/// first, in the order of the input. Unchanged vertices are first, then their copies along cuts,
-/// then added vertices.
+/// first, in the order of the input. Added triangles follow. Vertices at points of the input are
+/// first, including copies of vertices along cuts. Added vertices follow.
 struct GenusZeroRepairResult : Mesh
 {
-  std::vector<int> TriangleIds; ///< #F, triangle of the input, or -1 for an added triangle
-  std::vector<int> PointIds;    ///< #V, point of the input, or -1 for an added vertex
-  /// For each added vertex, ids of one or more input points; their mean gives its point data.
+  /// Id of the input triangle of each triangle, or -1 for an added triangle, #F.
+  std::vector<int> TriangleIds;
+  /// Id of the input point of each vertex, or -1 for an added vertex, #V.
+  std::vector<int> PointIds;
+  /// Ids of one or more input points for each added vertex. The point data of the vertex are the
+  /// mean over these points.
   std::vector<std::vector<int>> Parents;
   std::vector<RepairLoop> Loops;
 
@@ -59,19 +65,23 @@ struct GenusZeroRepairResult : Mesh
 
 /// Make a closed surface of genus zero from a mesh with holes, handles, or disconnected parts.
 ///
-/// 1. Merge points of open edges with equal coordinates. Glue the triangles to a manifold and keep
-///    its largest part (GluedSurface.h).
-/// 2. Fill holes up to the maximum area (LoopCap.h).
+/// 1. Merge points of open edges with equal coordinates. Connect the triangles along shared edges,
+///    so that they form manifolds. Keep the manifold of largest area (GluedSurface.h).
+/// 2. Fill each hole up to the maximum area by a disk of triangles (LoopCap.h). If two vertices are
+///    then joined by several edges, split all of these edges but one.
 /// 3. Orient the mesh outward.
-/// 4. While there are handles, cut each along a short loop around or through it, whichever is
-///    shorter (HandleLoops.h). Fill both sides of the cut. The two sides, and the points along the
-///    cut, coincide.
+/// 4. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
+///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop,
+///    which duplicates the points of the loop. Fill both boundaries of the cut. The two fillings
+///    and the duplicated points have the same positions.
 ///
-/// No point is moved. A mesh that needs no repair is returned unchanged, except that unused points
-/// are removed.
-/// @param[in] points  finite where triangles use them
-/// @throws std::invalid_argument if there are no triangles, points are not finite, the largest part
-///   is not orientable, or an option is out of range
+/// No point is moved. If a mesh needs no repair, the result equals the input without unused points.
+/// @param[in] points  coordinates of the points, #P by 3; must be finite at points used by
+///   triangles
+/// @param[in] triangles  #F by 3 ids of points
+/// @throws std::invalid_argument if there are no triangles, or if points are not finite
+/// @throws std::invalid_argument if the largest part is not orientable, or if an option is out of
+///   range
 GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& triangles,
   const GenusZeroRepairOptions& options = {}, const Run& run = {});
 }

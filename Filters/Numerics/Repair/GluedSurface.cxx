@@ -20,7 +20,7 @@ namespace
 struct EdgeSide
 {
   int Low, High, Apex, Side;
-  bool Upwards; // from the smaller to the greater id
+  bool Upwards; // whether the side runs from the lower to the higher id
 
   bool sameEdge(const EdgeSide& other) const
   {
@@ -126,7 +126,7 @@ struct SidePair
 {
   bool Disagree; // whether the known orientations are inconsistent
   double Bend;   // -1 for coplanar continuation, 1 for triangles folded onto each other
-  bool Apart;    // of two parts, such as touching bodies
+  bool Apart;    // whether the sides belong to two parts, such as touching bodies
   int First, Second;
 
   bool operator<(const SidePair& other) const
@@ -140,7 +140,7 @@ std::vector<SidePair> pairsOf(const PointView& points, Group first, Group last,
   const std::vector<char>& isTurned, TurnedSets& parts)
 {
   constexpr int maximum = 16;    // more triangles on one edge are no surface
-  constexpr double digits = 1e6; // of angles that are told apart
+  constexpr double digits = 1e6; // bends are compared in steps of 1 / digits
   const auto size = static_cast<int>(last - first);
   std::vector<SidePair> pairs;
   for (int i = 0; size <= maximum && i < size; ++i)
@@ -177,7 +177,7 @@ std::vector<char> turnedTriangles(const std::vector<int>& used, Index size, Turn
 // All glued triangles, before the selection of a part.
 struct Gluing
 {
-  std::vector<int> Across;    // by sides of the input, before any reversal
+  std::vector<int> Across;    // side glued to each side, numbered as in the input
   std::vector<int> Conflicts; // triangles at edges that no orientation makes consistent
 };
 
@@ -351,7 +351,7 @@ int addTriangle(GluedSurface& surface, int a, int b, int c, int triangleId)
   return 3 * (surface.numberOfTriangles() - 1);
 }
 
-// @param[in] parents  vertices of which it is the mean
+// @param[in] parents  vertices whose mean is the position
 int addVertex(GluedSurface& surface, const Vector3& position, const std::vector<int>& parents)
 {
   std::vector<int> points;

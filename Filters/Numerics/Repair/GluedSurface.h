@@ -1,5 +1,6 @@
-/// Glue triangles along their sides. Any set of triangles thus becomes a manifold, whose holes can
-/// be filled and which can be cut. Cutting and stitching as in \cite Gueziec2001.
+/// Connect triangles along their sides, so that any set of triangles becomes a manifold. Holes of
+/// this manifold can be filled, and the manifold can be cut. Cutting and stitching are as in
+/// \cite Gueziec2001.
 
 #ifndef ConformalGluedSurface_h
 #define ConformalGluedSurface_h
@@ -12,25 +13,27 @@
 
 namespace conformal
 {
-/// Manifold of triangles with explicitly glued sides.
+/// Manifold of triangles whose sides are explicitly glued, that is, declared to be the same edge.
 ///
-/// Side 3 r + k of triangle r runs from its corner k to the next one. Two triangles are neighbors
-/// if their sides are glued, whether or not they share points. The surface is therefore a manifold
-/// for any triangles. If several fans of triangles share a point, each fan has its own vertex at
-/// the point.
+/// Triangle r has the three sides 3 r + k, with k in {0, 1, 2}. Side 3 r + k runs from corner k of
+/// the triangle to the next corner. Two triangles are neighbors only if their sides are glued, even
+/// if they share points. The surface is therefore a manifold for any triangles. If several fans of
+/// triangles share a point, each fan has a separate vertex at the point.
 struct GluedSurface
 {
-  std::vector<int> Corners;       ///< #3F, vertex at the start of each side
-  std::vector<int> Across;        ///< #3F, side to which each side is glued; -1 on the boundary
-  std::vector<int> TriangleIds;   ///< #F, id of the input triangle, or Added, or Temporary
-  std::vector<Vector3> Positions; ///< #V
-  std::vector<int> PointIds;      ///< #V, id of the input point, or Added
-  /// #V: for an added vertex, ids of one or more input points; their mean gives its point data.
-  /// Empty for other vertices.
+  std::vector<int> Corners; ///< #3F, vertex at the start of each side
+  std::vector<int> Across;  ///< #3F, side that is glued to each side; -1 on the boundary
+  /// #F, id of the input triangle; Added or Temporary if there is none.
+  std::vector<int> TriangleIds;
+  std::vector<Vector3> Positions; ///< #V, position of each vertex
+  std::vector<int> PointIds; ///< #V, id of the input point of each vertex; Added if there is none
+  /// #V, ids of one or more input points for each added vertex. The point data of the vertex are
+  /// the mean over these points. The list is empty for other vertices.
   std::vector<std::vector<int>> Parents;
 
-  static constexpr int Added = -1;     ///< added triangle or vertex
-  static constexpr int Temporary = -2; ///< added triangle that is removed later
+  static constexpr int Added = -1; ///< mark of a triangle or vertex that is not in the input
+  /// Mark of a triangle that is removed later, for example in a hole that stays open.
+  static constexpr int Temporary = -2;
 
   int numberOfSides() const { return static_cast<int>(this->Corners.size()); }
   int numberOfTriangles() const { return static_cast<int>(this->TriangleIds.size()); }
@@ -40,67 +43,74 @@ struct GluedSurface
   int from(int side) const { return this->Corners[side]; }
   int to(int side) const { return this->Corners[after(side)]; }
 
-  /// Return the next side that starts at the same vertex, clockwise or counter-clockwise; -1 at the
-  /// boundary.
+  /// Return the next side that starts at the same vertex, in clockwise or counter-clockwise
+  /// direction. Return -1 at the boundary.
   int clockwise(int side) const { return this->Across[side] < 0 ? -1 : after(this->Across[side]); }
   int counterClockwise(int side) const { return this->Across[before(side)]; }
 };
 
-/// Statistics of glueTriangles().
+/// Counts of the changes that glueTriangles() made.
 struct GluingReport
 {
-  Index NumberOfRepeatedPoints = 0;   ///< triangles removed because a point is repeated
-  Index NumberOfDuplicates = 0;       ///< triangles removed because another one has equal points
-  Index NumberOfNonManifoldEdges = 0; ///< edges of more than two triangles in the whole input
-  /// Triangles of the largest part whose orientation was reversed.
+  /// Number of triangles removed because two corners are the same point.
+  Index NumberOfRepeatedPoints = 0;
+  /// Number of triangles removed because an earlier triangle has the same points.
+  Index NumberOfDuplicates = 0;
+  /// Number of edges of more than two triangles in the whole input.
+  Index NumberOfNonManifoldEdges = 0;
+  /// Number of triangles of the largest part whose orientation was reversed.
   Index NumberOfTurnedTriangles = 0;
   Index NumberOfPartsRemoved = 0;
-  Index NumberOfTrianglesRemoved = 0; ///< triangles of removed parts
-  double AreaRemoved = 0.0;           ///< area of removed parts divided by the total area
+  Index NumberOfTrianglesRemoved = 0; ///< number of triangles in the removed parts
+  double AreaRemoved = 0.0;           ///< area of the removed parts divided by the total area
 };
 
-/// Glue triangles to surfaces and keep the largest one.
+/// Glue triangles to form manifold surfaces, and keep the largest surface.
 ///
 /// 1. Remove triangles with repeated points, and duplicates of earlier triangles.
-/// 2. Glue the two sides of each edge. If an edge has more than two sides, glue pairs of consistent
-///    orientation with the smallest dihedral bend; this separates bodies that touch. Sides without
-///    a partner form the boundary.
-/// 3. In each connected part, orient triangles consistently with the majority.
+/// 2. Glue the two sides of each edge to each other. If an edge has more than two sides, glue pairs
+///    of consistent orientation. The pair with the smallest dihedral bend is first, so that bodies
+///    that touch are separated. Sides without a partner form the boundary.
+/// 3. In each connected part, orient all triangles consistently. The orientation of the majority is
+///    chosen.
 /// 4. Keep the connected part of largest area.
 ///
-/// Vertices and triangles have the order of the input. Where several fans of triangles shared a
-/// point, the copies of the point are adjacent in this order.
-/// @param[in] points     finite
+/// Vertices and triangles have the order of the input. If several fans of triangles share a point,
+/// the copies of the point have consecutive vertex ids.
+/// @param[in] points  finite coordinates, #P by 3
 /// @param[in] triangles  #F by 3 ids of points
+/// @param[out] report  counts of the changes
 /// @throws std::invalid_argument if the largest part is not orientable
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
 
-/// Return the boundary as loops of sides. Each side ends where the next side of its loop begins.
+/// Return the boundary as loops of open sides (sides that are not glued). Each side ends where the
+/// next side of its loop begins.
 std::vector<std::vector<int>> openLoops(const GluedSurface& surface);
 
-/// Return the corner positions of a loop of sides, ordered for the orientation of a cap that fills
-/// the loop.
+/// Return the positions at the corners of a loop of sides. The positions are in the order required
+/// by capLoop() for a disk of triangles (cap) that fills the loop.
 Points cornersOfCap(const GluedSurface& surface, const std::vector<int>& loop);
 
-/// Make a cap that fills a loop of sides. No inner edge of the cap joins vertices that already
-/// share an edge.
+/// Make a cap, a disk of triangles that fills a loop of sides. No inner edge of the cap joins
+/// vertices that already share an edge.
 LoopCap capFor(const GluedSurface& surface, const std::vector<int>& loop);
 
-/// Close a loop of open sides: glue two sides to each other, or fill a loop of three or more sides
-/// with the cap.
-/// @param[in] cap         triangles over cornersOfCap()
-/// @param[in] triangleId  value of TriangleIds for the cap's triangles: Added or Temporary
+/// Close a loop of open sides. If the loop has two sides, glue them to each other. Otherwise, fill
+/// the loop with a cap.
+/// @param[in] cap  result of capFor() for the loop
+/// @param[in] triangleId  value of TriangleIds for the triangles of the cap: Added or Temporary
 void closeLoop(GluedSurface& surface, const std::vector<int>& loop, const LoopCap& cap,
   int triangleId = GluedSurface::Added);
 
-/// Cut along a loop of glued sides that visits no vertex twice. The surface to the right of the
-/// loop gets new vertices.
+/// Cut the surface along a loop of glued sides that visits no vertex twice. The part of the surface
+/// to the right of the loop gets copies of the vertices.
 /// @return the loop of open sides on the right
 std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop);
 
-/// Insert vertices where several glued edges join the same two vertices. All of these edges but one
-/// get a vertex. Afterward, the vertex ids of the triangles determine which triangles are adjacent.
+/// Insert vertices where several glued edges join the same two vertices. One of these edges is left
+/// unchanged; a vertex is inserted in each of the others. Afterward, vertex ids alone determine
+/// which triangles are adjacent.
 /// @return the number of inserted vertices
 Index splitDoubleEdges(GluedSurface& surface);
 }

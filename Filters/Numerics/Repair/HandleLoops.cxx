@@ -182,9 +182,9 @@ std::vector<int> looseEdges(
   return loose;
 }
 
-// Set the classes of edges. Each remaining edge defines a loop across edges, through the tree of
-// triangles. It crosses its own loop once, and those of the other edges never. An edge gets the
-// class of the loops that cross it.
+// Set the classes of edges. Each remaining edge defines a dual loop, which crosses this edge and
+// edges of the tree of triangles. The dual loop crosses no other remaining edge. The class of an
+// edge is the sum of the classes of the dual loops that cross it.
 void setClasses(LoopSpace& space, const std::vector<int>& loose, const std::vector<char>& isCrossed)
 {
   const GluedSurface& surface = space.Surface;
@@ -245,7 +245,7 @@ public:
   {
   }
 
-  /// Find the shortest nonseparating loop through a vertex, or a nonseparating part of it.
+  /// Find the shortest nonseparating loop through a vertex, or a nonseparating part of this loop.
   /// @param[in,out] best  replaced by a shorter loop
   bool shorten(int root, HandleLoop& best)
   {
@@ -307,9 +307,10 @@ public:
 private:
   struct Visit
   {
-    int Number = -1; // search in which it was reached; one more if its distance is final
+    // Number of the search that reached the vertex; plus 1 if the distance is final.
+    int Number = -1;
     double Distance = 0.0;
-    LoopClass Class; // of the path
+    LoopClass Class; // class of the path to the vertex
   };
 
   void visit(int vertex, double distance, int side, const LoopClass& ofPath)
@@ -341,8 +342,9 @@ std::vector<int> placesAlong(const LoopSpace& space, const HandleLoop& loop, dou
   return places;
 }
 
-// Find the shortest loop near that of a remaining edge. A shorter loop of the same handle must
-// cross it. The loop then slides to where it is shortest.
+// Find the shortest loop near the loop of a remaining edge. Every shorter loop of the same handle
+// crosses this loop, so the searches start at its vertices. The best loop then slides along the
+// handle to where it is shortest.
 HandleLoop shortestAlong(
   const LoopSpace& space, const PathTree& paths, int edge, LoopSearch& search)
 {
@@ -350,7 +352,8 @@ HandleLoop shortestAlong(
   constexpr int maximumSlides = 16;
   const HandleLoop own = loopOf(space, paths.SidesTo, edge);
   HandleLoop best = own;
-  search.shorten(space.Surface.from(edge), best); // far out on the handle, where it is narrow
+  // The edge is far from the root, where handles are narrow.
+  search.shorten(space.Surface.from(edge), best);
   for (const int place : placesAlong(space, own, firstSpacing * best.Length))
   {
     search.shorten(place, best);
@@ -367,8 +370,8 @@ HandleLoop shortestAlong(
   return best;
 }
 
-// Rotate a loop to begin at its smallest vertex, toward the smaller neighbor, so that it does not
-// depend on the start of the search.
+// Let a loop begin at its vertex of lowest id and run toward the neighbor of lower id. The loop
+// thus does not depend on the start of the search.
 void order(const GluedSurface& surface, HandleLoop& loop)
 {
   const auto bySmallest = [&]()

@@ -11,30 +11,35 @@
 
 namespace conformal
 {
-/// Loop of glued sides that visits no vertex twice. Each side ends where the next one begins.
+/// Loop of glued sides (GluedSurface.h) that visits no vertex twice. Each side ends where the next
+/// side begins.
 struct HandleLoop
 {
   std::vector<int> Sides;
-  double Length = 0.0;
+  double Length = 0.0; ///< sum of the lengths of the sides
 };
 
-/// Find short loops around handles or through their openings. The surface stays connected if it is
-/// cut along all of them. No two loops share a vertex.
+/// Find short loops around handles or through their openings. A cut along all of these loops leaves
+/// the surface connected. No two loops share a vertex.
 ///
-/// A tree of shortest paths and a dual tree across the remaining edges leave 2 g edges unused
-/// (\cite Eppstein2003, \cite Erickson2005). Here g is the genus of the surface. Each unused edge
-/// defines a loop. Candidates are the shortest loops through the vertices of these loops that do
-/// not separate the surface. For each handle, one candidate runs around it and one through it.
-/// Candidates are selected by length, the shortest first.
+/// The method is that of \cite Eppstein2003 and \cite Erickson2005. Let g be the genus of the
+/// surface. A tree of shortest paths is grown along edges, and a dual tree across the remaining
+/// edges. Exactly 2 g edges are in neither tree. Each of these edges defines a loop together with
+/// the paths to its ends.
 ///
-/// A surface with many handles, or with handles that share loops, may need several calls. Between
-/// calls, cut the surface along the loops and close it. Each call returns at least one loop if the
-/// surface has a handle.
+/// Each of the 2 g loops is then shortened. The candidates are loops through vertices of the loop
+/// that do not separate the surface. The shortest candidate is kept. For each handle, one loop runs
+/// around the handle and another one runs through its opening. The loops are selected by length,
+/// the shortest first.
 ///
-/// The cost is about that of sorting the sides a few times, plus shortest paths in the neighborhood
-/// of each handle.
-/// @param[in] surface  closed and connected
-/// @param[in] lengths  #3F, length of each side, at least 0; glued sides have equal lengths
+/// If the surface has many handles, or if loops of several handles intersect, several calls may be
+/// needed. Between calls, cut the surface along the loops and close the cuts. If the surface has a
+/// handle, each call returns at least one loop.
+///
+/// The cost is about that of sorting the sides a few times, plus shortest paths near each handle.
+/// @param[in] surface  closed and connected surface
+/// @param[in] lengths  length of each side, #3F, at least 0; glued sides must have equal lengths
+/// @return the loops, sorted by length
 std::vector<HandleLoop> findHandleLoops(
   const GluedSurface& surface, const std::vector<double>& lengths, const Run& run = {});
 

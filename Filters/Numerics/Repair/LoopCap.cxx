@@ -27,12 +27,12 @@ Vector3 middleOf(const Points& corners)
   return length > 0.0 ? Vector3(sum / length) : Vector3(corners.row(0));
 }
 
-// Ring of vertices, with the corners nearest to each.
+// Ring of vertices, with the corners nearest to each vertex.
 struct CapRing
 {
   std::vector<int> Ids;
   std::vector<std::pair<int, int>> Parents;
-  Points Around; ///< before contraction to the center: means of the corners' positions
+  Points Around; ///< means of corner positions, before contraction to the center
 
   int size() const { return static_cast<int>(this->Ids.size()); }
 };
@@ -50,8 +50,8 @@ CapRing outermost(const Points& corners)
   return ring;
 }
 
-// Make the inner ring: each vertex is adjacent to two of the outer ring, the last one possibly to
-// one.
+// Make the inner ring. Each vertex belongs to two vertices of the outer ring; the last vertex may
+// belong to one.
 CapRing halved(const CapRing& outer, int firstId)
 {
   const int count = (outer.size() + 1) / 2;
@@ -99,11 +99,12 @@ Triangles toTriangles(const Corners& corners)
     corners.empty() ? nullptr : corners.front().data(), static_cast<Index>(corners.size()), 3);
 }
 
-// Make rings until one has at most the given number of vertices, which a fan closes.
+// Make rings until a ring has at most the given number of vertices. This ring is closed by a fan.
 LoopCap ringsOf(const Points& corners, int maximumOfFan)
 {
-  constexpr double pitch = 1.3 * 2.0 * Pi; // of rings, in edges of the outer one, around a circle
-  constexpr double minimum = 0.35;         // a ring's radius, of the one around it
+  // Distance between rings around a circle, in edges of the outer ring, times 2 pi.
+  constexpr double pitch = 1.3 * 2.0 * Pi;
+  constexpr double minimum = 0.35; // minimum radius of a ring, relative to the outer ring
   const Vector3 middle = middleOf(corners);
   const auto size = static_cast<int>(corners.rows());
   LoopCap cap;

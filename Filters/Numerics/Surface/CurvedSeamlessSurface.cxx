@@ -29,7 +29,8 @@ void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* wha
   }
 }
 
-/// |J u x J v| for u, v, p orthonormal: J's cofactors take u x v = p to J u x J v.
+/// Compute |J u x J v|, where u, v and p are orthonormal. The cofactors of J map u x v = p to J u x
+/// J v.
 double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
 {
   Eigen::Matrix3d cofactors;
@@ -37,8 +38,8 @@ double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
   return (cofactors * p).norm();
 }
 
-/// The triangles turned to be counter-clockwise on the sphere, or an exception if it is not covered
-/// just once.
+/// Return the triangles, counter-clockwise on the sphere. If necessary, all of them are reversed.
+/// Throw if the map does not cover the sphere exactly once.
 conformal::Triangles trianglesOfMap(
   const Points& sphere, const conformal::Triangles& triangles, const Run& run)
 {
@@ -62,7 +63,7 @@ conformal::Triangles trianglesOfMap(
 //------------------------------------------------------------------------------
 void copyUnitVectors(const PointView& vectors, const char* what, double* units, const Run& run)
 {
-  std::atomic<Index> bad{ vectors.size() }; // the first one
+  std::atomic<Index> bad{ vectors.size() }; // index of the first bad vector
   forBlocks(run, vectors.size(), BlockSize,
     [&](Index begin, Index end)
     {
@@ -180,8 +181,9 @@ void CurvedSeamlessSurface::curve(
 }
 
 //------------------------------------------------------------------------------
-// Root of the areas around each vertex, model to network. Scaled domes rise by it, published ones
-// by the largest radius.
+// Compute the factor of the dome heights at each vertex. For Scaled domes, it is the square root of
+// the area around the vertex in the model, divided by the area in the network. For Published domes,
+// it is the largest radius of the model.
 void CurvedSeamlessSurface::scaleDomes()
 {
   this->Scales.assign(this->Model.rows(), this->HeightUnit);
@@ -226,7 +228,8 @@ Vector3 CurvedSeamlessSurface::onSphere(Index triangle, const Vector3& barycentr
 }
 
 //------------------------------------------------------------------------------
-// Rows: the change of the barycentric coordinates of p' with p.
+// Compute the derivative of the barycentric coordinates of p' by p. Each row belongs to one
+// coordinate.
 Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3& direction) const
 {
   Eigen::Matrix3d slopes;
@@ -235,7 +238,7 @@ Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3&
   {
     const Vector3 a = this->Sphere.row(this->Triangles(triangle, next(k))),
                   b = this->Sphere.row(this->Triangles(triangle, previous(k)));
-    slopes.row(k) = a.cross(b - a); // of det(a, b, p), with p
+    slopes.row(k) = a.cross(b - a); // derivative of det(a, b, p) by p
     sides[k] = (a - direction).cross(b - direction).dot(direction);
   }
   const double sum = sides.sum();

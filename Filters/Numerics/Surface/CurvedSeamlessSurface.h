@@ -1,5 +1,7 @@
-/// Build and evaluate the curved seamless surface (CSS) of a closed mesh with a map to the sphere,
-/// \cite Liou2008 section 3. The mesh on the sphere is the network, the mesh in space is the model.
+/// Build and evaluate the curved seamless surface (CSS) of a closed mesh, \cite Liou2008 section 3.
+/// Each vertex has a position in space and a position on the unit sphere. The mesh on the sphere is
+/// called the network. The mesh in space is called the model. The curved patch over a flat triangle
+/// of the model is called a dome.
 
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
@@ -24,54 +26,59 @@ namespace conformal
 enum class DomeHeight
 {
   None, ///< no domes
-  /// Domes of the unit sphere, scaled to the size of the model, as published; outward everywhere.
+  /// Domes of the unit sphere, scaled to the size of the model, as published. The domes bulge
+  /// outward everywhere, even where the model is hollow.
   Published,
-  /// Domes of the unit sphere, scaled to the local size of the model; outward everywhere.
+  /// Domes of the unit sphere, scaled to the local size of the model. The domes bulge outward
+  /// everywhere.
   Scaled,
-  Curvature, ///< curved triangles by the normals of the vertices, CurvedTriangles.h
-  Fitted     ///< curved triangles fitted to a cloud, CurvedTriangleFit.h
+  Curvature, ///< triangles curved by the normals of the vertices (CurvedTriangles.h)
+  Fitted     ///< triangles curved to fit a point cloud (CurvedTriangleFit.h)
 };
 
 struct CurvedSeamlessSurfaceOptions
 {
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  /// Share of the shift of vertices by lowerVertices(), in [0, MaximumVertexShift]. Use 0 unless
-  /// the model's flat triangles were fitted by least squares.
+  /// Factor of the vertex shift by lowerVertices(), in [0, MaximumVertexShift]. Use 0 unless the
+  /// flat triangles of the model were fitted to points by least squares.
   double VertexShift = 0.0;
   CurvedTriangleFitOptions Fit;
 };
 
-/// Curved seamless surface as a function of the direction. It can be evaluated in any direction.
+/// Represent a curved seamless surface as a function of the direction. The function is defined for
+/// every direction.
 ///
 /// The constructor executes steps 1 to 5 of the CSS algorithm of \cite Liou2008. An Evaluator
 /// executes steps 6 to 10.
 ///
-/// Implementation note: \cite Liou2008 adds the heights of the unit sphere's domes to a model of
-/// about the size of this sphere. Here the model may have any unit and position. With
-/// DomeHeight::Published, the heights are therefore multiplied by the maximum distance of a vertex
-/// from the mean of the vertices.
+/// Implementation note: \cite Liou2008 adds the heights of the unit sphere's domes to a model about
+/// as large as this sphere. Here the model may have any unit and position. With
+/// DomeHeight::Published, the heights are therefore scaled. The factor is the maximum distance of a
+/// vertex from the mean of the vertices.
 ///
-/// Implementation note: the domes of the sphere rise outward for any orientation of the triangles
-/// and for mirrored maps. Outward is the direction for which the model's volume is positive.
+/// Implementation note: the domes of the sphere bulge outward for any orientation of the triangles
+/// and for mirrored maps. The outward side is determined by the sign of the volume of the model.
 class CurvedSeamlessSurface
 {
 public:
   struct Image
   {
-    Vector3 Position = Vector3::Zero(); ///< q, the point of the surface
-    /// Outward unit normal, or zero if undefined. For None, Published and Scaled, it is the normal
-    /// of the flat triangle.
+    Vector3 Position = Vector3::Zero(); ///< point of the surface, q in \cite Liou2008
+    /// Outward unit normal, or zero if undefined. With DomeHeight None, Published and Scaled, this
+    /// is the normal of the flat triangle.
     Vector3 Normal = Vector3::Zero();
-    int Triangle = -1; ///< r, the triangle
+    int Triangle = -1; ///< id of the triangle, r in \cite Liou2008
   };
 
-  /// @param[in] model  closed, consistently oriented mesh with positions w_i and sphere positions
-  ///   n_i. Vectors n_i may have any length but 0.
-  /// @param[in] cloud  samples for DomeHeight::Fitted
-  /// @throws std::invalid_argument if positions are not finite, a sphere position is zero, or the
-  ///   map does not cover the sphere exactly once
-  /// @throws std::invalid_argument if the domes are Fitted and there is no cloud
+  /// Build the surface, without evaluating it.
+  /// @param[in] model  closed, consistently oriented mesh. Each vertex i has a position w_i in
+  ///   space and a sphere position n_i. The vectors n_i may have any length but 0.
+  /// @param[in] options  shape of the domes and of the map
+  /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
+  /// @throws std::invalid_argument if positions are not finite, or if a sphere position is zero
+  /// @throws std::invalid_argument if the map does not cover the sphere exactly once
+  /// @throws std::invalid_argument if DomeHeight is Fitted and there is no cloud
   /// @throws Aborted
   explicit CurvedSeamlessSurface(const MappedMesh& model,
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
@@ -83,26 +90,26 @@ public:
 
   class Evaluator;
 
-  /// Return whether derivatives and an inverse exist. They do not exist for Published and Scaled
-  /// domes.
+  /// Return whether the surface has derivatives and an inverse map. Derivatives and inverse map do
+  /// not exist with DomeHeight Published and Scaled.
   bool differentiable() const
   {
     return this->Options.DomeHeight != DomeHeight::Published &&
       this->Options.DomeHeight != DomeHeight::Scaled;
   }
 
-  /// Return the curved triangles of the surface, without the map to the sphere. They are empty if
-  /// differentiable() is false.
+  /// Return the curved triangles of the surface, without the map to the sphere. If differentiable()
+  /// is false, there are no curved triangles.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
-  /// Return the vertices n_i of the network, #V by 3 unit vectors.
+  /// Return the vertices of the network, #V by 3 unit vectors.
   const Points& sphere() const { return this->Sphere; }
 
-  /// Return the triangles, #F by 3 vertex ids. They are counter-clockwise on the sphere seen from
-  /// outside.
+  /// Return the triangles, #F by 3 vertex ids. Seen from outside, the triangles on the sphere are
+  /// counter-clockwise.
   const conformal::Triangles& triangles() const { return this->Triangles; }
 
-  /// Return triangleNeighbors() of the triangles.
+  /// Return the neighbors of each triangle, see triangleNeighbors().
   const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
   Index numberOfDegeneratePatches() const
@@ -110,10 +117,13 @@ public:
     return std::count(this->Degenerate.begin(), this->Degenerate.end(), 1);
   }
 
-  /// Return 1 for each degenerate triangle, else 0. The usual construction does not apply to
-  /// degenerate triangles. A triangle of zero area, on the model or on the sphere, is mapped
-  /// affinely. A curved triangle that would fold is flattened. With Published and Scaled domes,
-  /// triangles with a neighbor of exactly opposite normal are degenerate, too.
+  /// Return 1 for each degenerate triangle, else 0. Degenerate triangles get a simpler
+  /// construction:
+  ///
+  /// - A triangle of zero area, in the model or on the sphere, is mapped affinely.
+  /// - A curved triangle that would fold is flattened.
+  /// - With DomeHeight Published and Scaled, a triangle is also degenerate if a neighbor has
+  ///   exactly the opposite normal.
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
@@ -131,34 +141,37 @@ private:
   bool InsideOut = false;
   SphereLocator Locator;
   FlatMap Flat;
-  SphereDomes Domes;          // for Published and Scaled
+  SphereDomes Domes;          // used by DomeHeight Published and Scaled
   std::vector<double> Scales; // factors of the domes at each vertex
-  CurvedTriangles Curved;     // for Curvature and Fitted
+  CurvedTriangles Curved;     // used by DomeHeight None, Curvature and Fitted
   std::vector<unsigned char> Degenerate;
 };
 
-/// Evaluator of a surface. Each search starts at the triangle of the previous call, so that nearby
-/// directions are cheap. Results do not depend on previous calls. An evaluator is not thread-safe:
-/// use one evaluator per thread.
+/// Evaluate a curved seamless surface. Each search starts at the triangle of the previous call, so
+/// that nearby directions are cheap. Results do not depend on previous calls. An evaluator is not
+/// thread-safe: use one evaluator per thread.
 class CurvedSeamlessSurface::Evaluator
 {
 public:
-  /// @param[in] surface  must outlive this
+  /// @param[in] surface  surface to evaluate; must outlive this object
   explicit Evaluator(const CurvedSeamlessSurface& surface)
     : Surface(surface)
   {
   }
 
-  /// Compute the image q of a direction p, \cite Liou2008 Eqs. 9 to 12.
-  /// @param[in]  direction   direction p, a unit vector
-  /// @param[out] derivative  derivative of q by p, or null. The derivative along p is zero. On an
-  ///   edge of the mesh, it is the derivative in one adjacent triangle; at a corner, it is the
-  ///   derivative at a nearby point. It is zero in triangles of zero area.
-  /// @throws std::invalid_argument if the direction is far from a unit vector, or a derivative is
-  ///   requested that does not exist
+  /// Compute the point q of the surface for a direction p, \cite Liou2008 Eqs. 9 to 12.
+  ///
+  /// The derivative of q by p is computed if `derivative` is not null. The product of the
+  /// derivative with p is zero. On an edge of the mesh, the derivative in one adjacent triangle is
+  /// returned. At a vertex, the derivative at a nearby point is returned. In triangles of zero
+  /// area, the derivative is zero.
+  /// @param[in] direction  direction p, a unit vector
+  /// @param[out] derivative  derivative of q by p; may be null
+  /// @throws std::invalid_argument if the length of the direction is far from 1
+  /// @throws std::invalid_argument if a derivative is requested and differentiable() is false
   Image evaluate(const Vector3& direction, Eigen::Matrix3d* derivative = nullptr);
 
-  /// Compute the direction that corresponds to a point of the flat model. The point is given by its
+  /// Compute the direction that corresponds to a point of the flat model. The point is given by the
   /// barycentric coordinates in a triangle.
   Vector3 direction(Index triangle, const Vector3& barycentric);
 
@@ -173,23 +186,24 @@ private:
   int Last = -1;
 };
 
-/// Inverse map from points on or near the surface to the sphere.
+/// Compute the inverse map: from points on or near the surface to directions.
 class CurvedSeamlessInverse
 {
 public:
   struct Foot
   {
-    Vector3 Direction = Vector3::Zero(); ///< direction p whose image is OnSurface
+    Vector3 Direction = Vector3::Zero(); ///< direction of the closest point
     FootPoint OnSurface;                 ///< closest point of the surface
   };
 
-  /// @param[in] surface  must outlive this
+  /// @param[in] surface  surface to evaluate; must outlive this object
   /// @throws std::invalid_argument if the surface is not differentiable
   explicit CurvedSeamlessInverse(const CurvedSeamlessSurface& surface, const Run& run = {});
 
-  /// @param[in] point      point with finite coordinates, on the surface or near it
+  /// Compute the closest point of the surface, and its direction.
+  /// @param[in] point  point with finite coordinates, on the surface or near it
   /// @param[in] evaluator  evaluator of the same surface
-  /// @param[in] hint       triangle that may be close, which reduces the cost; or -1
+  /// @param[in] hint  id of a triangle that may be close, which reduces the cost; -1 for none
   Foot evaluate(
     const Vector3& point, CurvedSeamlessSurface::Evaluator& evaluator, int hint = -1) const;
 
@@ -197,16 +211,17 @@ private:
   CurvedTriangleTree Tree;
 };
 
-/// Output arrays of evaluate(), with consecutive values for all directions. Null arrays are
+/// Output arrays of evaluate(). The values of all directions are consecutive. Null arrays are
 /// skipped.
 struct SurfaceSamples
 {
-  double* Positions = nullptr;         ///< 3 numbers for each direction: q
-  double* Normals = nullptr;           ///< 3 for each, see CurvedSeamlessSurface::Image
-  double* Derivatives = nullptr;       ///< 9 for each: J = dq/dp, row by row
-  double* Metrics = nullptr;           ///< 9 for each: J^T J
-  double* AreaElements = nullptr;      ///< 1 for each: surface area per area of the unit sphere
-  unsigned char* Degenerate = nullptr; ///< 1 for each: whether its triangle is degenerate
+  double* Positions = nullptr; ///< points q of the surface, 3 numbers for each direction
+  double* Normals = nullptr;   ///< unit normals, 3 numbers each; see CurvedSeamlessSurface::Image
+  /// Derivatives J = dq/dp by the direction p, 9 numbers each, row by row.
+  double* Derivatives = nullptr;
+  double* Metrics = nullptr;           ///< metric tensors J^T J, 9 numbers each
+  double* AreaElements = nullptr;      ///< surface area per area of the unit sphere, 1 number each
+  unsigned char* Degenerate = nullptr; ///< 1 if the triangle is degenerate, else 0; 1 number each
 
   bool differentiates() const { return this->Derivatives || this->Metrics || this->AreaElements; }
 };
@@ -214,56 +229,61 @@ struct SurfaceSamples
 /// Evaluate a surface in many directions.
 ///
 /// @param[in] directions  unit vectors
-/// @throws std::invalid_argument if derivatives are requested that do not exist
+/// @param[out] samples  arrays that receive the results
+/// @throws std::invalid_argument if derivatives are requested and the surface is not differentiable
 /// @throws Aborted
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const Run& run = {});
 
-/// Divide each triangle of the network into k x k triangles, see subdivide(). Every triangle thus
-/// gets evaluation points, even if it is small on the sphere. No new triangle crosses an edge of
-/// the network.
+/// Divide each triangle of the network into k x k triangles, where k is `subdivisions` (see
+/// subdivide()). Every triangle thus gets evaluation points, even a triangle that is small on the
+/// sphere. No new triangle crosses an edge of the network.
 ///
-/// @return mesh of unit vectors, n_i first, with triangles counter-clockwise on the sphere
-/// @throws as subdivide()
+/// @return mesh of unit vectors. The vertices of the network are first. Seen from outside, the
+///   triangles are counter-clockwise.
+/// @throws std::invalid_argument if subdivide() throws it
 Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run = {});
 
-/// Compute the directions whose images are closest to given points, which lie on a surface or near
-/// it.
+/// Compute a direction for each given point: the direction of the closest point on the surface.
 ///
-/// @param[out] directions  3 numbers for each point
-/// @param[out] feet        3 numbers for each point, its closest point of the surface; may be null
-/// @throws std::invalid_argument if a point is not finite, or the surface is not differentiable
+/// @param[in] points  points on the surface or near it
+/// @param[out] directions  unit vectors, 3 numbers for each point
+/// @param[out] feet  closest points of the surface, 3 numbers for each point; may be null
+/// @throws std::invalid_argument if a point is not finite, or if the surface is not differentiable
 /// @throws Aborted
 void invert(const CurvedSeamlessSurface& surface, const PointView& points, double* directions,
   double* feet = nullptr, const Run& run = {});
 
-/// Copy vectors and normalize them.
-/// @param[in] what    name of the vectors in error messages
+/// Copy vectors and scale each of them to length 1.
+/// @param[in] what  name of the vectors in error messages
 /// @param[out] units  3 numbers for each vector; may be the memory of `vectors`
 /// @throws std::invalid_argument if a vector is zero or not finite
 void copyUnitVectors(
   const PointView& vectors, const char* what, double* units, const Run& run = {});
 
-/// Return normalized vectors, #P by 3; parameters and exceptions are those of copyUnitVectors().
+/// Return vectors scaled to length 1, #P by 3. Parameters and exceptions are those of
+/// copyUnitVectors().
 Points unitVectors(const PointView& vectors, const char* what, const Run& run = {});
 
 struct CurvedSeamlessSurfaceResult
 {
-  Points Directions;                     ///< #P by 3, p as unit vectors
-  Points Positions;                      ///< #P by 3, q
-  Points Normals;                        ///< #P by 3, see CurvedSeamlessSurface::Image
-  std::vector<unsigned char> Degenerate; ///< #P, 1 in degenerate triangles
+  Points Directions; ///< #P by 3, directions as unit vectors
+  Points Positions;  ///< #P by 3, points of the surface
+  Points Normals;    ///< #P by 3, unit normals; see CurvedSeamlessSurface::Image
+  std::vector<unsigned char> Degenerate; ///< #P, 1 in degenerate triangles, else 0
   Index NumberOfDegeneratePatches = 0;   ///< number of degenerate triangles
 };
 
-/// Build a curved seamless surface and evaluate it in given directions, steps 1 to 11 of the CSS
-/// algorithm of \cite Liou2008.
+/// Build a curved seamless surface and evaluate it in given directions. These are steps 1 to 11 of
+/// the CSS algorithm of \cite Liou2008.
 ///
-/// @param[in] model       see the constructor of CurvedSeamlessSurface
-/// @param[in] directions  #P by 3, vectors N^new of any length but 0
-/// @param[in] cloud       samples for DomeHeight::Fitted
-/// @throws std::invalid_argument if CurvedSeamlessSurface throws it, or if a direction is zero or
-///   not finite
+/// @param[in] model  closed mesh with a map to the sphere; see the constructor of
+///   CurvedSeamlessSurface
+/// @param[in] directions  #P by 3 vectors of any length but 0, N^new in \cite Liou2008
+/// @param[in] options  shape of the domes and of the map
+/// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
+/// @throws std::invalid_argument if the constructor of CurvedSeamlessSurface throws it
+/// @throws std::invalid_argument if a direction is zero or not finite
 /// @throws Aborted
 CurvedSeamlessSurfaceResult buildCurvedSeamlessSurface(const MappedMesh& model,
   const Points& directions, const CurvedSeamlessSurfaceOptions& options = {},

@@ -22,13 +22,14 @@ using Unknowns = Points; // #V by 3: offset along the normal, two tilts times th
 using Blocks = std::vector<Eigen::Matrix3d>;
 
 constexpr double OutlierRatio = 6.0;
-constexpr double NormalShare = 0.1;   // of the smoothness, for the normals
-constexpr double MaximumTilt = 0.5;   // of a normal in one iteration
-constexpr double MaximumSlant = 0.95; // cosine, below which a foot point lies on a crease
+constexpr double NormalShare = 0.1;   // weight of the normals, relative to the smoothness
+constexpr double MaximumTilt = 0.5;   // maximum tilt of a normal in one iteration
+constexpr double MaximumSlant = 0.95; // cosine below which a foot point is on a crease
 constexpr int MaximumNumberOfSteps = 60;
-constexpr double Accuracy = 1e-8; // of the square of the preconditioned residual
+constexpr double Accuracy = 1e-8; // relative square of the preconditioned residual
 
-/// Two directions perpendicular to each normal.
+/// Normal of a vertex, two directions perpendicular to the normal, and the mean length of the
+/// adjacent edges.
 struct Frame
 {
   Vector3 N, E1, E2;
@@ -56,8 +57,8 @@ std::vector<Frame> framesOf(const CurvedTriangles& surface, const Adjacency& nei
   return frames;
 }
 
-/// Normal equations: a 9 by 9 matrix for every triangle, assembled into blocks of vertex and
-/// neighbor.
+/// Normal equations. There is a 9 by 9 matrix for every triangle. The matrices are assembled into 3
+/// by 3 blocks, one for each vertex and for each pair of neighbors.
 class Equations
 {
 public:
@@ -126,7 +127,7 @@ public:
 
   Blocks& diagonal() { return this->Diagonal; }
 
-  /// matrix times unknowns, plus stiffness L^T L of the offsets.
+  /// Compute the product of the matrix with unknowns, plus stiffness times L^T L times the offsets.
   Unknowns times(const Unknowns& x, double stiffness, const Run& run) const
   {
     Unknowns y(x.rows(), 3);
@@ -232,8 +233,9 @@ Eigen::Matrix<double, 9, 1> motion(const CurvedTriangles& surface, const std::ve
   return row;
 }
 
-/// Find the foot points of all samples on all threads, and deliver them in order on the calling
-/// one. With several ranks, each stores its foot points until the sums of the previous rank arrive.
+/// Find the foot points of all samples on all threads. Deliver the foot points in order on the
+/// calling thread. With several ranks, each rank stores its foot points until the sums of the
+/// previous rank arrive.
 template <typename Body>
 void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& samples,
   std::vector<int>& hints, std::vector<double>& sums, const Run& run, Body body)
@@ -315,8 +317,8 @@ void addPriors(const CurvedTriangles& surface, const std::vector<Frame>& frames,
   }
 }
 
-/// Throw if the cloud is of another unit; it may cover a part of the surface, or more than the
-/// surface.
+/// Throw if the cloud seems to have another unit of length than the surface. The cloud may cover a
+/// part of the surface, or more than the surface.
 void requireOneSize(const Points& positions)
 {
   constexpr double maximum = 0x1p16, minimum = 0x1p-16;
@@ -328,7 +330,7 @@ void requireOneSize(const Points& positions)
   }
 }
 
-/// Compute vertex normals; vertices where normals cancel get an arbitrary perpendicular direction.
+/// Replace normals of length zero by an arbitrary direction.
 CurvedTriangles withNormals(const CurvedTriangles& surface)
 {
   Points normals = surface.normals();

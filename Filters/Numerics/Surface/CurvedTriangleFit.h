@@ -1,4 +1,5 @@
-/// Fit curved triangles to a point cloud by the Gauss-Newton steps of \cite Pottmann2006.
+/// Fit curved triangles to a point cloud by least squares, with the Gauss-Newton steps of
+/// \cite Pottmann2006.
 
 #ifndef ConformalCurvedTriangleFit_h
 #define ConformalCurvedTriangleFit_h
@@ -13,22 +14,30 @@ namespace conformal
 struct CurvedTriangleFitOptions
 {
   int NumberOfFitRounds = 6; ///< number of iterations, at least 0
-  /// Weight of the regularization, at least 0; larger values smooth noise.
+  /// Weight of the regularization relative to the samples, at least 0. Larger values smooth noise.
   double FitSmoothness = 0.01;
 };
 
 /// Fit curved triangles to samples by least squares.
 ///
-/// Each iteration finds the foot point of every sample on the curved triangles. It then makes one
-/// Gauss-Newton step that reduces the distances along the normals at the foot points. The unknowns
-/// of a vertex are an offset d along its normal and two tilts of the normal. The surface therefore
-/// does not slide tangentially, and its map to the sphere is preserved. The regularization is
-/// lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2. Here L is the uniform Laplacian, n' the mean
-/// normal of the adjacent triangles and h the mean length of the adjacent edges. lambda is the
-/// smoothness times the mean weight of the samples of a vertex. Outliers are ignored: samples much
-/// farther from the surface than their neighbors (LocalScale.h).
+/// Each iteration finds the foot point (closest point) of every sample on the curved triangles. One
+/// Gauss-Newton step then reduces the distances along the normals at the foot points. Each vertex
+/// has three unknowns: an offset d along the vertex normal n, and two tilts of n. The vertices
+/// therefore do not slide tangentially, and the map of the surface to the sphere is preserved.
 ///
-/// @throws std::invalid_argument if an option is out of range
+/// The regularization is lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2. Here L is the uniform
+/// Laplacian, and n' is the mean normal of the adjacent triangles. The length h is the mean length
+/// of the adjacent edges. The factor lambda is FitSmoothness times the total weight of the samples,
+/// divided by the number of vertices.
+///
+/// Outliers are ignored. An outlier is a sample much farther from the surface than neighboring
+/// samples (LocalScale.h).
+///
+/// @param[in] start  initial curved triangles over a closed mesh
+/// @param[in] samples  points to which the triangles are fitted, of about the size and position of
+///   `start`
+/// @throws std::invalid_argument if an option is out of range, or if the size of the samples is
+///   very different
 /// @throws Aborted
 CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingSamples& samples,
   const CurvedTriangleFitOptions& options = {}, const Run& run = {});

@@ -60,8 +60,8 @@ Vector3 CurvedTriangle::position(const Vector3& barycentric) const
 {
   const Vector3& m = barycentric;
   const double bubble = 0.5 * m[0] * m[1] * m[2];
-  // Sum over pairs of corners, flat part and dome separately. On an edge the third corner adds
-  // zeros, so that both sides give equal bits.
+  // Sum over pairs of corners, the flat part and the dome separately. On an edge, the third corner
+  // adds only zeros. Both adjacent triangles therefore give equal bits.
   const Vector3 flat = m[0] * this->W[0] + m[1] * this->W[1] + m[2] * this->W[2];
   Vector3 dome = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
@@ -112,7 +112,7 @@ Vector3 CurvedTriangle::rise(int edge) const
 }
 
 //------------------------------------------------------------------------------
-// On the edge from corner k to corner j, near k.
+// Return the control point near corner k on the edge from k to j.
 Vector3 CurvedTriangle::controlPoint(int k, int j) const
 {
   return (2.0 * this->W[k] + this->W[j] - this->Rise(k, j) * this->N[k]) / 3.0;
@@ -209,7 +209,7 @@ Points lowerVertices(
   struct Domes
   {
     double Area;
-    std::array<Vector3, 3> Heights; // at the midpoint of the opposite edge
+    std::array<Vector3, 3> Heights; // at the midpoint of the edge opposite to each corner
   };
   const Points& normals = surface.normals();
   const conformal::Triangles& triangles = surface.triangles();
@@ -285,7 +285,7 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run
       for (int k = 0; folds[r] && k < 3; ++k)
       {
         const int i = triangles(r, k);
-        normals.row(i) = 0.7 * surface.normals().row(i); // domes halve
+        normals.row(i) = 0.7 * surface.normals().row(i); // halves the height of the domes
         changed[i] = 1;
       }
     }
@@ -374,8 +374,8 @@ CurvedTriangleTree::CurvedTriangleTree(const CurvedTriangles& surface, const Run
 }
 
 //------------------------------------------------------------------------------
-// The closest point of the tangent triangle is the next guess, or one on the way there: seen from
-// the far side of a bulge the whole way is too long.
+// The next guess is the closest point of the tangent triangle, or a point on the way there. For
+// points on the far side of a bulge, the whole way would be too long.
 FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwhile) const
 {
   const CurvedTriangle& patch = this->Placed[place].Triangle;
@@ -400,7 +400,8 @@ FootPoint CurvedTriangleTree::footAt(int place, const Vector3& x, double worthwh
                           tangent + derivative.col(1), tangent + derivative.col(2))
                           .Barycentric -
       best.Barycentric;
-    // The remaining moves of the foot point are at most this one.
+    // This move and all further moves together are assumed to be at most twice as long as this
+    // move.
     const double move = (derivative * way).norm();
     const bool hopeless = std::sqrt(best.SquareDistance) - 2.0 * move > std::sqrt(worthwhile);
     if (share * way.cwiseAbs().maxCoeff() < 1e-15 || hopeless)

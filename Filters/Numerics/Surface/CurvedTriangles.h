@@ -1,5 +1,5 @@
-/// Curved triangles over a closed mesh. They are defined by a position and a normal for each
-/// vertex.
+/// Build and evaluate curved triangles over a closed mesh. The triangles are defined by a position
+/// and a normal for each vertex, \cite Vlachos2001.
 
 #ifndef ConformalCurvedTriangles_h
 #define ConformalCurvedTriangles_h
@@ -15,33 +15,36 @@
 
 namespace conformal
 {
-/// PN triangle of \cite Vlachos2001, the cubic, with vertices w, normals n and barycentric
-/// coordinates m, q(m) = sum_k m_k w_k - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j -
-/// w_k) n_k) n_k.
+/// Evaluate one curved triangle, the cubic PN triangle of \cite Vlachos2001. Let w_k be the
+/// positions and n_k the normals of the corners, and let m_k be barycentric coordinates. The point
+/// at m is
 ///
-/// A curved edge depends only on the positions and normals at its ends, so adjacent triangles join
-/// without a gap. Triangles bulge outward on ridges and inward in hollows, since (w_j - w_k) n_k
-/// has different signs there. A normal shorter than 1 gives a flatter corner. The tangent planes of
-/// adjacent triangles agree at the vertices only.
+///     q(m) = sum_k m_k w_k
+///            - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) . n_k) n_k
+///
+/// A curved edge depends only on the positions and normals at its ends. Adjacent triangles
+/// therefore join without a gap. Triangles bulge outward on ridges and inward in hollows, since
+/// (w_j - w_k) . n_k has different signs there. A normal shorter than 1 gives a flatter corner. The
+/// tangent planes of adjacent triangles agree at the vertices only.
 class CurvedTriangle
 {
 public:
   CurvedTriangle() = default;
   CurvedTriangle(const std::array<Vector3, 3>& positions, const std::array<Vector3, 3>& normals);
 
-  /// Return q(m).
+  /// Return the point q(m) of the curved triangle.
   Vector3 position(const Vector3& barycentric) const;
 
-  /// Return the derivative of q by m; column k is the partial derivative by m_k.
+  /// Return the derivative of q(m). Column k is the partial derivative by m_k.
   Eigen::Matrix3d derivative(const Vector3& barycentric) const;
 
-  /// Return the exact unit normal of the surface, or zero where the area is zero. It is slightly
-  /// discontinuous across edges.
+  /// Return the exact unit normal of the surface, or zero where the area is zero. This normal is
+  /// slightly discontinuous across edges.
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
-  /// Return whether the curved triangle folds over: somewhere its normal is opposite to the normal
-  /// of the flat triangle. Return false for zero area. If the control points do not exclude a fold,
-  /// points of a fine grid are tested.
+  /// Return whether the curved triangle folds over: somewhere, its normal is opposite to the normal
+  /// of the flat triangle. If the control points do not exclude a fold, the points of a fine grid
+  /// are tested. Return false if the flat triangle has zero area.
   bool folds() const;
 
   /// Return the bounding box of the control points, which contains the curved triangle.
@@ -50,41 +53,41 @@ public:
   const std::array<Vector3, 3>& positions() const { return this->W; }
   const std::array<Vector3, 3>& normals() const { return this->N; }
 
-  /// Return the displacement of the midpoint of a curved edge from the flat edge. The edge is given
-  /// by the opposite corner.
+  /// Return the displacement from the midpoint of a flat edge to the midpoint of the curved edge.
+  /// The edge is identified by the opposite corner, in {0, 1, 2}.
   Vector3 rise(int edge) const;
 
 private:
   Vector3 controlPoint(int k, int j) const;
 
   std::array<Vector3, 3> W, N;
-  Eigen::Matrix3d Rise; // (w_j - w_k) n_k at (k, j)
+  Eigen::Matrix3d Rise; // (w_j - w_k) . n_k at (k, j)
 };
 
-/// Normals for shading over a triangle: the quadratic field of \cite Vlachos2001, which is
-/// continuous across edges.
+/// Evaluate normals for shading over a triangle. The normals are the quadratic field of
+/// \cite Vlachos2001, which is continuous across edges.
 class ShadingNormals
 {
 public:
   ShadingNormals() = default;
   explicit ShadingNormals(const CurvedTriangle& triangle);
 
-  /// Return a unit vector, or zero where normals cancel.
+  /// Return the unit normal at given barycentric coordinates, or zero where normals cancel.
   Vector3 operator()(const Vector3& barycentric) const;
 
 private:
   std::array<Vector3, 3> Ends, Middles;
 };
 
-/// Curved triangles over a mesh.
+/// Store the curved triangles over a mesh.
 class CurvedTriangles
 {
 public:
   CurvedTriangles() = default;
 
-  /// @param[in] positions  #V by 3, positions w
-  /// @param[in] normals    #V by 3, normals n of length 1 or less
-  /// @param[in] triangles  #F by 3 ids
+  /// @param[in] positions  positions of the vertices, #V by 3
+  /// @param[in] normals  normals of the vertices, of length 1 or less, #V by 3
+  /// @param[in] triangles  vertex ids of the triangles, #F by 3
   CurvedTriangles(
     const Points& positions, const Points& normals, const conformal::Triangles& triangles);
 
@@ -100,28 +103,33 @@ private:
   conformal::Triangles Triangles;
 };
 
-/// Move vertices inward on ridges and outward in hollows, so that the curved triangles coincide
-/// with the original flat triangles on average.
+/// Move vertices inward on ridges and outward in hollows. On average, the curved triangles then
+/// coincide with the original flat triangles.
 ///
-/// A mesh that was fitted to points by least squares has flat triangles in the middle of the
-/// points, and its vertices lie outside of ridges. Curved triangles through these vertices would be
-/// too far outside.
+/// Use this function for a mesh that was fitted to points by least squares. The flat triangles of
+/// such a mesh are in the middle of the points. Vertices on ridges are therefore outside. Curved
+/// triangles through these vertices would be too far outside.
 ///
-/// The result is w_i + share n_i (n_i g_i) / c_i. This is one step of the projection of the curved
-/// surface onto the flat surface, with a lumped mass matrix. Here g_i is the volume between curved
-/// and flat triangles around the vertex, weighted by the vertex's hat function. c_i is a third of
-/// the area of the adjacent triangles.
+/// Let w_i be the position and n_i the normal of vertex i. Let c_i be a third of the area of the
+/// adjacent triangles. Let g_i be the integral of the displacement from the flat to the curved
+/// triangles. The integral is weighted by the hat function of the vertex. The new position is w_i -
+/// share n_i (n_i . g_i) / c_i. This is one step of a projection of the curved surface onto the
+/// flat surface, with a lumped mass matrix.
 ///
-/// @param[in] around  vertexTriangles() of the surface's triangles
+/// @param[in] surface  curved triangles through the original vertices
+/// @param[in] around  triangles around each vertex, see vertexTriangles()
+/// @param[in] share  factor of the move; 1 preserves the volume
+/// @return the new positions, #V by 3
 Points lowerVertices(
   const CurvedTriangles& surface, const Adjacency& around, double share, const Run& run = {});
 
-/// Shorten normals until no curved triangle folds.
-/// @return #F, 1 for triangles that folded
+/// Shorten vertex normals until no curved triangle folds. Shorter normals make the triangles
+/// flatter.
+/// @return #F marks, 1 for triangles that were folded, else 0
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run = {});
 
-/// Angles between the surface normals of two adjacent triangles along their common edge, in
-/// degrees; mean and maximum over all edges.
+/// Angles between the exact normals of two adjacent triangles along the common edge, in degrees.
+/// Mean and maximum are taken over all edges.
 struct NormalJumps
 {
   double Mean = 0.0, Maximum = 0.0;
@@ -129,19 +137,20 @@ struct NormalJumps
 NormalJumps measureNormalJumps(
   const CurvedTriangles& surface, const conformal::Triangles& neighbors, const Run& run = {});
 
-/// Search tree for closest points on curved triangles.
+/// Find closest points on curved triangles with a search tree.
 ///
 /// A query searches every triangle whose bounding box is close enough. Newton's method starts at
-/// the foot point on the flat triangle. Each step minimizes the distance over the tangent triangle,
-/// so that edges and corners need no special cases. Queries only read, so several threads may query
-/// concurrently.
+/// the foot point (closest point) on the flat triangle. Each step minimizes the distance to the
+/// tangent triangle, so that edges and corners need no special cases. Queries do not modify the
+/// tree, so several threads may query concurrently.
 class CurvedTriangleTree
 {
 public:
   CurvedTriangleTree() = default;
   explicit CurvedTriangleTree(const CurvedTriangles& surface, const Run& run = {});
 
-  /// @param[in] hint  triangle that may be close, which reduces the cost; or -1
+  /// Return the closest point on all curved triangles.
+  /// @param[in] hint  id of a triangle that may be close, which reduces the cost; -1 for none
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 
 private:

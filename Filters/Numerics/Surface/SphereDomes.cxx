@@ -61,7 +61,8 @@ bool SphereDomes::defined(Index triangle) const
 }
 
 //------------------------------------------------------------------------------
-// Eq. 8, for the edge opposite to a corner. False, with the own normal, where it is 0/0.
+// Compute the mean normal at the edge opposite to a corner, Eq. 8. If the equation is 0/0, return
+// false and set the normal of the triangle.
 bool SphereDomes::edgeDirection(Index triangle, int opposite, Vector3& direction) const
 {
   const Vector3 own = this->Normals.row(triangle);
@@ -75,7 +76,7 @@ bool SphereDomes::edgeDirection(Index triangle, int opposite, Vector3& direction
 }
 
 //------------------------------------------------------------------------------
-// Steps 8 and 9: n_q', Eq. 11.
+// Compute n_q', steps 8 and 9, Eq. 11.
 Vector3 SphereDomes::direction(Index triangle, const Vector3& barycentric) const
 {
   // q' = s c_w + ...: the subtriangle with the smallest s contains it.

@@ -1,5 +1,7 @@
-/// Domes over the flat triangles of a model, proportional to the domes of the unit sphere over the
-/// triangles of the network, \cite Liou2008 section 3.
+/// Compute the domes of a curved seamless surface, \cite Liou2008 section 3. The mesh on the sphere
+/// is called the network. The mesh in space is called the model. A dome is the curved patch over a
+/// flat triangle of the model. Its height is proportional to the height of the unit sphere over the
+/// triangle of the network.
 
 #ifndef ConformalSphereDomes_h
 #define ConformalSphereDomes_h
@@ -10,39 +12,47 @@
 
 namespace conformal
 {
-/// Directions and heights of the domes, \cite Liou2008 Eqs. 6 to 8, 11 and 12.
+/// Compute directions and heights of the domes, \cite Liou2008 Eqs. 6 to 8, 11 and 12.
 ///
-/// Implementation note: the equations are completed in these cases. At a corner, where the quotient
-/// of Eq. 11 is 0/0, the quotient is 1 and the height 0. If the center's image lies beyond an end
-/// of the edge, a_q' is the point where the perpendicular leaves the subtriangle opposite to the
-/// edge. Neighbors with exactly opposite normals have no mean normal (Eq. 8); each uses its own
-/// normal. A triangle of zero area has no normal; at its edges, it uses the normals of its
-/// neighbors.
+/// Let p be a direction. The ray along p intersects a flat triangle of the network at p'. Let q' be
+/// the image of p' on the flat triangle of the model. The image of the centroid divides the model's
+/// triangle into three subtriangles, one at each edge.
+///
+/// Implementation note: the equations are completed in the following cases.
+///
+/// - At a corner, the quotient of Eq. 11 is 0/0. The quotient is then 1, and the height is 0.
+/// - In Eq. 11, a_q' is a point on the perpendicular to an edge through q'. If the image of the
+///   centroid is beyond an end of the edge, a_q' is where the perpendicular leaves the subtriangle.
+/// - Neighbors with exactly opposite normals have no mean normal (Eq. 8). The normal of each
+///   triangle is then used at the common edge.
+/// - A triangle of zero area has no normal. At its edges, the normals of the neighbors are used.
 class SphereDomes
 {
 public:
   SphereDomes() = default;
 
   /// Store pointers to the arguments. All arguments but the map must outlive this object.
-  /// @param[in] sphere     #N by 3, unit vectors n_i
-  /// @param[in] model      #N by 3, positions w_i
-  /// @param[in] triangles  #R by 3
-  /// @param[in] neighbors  triangleNeighbors() of the triangles
-  /// @param[in] map        map p' -> q' between the flat triangles
-  /// @param[in] insideOut  whether the model's triangles are clockwise seen from outside
+  /// @param[in] sphere  unit vectors of the vertices on the sphere, #N by 3
+  /// @param[in] model  positions of the vertices in space, #N by 3
+  /// @param[in] triangles  vertex ids of the triangles, #R by 3
+  /// @param[in] neighbors  result of triangleNeighbors() for the triangles
+  /// @param[in] map  map p' -> q' from the flat triangles of the network to those of the model
+  /// @param[in] insideOut  whether the triangles of the model are clockwise seen from outside
   SphereDomes(const Points& sphere, const Points& model, const conformal::Triangles& triangles,
     const conformal::Triangles& neighbors, const FlatMap& map, bool insideOut, const Run& run = {});
 
-  /// Return the height |p - p'| of the sphere over a point p', given in barycentric coordinates.
+  /// Return the height |p - p'| of the unit sphere over a point p'. The point is given by
+  /// barycentric coordinates in a triangle of the network.
   double height(Index triangle, const Vector3& barycentric) const;
 
-  /// Return the direction n_q' of the dome at a point q', given in barycentric coordinates.
+  /// Return the direction in which the dome is raised over a point q' of the model, n_q' in Eq. 11.
+  /// The point is given by barycentric coordinates.
   Vector3 direction(Index triangle, const Vector3& barycentric) const;
 
-  /// Return the unit normal of a flat triangle of the model, Eq. 7; zero for zero area.
+  /// Return the unit normal of a flat triangle of the model, Eq. 7. Return zero for zero area.
   Vector3 normal(Index triangle) const { return this->Normals.row(triangle); }
 
-  /// Return whether a triangle and its edges have normals.
+  /// Return whether the triangle and all of its edges have normals.
   bool defined(Index triangle) const;
 
 private:
@@ -52,8 +62,8 @@ private:
   const Points* Model = nullptr;
   const conformal::Triangles* Triangles = nullptr;
   const conformal::Triangles* Neighbors = nullptr;
-  Points Centers; // #R by 3, barycentric coordinates of c_w
-  Points Normals; // #R by 3
+  Points Centers; // images of the centroids, c_w, as barycentric coordinates, #R by 3
+  Points Normals; // normals of the flat triangles, #R by 3
 };
 }
 

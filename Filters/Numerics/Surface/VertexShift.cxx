@@ -19,7 +19,7 @@ namespace
 {
 constexpr Index SamplesPerVertex = 4, MaximumSamples = 0x800000;
 constexpr double FactorOfCrowding = 3.0;
-constexpr double MaximumOfMean = 16.0; // of a length, in units of the mean move; bounds the sums
+constexpr double MaximumOfMean = 16.0; // maximum length in units of the mean move; bounds the sums
 constexpr int RingsAroundSamples = 2;
 
 double areaOf(const Points& positions, const Triangles& triangles, Index r)

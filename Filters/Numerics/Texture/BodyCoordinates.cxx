@@ -36,8 +36,8 @@ Vector3 mixed(const Points& positions, const Triangles& triangles, const BodyPoi
   return sum;
 }
 
-// Find the intersection of a ray with the surface farthest along the ray, if there is one ahead of
-// its origin.
+// Find the intersection of a ray with the surface that is farthest along the ray. If there is none,
+// the triangle is -1.
 BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const Vector3& direction)
 {
   constexpr double tolerance = 1e-12; // for lines between two triangles by rounding
@@ -115,8 +115,8 @@ Eigen::VectorXd areasOfVertices(const MappedMesh& surface)
   return areas;
 }
 
-// Compute the distance, as a rapidity, to move a map along an axis so that both sides have equal
-// weight.
+// Compute the distance (rapidity) by which a map is moved along an axis so that both sides have
+// equal weight.
 double balancingRapidity(const Eigen::VectorXd& heights, const Eigen::VectorXd& weights)
 {
   constexpr int steps = 60;
@@ -224,8 +224,9 @@ BodyCoordinates findBodyCoordinates(
   const Eigen::VectorXd areas = areasOfVertices(surface);
   const auto placeOf = [&](const BodyPoint& point) -> Vector3
   { return mixed(result.SpherePositions, surface.Triangles, point).normalized(); };
-  // The transform moves vertices, while triangles stay flat. Repeat it until the points inside
-  // triangles are at their positions.
+  // The transform moves vertices, while triangles stay flat. Points inside of triangles are
+  // therefore not moved exactly. Repeat the transform until the poles and the marker are at their
+  // positions.
   constexpr int maximumRounds = 12;
   constexpr double tolerance = 1e-14;
   for (int i = 0; i < maximumRounds; ++i)

@@ -1,6 +1,6 @@
-/// Longitude and latitude on a body with a sphere map. Own construction: a Moebius transform of the
-/// map, because it is conformal. It moves both ends of the rotation axis to the poles of the
-/// sphere.
+/// Compute longitude and latitude on a body that has a map to the sphere. The method is an own
+/// construction, not from a publication. The map is changed by a Moebius transform, which keeps the
+/// map conformal. Both ends of the rotation axis are thus moved to the poles of the sphere.
 
 #ifndef ConformalBodyCoordinates_h
 #define ConformalBodyCoordinates_h
@@ -15,39 +15,44 @@ namespace conformal
 {
 using Vector2 = Eigen::Vector2d;
 
-/// Rotation axis and prime meridian of a body.
+/// Rotation axis and prime meridian of a body. All positions are in the coordinates of the surface.
 struct BodyCoordinatesOptions
 {
   Vector3 Center = { 0, 0, 0 };       ///< point on the rotation axis
   Vector3 RotationAxis = { 0, 0, 1 }; ///< direction from Center to the north pole, of any length
-  bool UseMarkerPoint = false;        ///< whether longitude 0 passes through MarkerPoint
-  Vector3 MarkerPoint = { 1, 0, 0 };  ///< point on the surface, or close to it
+  bool UseMarkerPoint = false;        ///< whether MarkerPoint defines longitude 0
+  Vector3 MarkerPoint = { 1, 0, 0 };  ///< point on the surface, or close to the surface
 };
 
 struct BodyCoordinates
 {
-  /// #V by 3 unit vectors; the north pole is at (0, 0, 1), longitude 0 towards (1, 0, 0)
+  /// Transformed sphere map, #V by 3 unit vectors. The north pole is (0, 0, 1), and longitude 0 on
+  /// the equator is (1, 0, 0).
   Points SpherePositions;
-  Vector3 NorthPole, SouthPole, Marker; ///< positions of the poles and of the marker on the surface
+  /// Points of the surface: both poles, and the point at longitude 0.
+  Vector3 NorthPole, SouthPole, Marker;
 };
 
 /// Transform a sphere map so that longitude and latitude on the sphere are those of the body.
 ///
-/// From Center, the axis intersects the surface in both directions. The farthest intersections are
-/// the poles. A conformal transform of the sphere moves them to opposite points. Several transforms
-/// do so. The chosen transform balances north and south: the sum of the body's areas, each times
-/// the sine of its latitude, is 0.
+/// From Center, the rotation axis intersects the surface in both directions. The farthest
+/// intersections are the poles. A conformal transform of the sphere moves both poles to opposite
+/// points. Several transforms have this property. The chosen transform balances north and south:
+/// the mean sine of latitude over the area of the body is 0.
 ///
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
-/// point, a ray from Center defines longitude 0. Its direction is x, or y if the axis is x, made
-/// perpendicular to the axis. Longitude 0 then passes through the farthest intersection of this ray
-/// with the surface. East is counter-clockwise around the north pole seen from outside, also for a
-/// mirrored map.
+/// point, longitude 0 passes through a point on a ray from Center. This point is the farthest
+/// intersection of the ray with the surface. The direction of the ray is the x axis, projected
+/// perpendicular to the rotation axis. If the rotation axis is the x axis, the y axis is projected
+/// instead. Seen from outside above the north pole, east is counter-clockwise, also for a mirrored
+/// map.
 ///
-/// @param[in] surface  body with its sphere map; finite
-/// @throws std::invalid_argument if there are no triangles, or numbers are not finite. Also if the
-///   axis has no length, or does not intersect the surface on both sides of Center. Also if both
-///   poles coincide on the sphere. Also if no point defines longitude 0, or that point is a pole.
+/// @param[in] surface  body with its sphere map; all numbers must be finite
+/// @throws std::invalid_argument if there are no triangles, or if numbers are not finite
+/// @throws std::invalid_argument if the axis has length 0, or does not intersect the surface on
+///   both sides of Center
+/// @throws std::invalid_argument if both poles coincide on the sphere
+/// @throws std::invalid_argument if no point defines longitude 0, or if that point is a pole
 BodyCoordinates findBodyCoordinates(
   const MappedMesh& surface, const BodyCoordinatesOptions& options = {}, const Run& run = {});
 
@@ -58,9 +63,10 @@ Vector2 toLongitudeLatitude(const Vector3& direction);
 /// Convert longitude and latitude in degrees to a unit vector. The longitude may have any value.
 Vector3 toDirection(const Vector2& longitudeLatitude);
 
-/// Find the points of the body at given directions of the sphere. Coordinates are infinite in a
-/// hole of the map.
+/// Find the points of the body at given directions of the sphere. If a direction is in a hole of
+/// the map, the coordinates of its point are infinite.
 /// @param[in] directions  #P by 3 unit vectors
+/// @return #P by 3 positions
 Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run = {});
 
 /// Meridian or parallel as a polyline on the body.
@@ -68,12 +74,14 @@ struct GraticuleLine
 {
   bool IsMeridian = false;
   double Degrees = 0.0; ///< longitude of a meridian, in [0, 360), or latitude of a parallel
-  Points Positions; ///< #L by 3 points along the line; parallels repeat the first point at the end
+  /// Points along the line, #L by 3. A parallel repeats its first point at the end.
+  Points Positions;
 };
 
-/// Compute meridians and parallels on the body. The points of a line lie on the surface, about a
-/// hundredth of the body's size apart.
-/// @param[in] spacing  degrees between neighboring lines, in [1, 90]
+/// Compute meridians and parallels on the body. The points of a line are on the surface.
+/// Neighboring points are about a hundredth of the size of the body apart.
+/// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
+/// @param[in] spacing  angle between neighboring lines, in [1, 90] [degrees]
 /// @throws std::invalid_argument if the spacing is out of range or there are no triangles
 std::vector<GraticuleLine> makeGraticule(
   const MappedMesh& body, double spacing, const Run& run = {});

@@ -1,5 +1,6 @@
-/// Heights and slopes of a body relative to a reference ellipsoid or sphere. Own construction: the
-/// reference is computed from volume and moments, because no fit is then required.
+/// Compute heights and slopes of a body relative to a reference ellipsoid or sphere. The method is
+/// an own construction, not from a publication. The reference is computed from the volume and
+/// moments of the body, because no fit is then required.
 
 #ifndef ConformalBodyRelief_h
 #define ConformalBodyRelief_h
@@ -10,35 +11,37 @@
 
 namespace conformal
 {
-/// Reference ellipsoid. It is a sphere if all radii are equal.
+/// Reference ellipsoid. If all radii are equal, the ellipsoid is a sphere.
 struct ReferenceEllipsoid
 {
   Vector3 Center = Vector3::Zero();
-  /// Columns: unit vectors along the axes, right-handed
+  /// Unit vectors along the axes of the ellipsoid, as columns; right-handed.
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
-  Vector3 Radii = Vector3::Ones(); ///< semi-axes along the columns of Axes, in descending order
+  Vector3 Radii = Vector3::Ones(); ///< radii along the columns of Axes, in descending order
 };
 
-/// Compute the sphere that has the same volume as a body. Its center is the centroid of the body's
-/// volume.
+/// Compute the sphere that has the same volume as a body. The center of the sphere is the centroid
+/// of the volume.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceSphere(const Mesh& body);
 
-/// Compute the ellipsoid that has the same volume as a body. Its axes are the body's principal axes
-/// of inertia. The ratios of its radii are those of the square roots of the body's second moments.
+/// Compute the ellipsoid that has the same volume as a body. Its center is the centroid of the
+/// volume, and its axes are the principal axes of inertia of the body. The radii are proportional
+/// to the square roots of the second moments of the body along these axes.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceEllipsoid(const Mesh& body);
 
 struct BodyRelief
 {
-  /// #V heights: distance of the vertex from the center, minus the distance of the reference in the
-  /// same direction
+  /// Height of each vertex, #V. Let d be the distance of the vertex from the center of the
+  /// reference. The height is d minus the distance of the reference surface in the same direction.
   std::vector<double> Heights;
-  std::vector<double> Slopes; ///< #V angles between the normals of body and reference [degrees]
+  /// Angle between the normals of body and reference at each vertex, #V [degrees].
+  std::vector<double> Slopes;
 };
 
 /// Measure heights and slopes at each vertex. Each vertex is compared with the point of the
-/// reference in the same direction from the center. The slope is 0 for a vertex without a normal.
+/// reference in the same direction from the center. If a vertex has no normal, its slope is 0.
 BodyRelief measureRelief(const Mesh& body, const ReferenceEllipsoid& reference);
 }
 

@@ -1,6 +1,6 @@
-/// Images of plane maps of a body, in the projections of \cite Snyder1987. Own construction: the
-/// direction of each pixel is located on the sphere map, because this is valid for every
-/// projection.
+/// Compute images of plane maps of a body, in the projections of \cite Snyder1987. The method is an
+/// own construction, not from a publication. The direction of each pixel is located on the sphere
+/// map, because this works for every projection.
 
 #ifndef ConformalMapImage_h
 #define ConformalMapImage_h
@@ -19,10 +19,10 @@ namespace conformal
 struct MapImage
 {
   MapProjection Projection = MapProjection::Equirectangular;
-  double CentralLongitude = 0.0; ///< longitude in the middle of the map [degrees]
+  double CentralLongitude = 0.0; ///< longitude of the central meridian of the map [degrees]
   PixelGrid Grid;
 
-  /// Return the position of a pixel's center on the map.
+  /// Return the position of the center of a pixel on the map.
   Vector2 placeOf(Index pixel) const
   {
     return halfSizeOfMap(this->Projection)
@@ -37,7 +37,7 @@ struct MapImage
   }
 };
 
-/// Find the point of the body that each pixel shows.
+/// Find the point of the body that each pixel shows, and pass the points to `sink`.
 /// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintMap(
@@ -47,14 +47,16 @@ void paintMap(
 /// parallels).
 struct MapMarks
 {
-  std::vector<unsigned char> OutsideMap; ///< for each pixel: 1 if it is outside of the map, else 0
-  /// For each pixel: 1 if it is on a line, else 0; empty if there are no lines
+  /// For each pixel, 1 if the pixel is outside of the map, else 0.
+  std::vector<unsigned char> OutsideMap;
+  /// For each pixel, 1 if the pixel is on a line, else 0. Empty if no lines were requested.
   std::vector<unsigned char> Graticule;
 };
 
 /// Mark the pixels outside of the map, and the pixels on its graticule. A pixel is on a line if a
-/// meridian or parallel separates it from the next pixel to the right or above.
-/// @param[in] spacing  degrees between neighboring lines, at least 1; 0 for no lines
+/// meridian or parallel separates this pixel from its right or upper neighbor. Near the poles, only
+/// meridians at multiples of 90 degrees are marked.
+/// @param[in] spacing  angle between neighboring lines, at least 1 [degrees]; 0 for no lines
 MapMarks markMap(const MapImage& image, double spacing, const Run& run = {});
 }
 

@@ -80,8 +80,8 @@ bool fromMollweide(const Vector2& place, Vector3& n)
   return true;
 }
 
-// Project around the nearer pole, seen from outside, at 0; longitude 0 points down. Two hemispheres
-// side by side then touch at one point of the equator.
+// Project a hemisphere, seen from outside, with its pole at (0, 0). Longitude 0 points down. Two
+// hemispheres side by side then touch at one point of the equator.
 Vector2 toHemisphere(const Vector3& n)
 {
   const double scale = std::sqrt(2.0 / (1.0 + std::abs(n[2])));
@@ -179,7 +179,8 @@ Complex lemniscateSine(const Complex& z)
   return 2.0 * s * std::sqrt(1.0 - power) / (1.0 + power);
 }
 
-// Reflect across the side of the diamond of a hemisphere, to or from the corner beyond it.
+// Reflect a position at the nearest side of the diamond: from the northern hemisphere to the
+// southern, or back.
 Complex mirrored(const Complex& z)
 {
   const double half = 0.5 * Lemniscate;

@@ -1,6 +1,6 @@
-/// Density of points that is higher at the details of a picture on the sphere. Own construction:
-/// density in proportion to the slope of the picture, because blur at a border between colors then
-/// does not matter.
+/// Compute a density of points that is higher at the details of a picture on the sphere. The method
+/// is an own construction, not from a publication. The density is proportional to the slope of the
+/// picture, because blur at borders between colors then has no effect.
 
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
@@ -14,30 +14,34 @@
 
 namespace conformal
 {
-/// Picture: a grid of pixels with one or more values (components) per pixel.
+/// Grid of pixels with one or more values (components) for each pixel.
 struct Picture
 {
   PixelGrid Grid;
   int NumberOfComponents = 1;
-  /// Grid.size() * NumberOfComponents values, finite; the components of a pixel are consecutive
+  /// Finite values, Grid.size() * NumberOfComponents. The components of a pixel are consecutive.
   std::vector<double> Values;
 };
 
 /// Build a density proportional to the slope of a picture on the sphere, for any projection. The
-/// slope of each component is estimated by differences over about a pixel. The density is the root
-/// of the sum of the squared slopes of all components. The number of points at a border between two
-/// colors does not depend on the sharpness of the border.
+/// slope of each component is estimated by differences over about a pixel. The density is the
+/// square root of the sum of the squared slopes of all components. The number of points at a border
+/// between two colors does not depend on the sharpness of the border.
 ///
-/// @param[in] picture  picture; stored in the density
-/// @throws std::invalid_argument if the picture has no pixels, a wrong number of values, or values
-///   that are not finite
+/// @param[in] picture  grid of pixels; stored in the density
+/// @param[in] image  position and projection of the picture on the sphere
+/// @throws std::invalid_argument if the picture has no pixels
+/// @throws std::invalid_argument if the picture has a wrong number of values, or values that are
+///   not finite
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
-/// Combine a density with the details of a picture: half of the points follow the density, the
-/// other half the details. The values of the picture may have any unit. A picture of one color has
-/// no details; the density is then returned unchanged.
+/// Combine a density with the details of a picture. Half of the points follow the density, the
+/// other half follow the details. The values of the picture may have any unit. A picture with only
+/// one color has no details. The density is then returned unchanged.
 /// @param[in] density  density of the half that does not follow the picture
-/// @throws std::invalid_argument for a reason given at pictureDensity()
+/// @param[in] picture  grid of pixels
+/// @param[in] image  position and projection of the picture on the sphere
+/// @throws std::invalid_argument if pictureDensity() throws it
 SphereDensity withDetails(
   SphereDensity density, Picture picture, const SphereImage& image, const Run& run = {});
 }

@@ -9,7 +9,7 @@ namespace conformal
 {
 namespace
 {
-constexpr double SnapShare = 1e-3; // of an edge; a cut closer to an end passes through the end
+constexpr double SnapShare = 1e-3; // of an edge; a cut closer to an end is moved to the end
 
 // Maximum number of copies of an image on a triangle that are resolved.
 constexpr double MaximumCopies = 16.0;
@@ -18,8 +18,8 @@ constexpr double FarthestCopy = 1e6; // floats resolve positions within it
 // Corner of a piece of a triangle.
 struct Corner
 {
-  Vector3 Weights;                   // of the vertices of the triangle, by ascending ids
-  Vector2 Texture = Vector2::Zero(); // in the plane of the image, not wrapped
+  Vector3 Weights;                   // weights of the vertices of the triangle, by ascending ids
+  Vector2 Texture = Vector2::Zero(); // position in the plane of the image, not wrapped
 };
 using Polygon = std::vector<Corner>; // convex
 
@@ -28,7 +28,8 @@ bool isLess(const Vector3& a, const Vector3& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// Compute the corner between a and b at a share of the way; a or b if close to it.
+// Compute the corner at a fraction of the way from a to b. If the corner is close to a or b, return
+// that end.
 Corner between(const Corner& a, const Corner& b, double share)
 {
   if (share < SnapShare)
@@ -43,7 +44,8 @@ Corner between(const Corner& a, const Corner& b, double share)
     (1.0 - share) * a.Texture + share * b.Texture };
 }
 
-// Find the side of the triangle that contains two corners, by its opposite vertex; -1 for none.
+// Find the side of the triangle that contains two corners. The side is identified by the opposite
+// vertex. Return -1 if there is none.
 int commonSide(const Corner& a, const Corner& b)
 {
   for (int k = 0; k < 3; ++k)
@@ -56,9 +58,9 @@ int commonSide(const Corner& a, const Corner& b)
   return -1;
 }
 
-// Find the zero of a linear function between corners of different signs, given its values at the
-// vertices. On a side of the triangle the whole side is used, so that both triangles compute the
-// same bits.
+// Find the zero of a linear function between two corners where its signs differ. The values of the
+// function at the vertices are given. If the corners are on a side of the triangle, the whole side
+// is used. Both triangles at the side then compute the same bits.
 Corner crossing(const Vector3& values, const Corner& a, const Corner& b)
 {
   const int side = commonSide(a, b);
@@ -72,7 +74,7 @@ Corner crossing(const Vector3& values, const Corner& a, const Corner& b)
   return between(a, b, atA / (atA - atB));
 }
 
-// Find the given value of a texture coordinate between corners on both sides of it.
+// Find the position between two corners where a texture coordinate has the given value.
 Corner crossing(int axis, double level, const Corner& a, const Corner& b)
 {
   const bool swap = isLess(b.Weights, a.Weights);
@@ -176,8 +178,8 @@ std::vector<Polygon> slicedAtBorders(const Polygon& polygon, TextureWrap wrap)
   return parts;
 }
 
-// Move a position to the image, relative to the copy that contains `middle`. Beside the image,
-// clamp to its border.
+// Convert a position in the copy of the image that contains `middle` to a position in the image.
+// For Clamp, positions outside of the image are moved to the border.
 Vector2 inCopy(const Vector2& st, const Vector2& middle, TextureWrap wrap)
 {
   if (wrap == TextureWrap::Repeat)
@@ -211,7 +213,8 @@ bool isOutside(const Vector2& st, TextureWrap wrap)
                                     : st.cwiseAbs().maxCoeff() > FarthestCopy;
 }
 
-// Snapping may make three corners collinear.
+// Test whether a triangle has an area. Moving cuts to the ends of edges may make three corners
+// collinear.
 bool hasArea(const Corner& a, const Corner& b, const Corner& c)
 {
   return (b.Weights - a.Weights).cross(c.Weights - a.Weights).norm() > 1e-9;
@@ -407,7 +410,7 @@ private:
       this->addPiece({ middle, b, c }, patch, whole, depth + 1);
       return;
     }
-    // Cut unless it lies within the image or one copy of it.
+    // Cut the triangle at the borders of the image and its copies.
     const bool visible = inImage &&
       (this->Wrap == TextureWrap::Clamp || boxOf(piece).sizes().maxCoeff() < MaximumCopies);
     for (const Polygon& part :
@@ -466,7 +469,8 @@ private:
     return place;
   }
 
-  // Return the point with these coordinates: the vertex at first use, then copies.
+  // Return the id of the point with given texture coordinates. The first coordinates at a vertex
+  // are those of the vertex. Other coordinates get a copy of the vertex.
   int pointAt(const SurfacePlace& place, const Vector2& st, bool outside)
   {
     const int id = place.Ids[0];

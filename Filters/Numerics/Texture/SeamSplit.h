@@ -1,6 +1,6 @@
-/// Cut surfaces along the seams of an image of the sphere. Own construction: a cut point is
-/// computed from the two ends of the original edge, because both its triangles then get the same
-/// point. The surface thus has no gaps.
+/// Cut surfaces along the seams of an image of the sphere. The method is an own construction, not
+/// from a publication. A cut point is computed from the two ends of the original edge. Both
+/// triangles at the edge thus get the same point, and the surface has no gaps.
 
 #ifndef ConformalSeamSplit_h
 #define ConformalSeamSplit_h
@@ -14,21 +14,22 @@ namespace conformal
 struct WrappedPlace
 {
   Vector2 Coordinates;
-  /// For Clamp: whether the position is outside of the image; otherwise: whether it is too far away
-  /// to wrap
+  /// With TextureWrap::Clamp, true if the position is outside of the image. Otherwise, true if the
+  /// position is too far from the image to be wrapped.
   bool IsOutside;
 };
 
-/// Wrap a position in the plane of the image. Repeat and Mirror wrap positions only up to a maximum
-/// distance. Beyond it, texture coordinates in single precision are too coarse for the pixels of an
-/// image.
+/// Wrap a position in the plane of the image. TextureWrap::Repeat and Mirror wrap positions only up
+/// to a maximum distance. Beyond this distance, texture coordinates in single precision are too
+/// coarse for the pixels of an image.
 WrappedPlace wrapped(const Vector2& st, TextureWrap wrap);
 
-/// Cut the triangles along the border of the image, and along the borders between the patches of
-/// its projection (SpherePatch). Points on these borders are duplicated if they need several
-/// texture coordinates.
-/// @param[in,out] texture  texture of the uncut surface: Image, and Coordinates and OutsideImage of
-///   all vertices. The cut surface is added. Vertices without triangles keep their values.
+/// Cut the triangles along the border of the image, and along the borders between the parts of its
+/// projection (SpherePatch). Points on these borders that need several texture coordinates are
+/// duplicated.
+/// @param[in,out] texture  texture of the uncut surface: Image, and the Coordinates and
+///   OutsideImage of all vertices. The function adds the cut surface. Vertices without triangles
+///   keep their values.
 void splitAtSeams(SphericalTexture& texture, const Triangles& triangles,
   const Points& spherePositions, TextureWrap wrap, const Run& run);
 }

@@ -10,7 +10,7 @@ namespace
 {
 const double Radians = Pi / 180.0;
 
-// substitute for infinity that can be squared
+// Substitute for infinity. Its square is finite.
 constexpr double FarAway = 1e100;
 
 constexpr int NumberOfLunes = 8;

@@ -1,5 +1,6 @@
-/// Projections between the sphere and images: stereographic \cite Liou2008, longitude and latitude
-/// \cite Snyder1987, octahedron \cite Praun2003, cube \cite Greene1986.
+/// Convert between directions on the sphere and positions in images. The projections are
+/// stereographic \cite Liou2008, longitude and latitude \cite Snyder1987, octahedron
+/// \cite Praun2003, and cube \cite Greene1986.
 
 #ifndef ConformalSphereProjection_h
 #define ConformalSphereProjection_h
@@ -15,12 +16,17 @@ using Vector2 = Eigen::Vector2d;
 
 enum class SphereProjection
 {
-  Stereographic, ///< plane tangent to the sphere at the pole, \cite Liou2008 section 4.2
-  /// Whole sphere, 2 : 1; the pole is in the middle, the direction Up along the top edge
+  /// Projection onto the plane tangent to the sphere at View.Pole, \cite Liou2008 section 4.2.
+  Stereographic,
+  /// Whole sphere, twice as wide as high. View.Pole is in the middle of the image. The whole top
+  /// edge is the single direction View.Up.
   LongitudeLatitude,
-  /// Whole sphere, 1 : 1; the pole is in the middle, the opposite pole in the four corners
+  /// Whole sphere, a square. View.Pole is in the middle of the image, and the opposite direction is
+  /// in the four corners.
   Octahedral,
-  CubeMap ///< whole sphere, 3 : 2; six faces, with the pole in the middle of the upper row
+  /// Whole sphere, six faces of a cube in two rows of three. View.Pole is in the middle of the
+  /// upper row.
+  CubeMap
 };
 
 /// Position and projection of an image on the sphere.
@@ -28,40 +34,40 @@ struct SphereImage
 {
   SphereProjection Projection = SphereProjection::Stereographic;
   SphereView View;
-  /// For Stereographic: degrees of the sphere across the inscribed circle of the image
+  /// Angle of the sphere across the inscribed circle of the image [degrees]. Used by Stereographic.
   double FieldOfView = 180.0;
-  Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, in s and t
-  /// For Octahedral and CubeMap: width of the margin along the seams, as a fraction of a side, in
-  /// [0, 1/4]
+  Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, along s and t
+  /// Width of the margin along the seams, divided by the side of a square or face, in [0, 1/4].
+  /// Used by Octahedral and CubeMap.
   double Margin = 0.0;
 };
 
-/// Project a direction stereographically onto the plane tangent to the sphere at the pole. The unit
-/// is the diameter of the sphere: a direction at an angle theta from the pole is mapped to the
-/// distance tan(theta / 2). The opposite pole is mapped to a point far away.
+/// Project a direction stereographically onto the plane tangent to the sphere at the pole of the
+/// view. The unit is the diameter of the sphere. Let theta be the angle between the direction and
+/// the pole. The distance from the pole in the plane is then tan(theta / 2). The direction opposite
+/// to the pole is mapped to a point at a very large distance.
 Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 
 /// Project a direction to texture coordinates.
 /// @param[in] n  direction, of any nonzero length
-/// @return texture coordinates (s, t): 0 and 1 at the borders of the image, below 0 or above 1
-///   outside
+/// @return texture coordinates (s, t), in [0, 1] within the image
 Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 
 /// Compute the direction at texture coordinates. This is the inverse of sphereToTexture(). The
-/// margin along a seam shows the part of the sphere beyond the seam, so that pixels can be
+/// margin along a seam shows the part of the sphere beyond the seam. Pixels can therefore be
 /// interpolated at the seam.
 /// @return unit vector
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 
-/// Part of the sphere on which the projection is smooth and its image connected. It consists of the
-/// directions n with a.n + b >= 0 for all Borders (a, b). Flat triangles cut along these borders
-/// have an image without a seam.
+/// Part of the sphere on which the projection is smooth and the image is connected. The part
+/// consists of the directions n with a . n + b >= 0 for all Borders (a, b). If the triangles of a
+/// surface are cut along these borders, the image of each triangle is connected.
 struct SpherePatch
 {
-  /// One row (a, b) for each border
+  /// Borders of the part, with one row (a, b) for each border.
   Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor> Borders;
-  /// Whether the image shows this part; false around the opposite pole of the stereographic
-  /// projection
+  /// Whether the image shows this part. False for the part opposite to the pole in the
+  /// stereographic projection.
   bool InImage = true;
 };
 
@@ -72,9 +78,11 @@ std::vector<SpherePatch> spherePatches(const SphereImage& image);
 /// spherePatches().
 int patchOf(const Vector3& n, const SphereImage& image);
 
-/// Project a direction to texture coordinates by the projection of one part of the sphere. A
-/// direction on a seam, or beyond it by rounding, thus gets coordinates on the side of this part.
-/// The zero vector is projected into the part, too: it can be the center of a flat triangle.
+/// Project a direction to texture coordinates by the projection of one part of the sphere.
+/// Directions on a seam, or beyond the seam by rounding, thus get coordinates on the side of this
+/// part. The zero vector is accepted and projected into the part. The zero vector occurs if a flat
+/// triangle passes through the center of the sphere.
+/// @param[in] patch  index into spherePatches()
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }
 

@@ -1,4 +1,4 @@
-/// Position and axes of an image on the sphere, \cite Liou2008 section 4.2.
+/// Define the position and axes of an image on the sphere, \cite Liou2008 section 4.2.
 
 #ifndef ConformalSphereView_h
 #define ConformalSphereView_h
@@ -7,9 +7,9 @@
 
 namespace conformal
 {
-/// Orthonormal axes of an image on the sphere. The middle of the image is at Pole, its top points
-/// towards Up, its right edge towards Right. The axes Right, Up and Pole are right-handed, unless
-/// the sphere map of the surface is mirrored.
+/// Orthonormal axes of an image on the sphere. Pole is the middle of the image. Up points to the
+/// top edge, and Right to the right edge. The axes Right, Up and Pole are right-handed, unless the
+/// sphere map of the surface is mirrored.
 struct SphereView
 {
   Vector3 Pole = { 0, 0, 1 };
@@ -17,8 +17,10 @@ struct SphereView
   Vector3 Right = { 1, 0, 0 };
 };
 
-constexpr double MinimumFieldOfView = 0.001; ///< degrees
-constexpr double MaximumFieldOfView = 340.0; ///< degrees
+/// Minimum angle of the sphere that an image shows [degrees].
+constexpr double MinimumFieldOfView = 0.001;
+/// Maximum angle of the sphere that an image shows [degrees].
+constexpr double MaximumFieldOfView = 340.0;
 }
 
 #endif

@@ -30,7 +30,7 @@ Vector3 directionOf(const Vector3& v, const char* name)
   return unit;
 }
 
-// Axes of a viewer: Pole towards the viewer, Up and Right in the view.
+// Compute the axes of a viewer: Pole points toward the viewer, Up and Right are those of the view.
 SphereView viewerAxes(const Vector3& toViewer, const Vector3& upward)
 {
   SphereView axes;
@@ -48,7 +48,7 @@ SphereView viewerAxes(const Vector3& toViewer, const Vector3& upward)
 // Point of the surface.
 struct Place
 {
-  int Triangle = -1; // a triangle that contains it
+  int Triangle = -1; // triangle that contains the point
   Vector3 Barycentric = Vector3::Zero();
 };
 
@@ -67,7 +67,7 @@ Vector3 areaCentroid(const Points& points, const Triangles& triangles)
   return area > 0.0 ? Vector3(sum / area) : Vector3(points.row(triangles(0, 0)));
 }
 
-// Surface in the frame of the viewer: right, up, towards the viewer.
+// Convert points to the frame of the viewer: right, up, toward the viewer.
 Points inViewer(const Points& points, const SphereView& axes)
 {
   Eigen::Matrix3d columns;
@@ -75,7 +75,8 @@ Points inViewer(const Points& points, const SphereView& axes)
   return points * columns;
 }
 
-// Find the first intersection on the line through (0, 0).
+// Find the intersection of the surface with the line of sight through (0, 0) that is nearest to the
+// viewer.
 Place firstMet(const Points& seen, const Triangles& triangles)
 {
   Place best;
@@ -221,7 +222,7 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
   const Complex derivative = isMirrored ? mirrored : upright;
   if (!(std::abs(derivative) > 0.0) || !std::isfinite(std::abs(derivative)))
   {
-    return; // a neighborhood without extent has no orientation
+    return; // a cap whose image is a point has no orientation
   }
   // Z = e^(i angle) z, or e^(i angle) conj(z), up to a positive factor; up is where Z = i.
   const Complex turn = derivative / std::abs(derivative);

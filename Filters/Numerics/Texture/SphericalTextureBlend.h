@@ -1,6 +1,6 @@
 /// Blend two pictures of an object, from the front and from the back, into one image of the sphere.
-/// Own construction: weights follow a smooth step between the poles of both pictures, because
-/// neither picture then ends at a visible edge.
+/// The method is an own construction, not from a publication. The weights follow a smooth step
+/// between the middles of both pictures. Neither picture therefore ends at a visible edge.
 
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
@@ -18,8 +18,8 @@ namespace conformal
 struct TwoPictures
 {
   SphereImage Front, Back;       ///< position of each picture on the sphere
-  PixelGrid FrontGrid, BackGrid; ///< at least one pixel each
-  double BlendAngle = 30.0; ///< width of the blended zone in degrees of the sphere, in [0, 180]
+  PixelGrid FrontGrid, BackGrid; ///< size of each picture, at least one pixel
+  double BlendAngle = 30.0;      ///< width of the blended zone on the sphere, in [0, 180] [degrees]
 };
 
 /// Pixel of the blended image. Its value is FrontShare times the value of Front, plus (1 -
@@ -30,16 +30,19 @@ struct BlendedPixel
   double FrontShare = 0.5;
 };
 
-/// Function that receives blended pixels. It may be called from several threads concurrently, with
+/// Function that receives blended pixels. Several threads may call the function concurrently, with
 /// different pixels.
 using BlendSink = std::function<void(Index firstPixel, const std::vector<BlendedPixel>& pixels)>;
 
 /// Compute the weight of the front picture at a direction. The weight increases from 0 to 1 by a
-/// smooth step over BlendAngle. In the middle of the step, both pictures' poles are at equal
-/// distances; for opposite poles, this is the equator between them.
+/// smooth step over BlendAngle. In the middle of the step, the direction has equal distances to the
+/// poles (middles) of both pictures. If the poles are opposite, this middle is the equator between
+/// the poles.
 double frontShare(const Vector3& n, const TwoPictures& pictures);
 
-/// Blend two pictures into an image of the sphere.
+/// Blend two pictures into an image of the sphere, and pass the pixels to `sink`.
+/// @param[in] image  position and projection of the blended image on the sphere
+/// @param[in] grid  size of the blended image
 /// @throws std::invalid_argument if an image has no pixels or BlendAngle is out of range
 void blendPictures(const TwoPictures& pictures, const SphereImage& image, const PixelGrid& grid,
   const BlendSink& sink, const Run& run = {});

@@ -34,7 +34,8 @@ Vector3 positionOf(const SurfacePlace& place, const PointView& points)
   return sum;
 }
 
-// Map to a point of another surface; the hint is passed from pixel to pixel.
+// Function that maps a point of the surface to a point of another surface. The hint is passed from
+// pixel to pixel.
 using Replace = std::function<SurfacePlace(const SurfacePlace&, int& hint)>;
 
 void paint(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
@@ -91,7 +92,7 @@ class ClosestPlaces
 public:
   struct Found
   {
-    SurfacePlace Place; // ids of this rank; -1 for points of other ranks
+    SurfacePlace Place; // place in ids of this rank; -1 for points of other ranks
     double SquareDistance = std::numeric_limits<double>::infinity();
   };
 
@@ -169,7 +170,8 @@ private:
   conformal::Triangles Triangles;
 };
 
-// Find the points of the surface shown by pixels, not finite in holes; none without a surface.
+// Find the points of the surface shown by pixels. In holes, coordinates are infinite. Without a
+// surface, the result is empty.
 Points pixelPositions(
   const MappedMesh& surface, const SphereImage& image, const PixelGrid& grid, const Run& run)
 {

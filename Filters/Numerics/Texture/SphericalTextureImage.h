@@ -1,5 +1,5 @@
-/// Find the surface point that each pixel of an image of the sphere shows, \cite Liou2008 section
-/// 4.2.
+/// Find the point of a surface that each pixel of an image of the sphere shows, \cite Liou2008
+/// section 4.2.
 
 #ifndef ConformalSphericalTextureImage_h
 #define ConformalSphericalTextureImage_h
@@ -17,15 +17,17 @@
 
 namespace conformal
 {
-/// Function that receives the surface points of consecutive pixels. It may be called from several
-/// threads concurrently, with different pixels. Ids are -1 in a hole of the sphere map.
+/// Function that receives the surface points of consecutive pixels. Several threads may call the
+/// function concurrently, with different pixels. If a pixel shows a hole of the sphere map, the ids
+/// of its point are -1.
 using PixelSink = std::function<void(Index firstPixel, const std::vector<SurfacePlace>& places)>;
 
-/// Function that computes the direction on the sphere that a pixel shows. It returns false if the
-/// pixel shows none. It may be called from several threads concurrently.
+/// Function that computes the direction on the sphere that a pixel shows. If the pixel shows no
+/// direction, the function returns false. Several threads may call the function concurrently.
 using PixelDirection = std::function<bool(Index pixel, Vector3& direction)>;
 
-/// Find the point of the surface for every pixel that shows a direction, and pass it to `sink`.
+/// Find the point of the surface for every pixel that shows a direction, and pass the points to
+/// `sink`.
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintSphere(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
   const PixelSink& sink, const Run& run = {});
@@ -37,24 +39,24 @@ void paintSphere(const MappedMesh& surface, const PixelDirection& direction, con
 void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const Run& run = {});
 
-/// Find the point of another surface, or of a cloud without triangles, for every pixel. First the
-/// point of the mapped surface is found, then the point of the other surface or cloud closest to
-/// it. The image can thus show details finer than the mapped surface.
-/// @param[in] cloud           #P by 3 coordinates, finite; at least one point
+/// Find a point of a second surface, or of a cloud without triangles, for every pixel. First, the
+/// point of the mapped surface is found. Then the closest point of the second surface or cloud is
+/// found. The image can thus show details finer than the mapped surface.
+/// @param[in] cloud  #P by 3 coordinates, finite; at least one point
 /// @param[in] cloudTriangles  #G by 3 ids in [0, #P); empty for a cloud without triangles
-/// @throws std::invalid_argument if there are no pixels, if the surface has no triangles, or if the
-///   cloud is empty or not finite
+/// @throws std::invalid_argument if there are no pixels, or if the surface has no triangles
+/// @throws std::invalid_argument if the cloud is empty or not finite
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Run& run = {});
 
 /// Find the closest point of a cloud for every pixel, where the cloud is distributed over ranks. A
-/// rank may have no points. On each rank, ids are also -1 for pixels whose closest point belongs to
-/// another rank. A cloud without triangles stays distributed; a cloud with triangles is gathered on
-/// each rank.
+/// rank may have no points. If the closest point of a pixel belongs to another rank, the ids on
+/// this rank are -1. A cloud without triangles stays distributed. A cloud with triangles is
+/// gathered on each rank.
 /// @param[in] surface  complete surface on one rank. The other ranks pass a surface without
 ///   triangles, and any image.
-/// @param[in] reduce   sums over the ranks
+/// @param[in] reduce  sums over the ranks
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Reduce& reduce, const Run& run = {});

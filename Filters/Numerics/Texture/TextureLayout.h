@@ -1,4 +1,5 @@
-/// Texture coordinates of an image of the sphere on a surface, \cite Liou2008 section 4.2.
+/// Store texture coordinates of a surface, for an image that is placed on the sphere,
+/// \cite Liou2008 section 4.2.
 
 #ifndef ConformalTextureLayout_h
 #define ConformalTextureLayout_h
@@ -13,7 +14,7 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// Texture of the surface where its texture coordinates are outside of the image.
+/// Texture at points of the surface whose texture coordinates are outside of the image.
 enum class TextureWrap
 {
   Clamp,  ///< the border of the image is extended
@@ -23,17 +24,20 @@ enum class TextureWrap
 
 struct SphericalTexture
 {
-  /// #P by 2 texture coordinates, finite; in [0, 1] except for Repeat
+  /// Texture coordinates (s, t) of each point, #P by 2, finite. The coordinates are in [0, 1]
+  /// except for TextureWrap::Repeat.
   TextureCoordinates Coordinates;
-  std::vector<unsigned char> OutsideImage; ///< #P marks, 1 for points outside of the image
+  std::vector<unsigned char> OutsideImage; ///< 1 for each point outside of the image, else 0, #P
   SphereImage Image; ///< projection of the image, and its position on the sphere
 
-  /// Triangles of the cut surface, used with SplitSeam: #F' by 3 ids in [0, #P). Points from #V on
-  /// are copies of vertices with other texture coordinates, or points on cut edges.
-  Triangles SplitTriangles; ///< triangles after cutting
-  /// #F' ids: the original triangle of each triangle in SplitTriangles
+  /// Triangles after the surface is cut along the seams of the projection, #F' by 3 ids in [0, #P).
+  /// Empty if the surface is not cut (SphericalTextureOptions::SplitSeam). Let #V be the number of
+  /// vertices of the uncut surface. Points from id #V are added: copies of vertices with other
+  /// texture coordinates, or points on cut edges.
+  Triangles SplitTriangles;
+  /// Id of the original triangle of each triangle in SplitTriangles, #F'.
   std::vector<int> TriangleIds;
-  /// #P - #V positions of the added points on the uncut surface
+  /// Positions of the added points on the uncut surface, #P - #V.
   std::vector<SurfacePlace> AddedPlaces;
 };
 }
