@@ -84,9 +84,9 @@ TEST(ReaderMutations, HandMadeBadFilesAreRefused)
   {
     SCOPED_TRACE(test.Name);
     folder.write(test.Beside);
+    EXPECT_GE(test.BadFiles.size(), 5u);
     std::vector<std::string> files = cases::FilesOfNoReader();
     files.insert(files.end(), test.BadFiles.begin(), test.BadFiles.end());
-    EXPECT_GE(files.size(), 40u);
     for (const std::string& bytes : files)
     {
       EXPECT_FALSE(ExpectTrustworthy(test, folder.write("a file", bytes))) << bytes.substr(0, 400);

@@ -630,9 +630,13 @@ CASES = {
 }
 
 
+DERIVED_READERS = []  # names of readers with a derived case
+
+
 def files_of_case(name):
     """Valid files of the case Testing/Cases/<name>.cxx of a reader, for each run of its own."""
-    program = os.path.join(os.path.dirname(conformalsom.__file__), "..", "..", "Testing", "Cases", "ReaderFiles")
+    build = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(conformalsom.__file__))))
+    program = os.path.join(build, "Testing", "Cases", "ReaderFiles")
     runs = {}
     with tempfile.TemporaryDirectory() as folder:
         listed = subprocess.run([program, name, folder], check=True, capture_output=True, text=True).stdout
@@ -654,6 +658,7 @@ def add_derived_cases():
         if name in CASES:
             continue
         if name.endswith("Reader"):
+            DERIVED_READERS.append(name)
             CASES[name] = Reader(files_of_case(name))
         elif name.endswith("Writer"):
             CASES[name] = Writer("surface", inputs(painted))

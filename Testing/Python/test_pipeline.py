@@ -197,11 +197,15 @@ class ReadFiles:
             assert writer.Write() == 1
             self.update("vtkSPHARMSurfaceReader", writer.GetFileName())
             self.read("vtkSPHARMCoefficientReader", "{ 1,{1.5, 2, 3}}")
+            for name in set(output_cases.DERIVED_READERS) - set(self.outputs):
+                for files in output_cases.CASES[name].files.values():
+                    paths = [self.put(file, bytes_) for file, bytes_ in files.items()]
+                    self.update(name, paths[0])
 
     def put(self, name, text):
         path = os.path.join(self.folder, name)
-        with open(path, "w", encoding="ascii") as file:
-            file.write(text)
+        with open(path, "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode("ascii"))
         return path
 
     def read(self, class_name, text, set_up=None):
