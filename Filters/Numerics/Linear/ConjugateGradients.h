@@ -13,8 +13,8 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Let E be the square of the residual, in the norm of the preconditioner. The iteration ends
-  /// when E is at most this fraction of its initial value.
+  /// Let E be the square of the residual, in the norm of the preconditioner. If E is at most this
+  /// fraction of its initial value, the iteration ends.
   double Accuracy = 0.0;
 };
 

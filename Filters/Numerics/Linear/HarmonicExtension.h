@@ -14,7 +14,7 @@ namespace conformal
 {
 /// Compute the values at the free vertices from the values at all other vertices. In the result,
 /// each free vertex has the weighted mean of the values of its neighbors. The equations are solved
-/// by Eigen's sparse Cholesky factorization. If there are many free vertices, they are solved by
+/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, they are solved by
 /// MultifrontalCholesky.
 /// @param[in] places      #V by 3 positions of the vertices. They determine only the elimination
 ///   order.

@@ -22,7 +22,7 @@ struct NestedDissection
     int Begin, End; ///< first position of the part in Order, and the position after its last one
     /// 0 for the last part; for any other part, the level of its parent plus 1
     int Level;
-    /// indices in Parts of the last parts of both halves; none for a leaf
+    /// Indices in Parts of the last parts of both halves; none for a leaf
     std::vector<int> Children;
   };
   std::vector<int> Order;     ///< unknown at each position of the elimination order

@@ -23,9 +23,9 @@ struct GenusZeroReport
 {
   std::vector<Edge> BoundaryEdges; ///< edges of exactly one triangle, directed as in that triangle
   std::vector<Edge> NonManifoldEdges; ///< edges of more than two triangles, smaller id first
-  /// edges of two triangles that contain the edge in the same direction, smaller id first
+  /// Edges of two triangles that contain the edge in the same direction, smaller id first
   std::vector<Edge> InconsistentEdges;
-  /// vertices with more than one fan (set of triangles connected by edges at the vertex)
+  /// Vertices with more than one fan (set of triangles connected by edges at the vertex)
   std::vector<int> NonManifoldVertices;
   std::vector<int> DegenerateTriangles; ///< triangles with a repeated vertex or without area
   std::vector<int> IsolatedPoints;      ///< points without triangles

@@ -63,7 +63,7 @@ private:
   const conformal::Triangles& Triangles;
   const Adjacency& Around;
   std::vector<Hinge> Hinges;
-  /// entry (r, j): id of the hinge at edge (j, j + 1 mod 3) of triangle r
+  /// Entry (r, j): id of the hinge at edge (j, j + 1 mod 3) of triangle r
   conformal::Triangles HingeOf;
   Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> Bent; ///< sqrt(s / 14) k x of each hinge
 };

@@ -18,7 +18,7 @@ namespace conformal
 struct ProgressiveMesh
 {
   VertexRings Rings; ///< connectivity of the tetrahedron
-  /// arguments of VertexRings::split() for each split, in the sequence of the splits
+  /// Arguments of VertexRings::split() for each split, in the sequence of the splits
   std::vector<QuadricCollapse::Collapse> Splits;
 };
 

@@ -30,7 +30,7 @@ public:
     /// Collapse vertices of needles last, because most of these collapses make new needles. This
     /// value is for surfaces with few needles.
     Keep,
-    /// collapse vertices of needles like other vertices, unless the collapse makes thinner
+    /// Collapse vertices of needles like other vertices, unless the collapse makes thinner
     /// triangles
     Thin
   };
@@ -44,7 +44,7 @@ public:
   struct Collapse
   {
     int Vertex; ///< id of the removed vertex
-    /// neighbors of the removed vertex before the collapse, starting with the vertex into which it
+    /// Neighbors of the removed vertex before the collapse, starting with the vertex into which it
     /// collapsed
     Ring Neighbors;
   };

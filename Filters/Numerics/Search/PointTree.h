@@ -65,7 +65,7 @@ private:
     Found& found) const;
 
   std::vector<Place> Places; ///< points in the sequence of the tree
-  /// axis (0, 1 or 2) of the split at each inner node i. The children of node i are 2 i + 1 and 2 i
+  /// Axis (0, 1 or 2) of the split at each inner node i. The children of node i are 2 i + 1 and 2 i
   /// + 2.
   std::vector<unsigned char> Axes;
 };

@@ -17,7 +17,7 @@ namespace conformal
 struct FootPoint
 {
   int Triangle = -1;
-  /// barycentric coordinates in the triangle; >= 0, with the sum 1
+  /// Barycentric coordinates in the triangle; >= 0, with the sum 1
   Vector3 Barycentric = Vector3::Zero();
   Vector3 Position = Vector3::Zero();
   double SquareDistance = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ private:
   struct Quad
   {
     Doubles Lower[3], Upper[3];
-    /// index in Quads of the child of each box; -1 for a leaf or an unused box
+    /// Index in Quads of the child of each box; -1 for a leaf or an unused box
     int Next[DoubleLanes];
     int First[DoubleLanes]; ///< position in Items of a leaf's first triangle
     int Count[DoubleLanes]; ///< number of triangles of a leaf; 0 otherwise

@@ -18,7 +18,7 @@ namespace conformal
 /// Whether the maps of neighboring triangles agree on their common edge.
 enum class SeamMode
 {
-  /// conformal map of each triangle, as published; the maps of neighbors differ on their common
+  /// Conformal map of each triangle, as published; the maps of neighbors differ on their common
   /// edge
   PerTriangle,
   /// Maps that agree on the common edge of two triangles. They form one continuous map of the whole
@@ -101,7 +101,7 @@ private:
   NetworkShapes Network;
   std::vector<TriangleShape> Model;
   std::vector<Edges> All;
-  /// sequence of the three slides of each triangle
+  /// Sequence of the three slides of each triangle
   std::vector<std::array<unsigned char, 3>> Order;
 };
 

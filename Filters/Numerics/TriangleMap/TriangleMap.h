@@ -17,7 +17,7 @@ struct CornerTable
 {
   static constexpr int InverseTerms = 24;
   std::array<double, halfdisk::MaximumTerms> Map{}; ///< coefficients as in CornerSeries::Map
-  /// coefficients of W^1, W^2, ... in log(s/W), with W as in CornerSeries::guess()
+  /// Coefficients of W^1, W^2, ... in log(s/W), with W as in CornerSeries::guess()
   std::array<double, InverseTerms> Inverse{};
   double Limit = 0.0; ///< maximum log |W| for which Inverse has full precision
 };
@@ -35,7 +35,7 @@ struct EdgeShares
 struct EdgePoint
 {
   bool AtSecond = false; ///< whether the second end is at s = 0
-  /// coordinate s; positive if the first end is at s = 0, negative if the second end is
+  /// Coordinate s; positive if the first end is at s = 0, negative if the second end is
   double S = 0.0;
   double LogS = 0.0; ///< log |s|
 };
