@@ -60,7 +60,7 @@ struct Minimum
 };
 
 /// Compute the element-wise minimum over all ranks.
-/// @param[in] own  numbers of this rank, as many as on every other rank
+/// @param[in] own  numbers of this rank; all ranks must pass equally many
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
@@ -85,7 +85,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 }
 
 /// Compute the element-wise maximum over all ranks.
-/// @param[in] own  numbers of this rank, as many as on every other rank
+/// @param[in] own  numbers of this rank; all ranks must pass equally many
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);

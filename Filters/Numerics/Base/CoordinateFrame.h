@@ -15,12 +15,13 @@ namespace conformal
 {
 /// Return x / unit, or a closer point if a coordinate of x / unit exceeds 2^26 in magnitude. The
 /// closer point has the direction of x and the distance 2^26 from the origin. In double precision,
-/// both points have the same closest point on a surface of size 1.
+/// both points have the same closest point on a surface whose size is about 1.
 Vector3 inUnits(const Vector3& x, double unit);
 
 /// Unit of length in which coordinates are near 1. The unit is a power of two, so that division and
 /// multiplication by the unit do not round. Results of the numerical library therefore have the
-/// same bits in any unit of the input. This holds if the unit is a normal floating-point number.
+/// same bits in any unit of the input. The only exception is a unit that is not a normal
+/// floating-point number.
 struct CoordinateFrame
 {
   double Unit = 1.0; ///< unit of length, a power of two
@@ -33,8 +34,9 @@ struct CoordinateFrame
   Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 
-/// Choose the frame in which the maximum absolute coordinate is in [1, 2). Points that are not
-/// finite are ignored. If all coordinates of finite points are 0, the unit is 1.
+/// Choose the unit so that the maximum absolute coordinate, divided by the unit, is in [1, 2).
+/// Points that are not finite are ignored. If all coordinates of finite points are 0, the unit is
+/// 1.
 /// @param[in] reduce  communication between ranks (MPI processes); each rank passes its part of the
 ///   points
 CoordinateFrame frameOf(

@@ -15,9 +15,9 @@
 
 namespace conformal
 {
-/// Sums of numbers of magnitude up to about 1, stored as integer multiples of 2^-38. Threads and
-/// ranks may add in any order: the sums have the same bits. A sum does not overflow for fewer than
-/// 2^24 numbers of magnitude up to 2.
+/// Sums of numbers of magnitude up to about 1, stored as integer multiples of 2^-38. The bits of a
+/// sum do not depend on the order in which threads and ranks add. A sum does not overflow for fewer
+/// than 2^24 numbers of magnitude up to 2.
 class FixedPointSums
 {
 public:

@@ -1,4 +1,4 @@
-/// Generate pseudorandom numbers. For the same seed, they are equal on every machine.
+/// Generate pseudorandom numbers that depend only on a seed, not on the machine.
 
 #ifndef ConformalRandom_h
 #define ConformalRandom_h
@@ -12,8 +12,8 @@
 namespace conformal
 {
 /// Pseudorandom numbers from the Mersenne Twister. The C++ standard specifies the numbers of
-/// std::mt19937_64, but not those of the standard distributions. This class therefore computes
-/// uniform numbers without a standard distribution.
+/// std::mt19937_64, but not the numbers of its distributions. This class therefore computes uniform
+/// numbers without a standard distribution.
 class Random
 {
 public:

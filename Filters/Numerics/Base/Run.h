@@ -19,9 +19,9 @@ namespace conformal
 /// concurrently.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
 
-/// Progress callback. Its argument is the completed fraction in [0, 1], which never decreases. The
-/// callback runs on the thread that started the computation. If it returns false, the computation
-/// throws Aborted.
+/// Progress callback. The argument is the completed fraction in [0, 1], which never decreases. The
+/// callback runs on the thread that started the computation. If the callback returns false, the
+/// computation throws Aborted.
 using Progress = std::function<bool(double)>;
 
 /// Exception thrown after the progress callback returned false.
@@ -31,8 +31,9 @@ public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Threads and progress callback of one computation. Functions have a parameter of this type as
-/// their last one. A default-constructed Run uses only the calling thread and reports no progress.
+/// Threads and progress callback of one computation. A Run is the last parameter of functions that
+/// may take a noticeable time. A default-constructed Run uses only the calling thread and reports
+/// no progress.
 class Run
 {
 public:
@@ -75,7 +76,8 @@ public:
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
   /// Return a Run with the same progress callback that uses only the calling thread. Its loops run
-  /// in ascending order, as needed by loop bodies whose result depends on the order.
+  /// in ascending order. This is necessary if the result of a loop depends on the order of
+  /// iterations.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
   /// Call body(i) once for every i in [0, count), on all threads.

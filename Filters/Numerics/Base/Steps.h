@@ -20,7 +20,7 @@ namespace conformal
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Callers pass constant shares: the measured times of the steps. They were measured on a surface
+/// Callers pass constant shares: the measured times of the steps. The times are those for a surface
 /// of 100,000 points, on one core in a release build (2026). Only the ratios of the shares matter.
 /// Progress never decreases and is reported often. However, progress does not predict the remaining
 /// time, since other surfaces have other ratios.

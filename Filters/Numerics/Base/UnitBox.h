@@ -8,12 +8,12 @@
 
 namespace conformal
 {
-/// Translation and scaling of a bounding box. The longest side becomes [0, 1], and the lower corner
-/// of the box becomes the origin.
+/// Transformation of points to a unit box: translation and scaling. The lower corner of their
+/// bounding box becomes the origin. The length of its longest side becomes 1.
 struct UnitBox
 {
   Vector3 Lower = Vector3::Zero();
-  double Half = 1.0; ///< half of the longest side, because twice this number may overflow
+  double Half = 1.0; ///< half of the longest side of the bounding box; the whole side may overflow
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
 

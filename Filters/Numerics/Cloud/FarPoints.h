@@ -21,11 +21,9 @@ struct FarPoints
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, including far points
   double Distance =
-    /// Distance of the nearest far point from the median, divided by the radius of the cloud. If
-    /// there are no far points, the distance is 0.
-    0.0;
-  /// Maximum absolute coordinate of the points that are not far. If there are no far points, it is
-  /// 0.
+    0.0; ///< distance of the nearest far point, divided by the cloud's radius; 0 without far points
+  /// Maximum absolute coordinate of the points that are not far. If there are no far points, this
+  /// number is 0.
   double MaximumCoordinate = 0.0;
 
   /// One quarter of the coordinate-wise median of the points
@@ -43,7 +41,7 @@ struct FarPoints
 
 /// Find the far points of a cloud: a few points at a great distance from all others. If the cloud
 /// were scaled by its bounding box with these points, it would be too small for any grid. Examples
-/// of far points are invalid pixels at (0, 0, 0), and outliers with huge coordinates.
+/// of far points are invalid pixels with position (0, 0, 0), and outliers with huge coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
 /// cloud is the distance within which nine tenths of the positions lie. Two sets of points are
@@ -55,8 +53,9 @@ struct FarPoints
 /// A set is accepted if it has at most 32 different positions. It is also accepted if two
 /// conditions hold. First, the number of its positions is at most a twentieth of the number of
 /// points. Second, the set does not form a surface. The set forms a surface if at least a quarter
-/// of its points satisfy two conditions. The point passes liesFlat() (StrayPoints.h). Its eight
-/// nearest neighbors in the set are nearer than half its distance from the median.
+/// of its points are flat. A point is flat if it passes liesFlat() (StrayPoints.h), and its eight
+/// nearest neighbors in the set are near. Near means a distance of less than half the distance from
+/// the point to the median.
 ///
 /// Several points at one position count as one position. A cloud with fewer than 20 positions has
 /// no far points.

@@ -20,10 +20,10 @@ namespace conformal
 /// @param[in] hint  id of a triangle that may be near x, or -1
 using ClosestPoint = std::function<FootPoint(Index id, const Vector3& x, int hint)>;
 
-/// Call body(id, x, foot) serially for each sample, in ascending order of i. Here, x is the
-/// position of the sample, and foot is the point of the surface closest to x. Only a limited number
-/// of closest points is stored at a time. The body may run on any thread, concurrently with the
-/// search for further closest points.
+/// Call body(id, x, foot) serially for the samples idOf(0), idOf(1), ..., idOf(count - 1). Here, x
+/// is the position of the sample, and foot is the point of the surface closest to x. Only a limited
+/// number of closest points is stored at a time. The body may run on any thread, concurrently with
+/// the search for further closest points.
 /// @param[in] closest  function that finds the closest point, called by all threads once for each
 ///   sample
 /// @param[in] count    number of samples
@@ -33,10 +33,10 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});
 
-/// Call body(i, x, foot) serially, once for each i in [0, count). Here, foot is the point of a
-/// triangle mesh closest to sample position x. The samples are sorted along a Morton curve, so that
-/// nearby triangles stay in the cache of the processor. Use this function only if the sequence of
-/// calls does not matter, for example for FixedPointSums.
+/// Call body(i, x, foot) serially, once for each i in [0, count). Here, x is the position of sample
+/// idOf(i), and foot is the point of a triangle mesh closest to x. The samples are sorted along a
+/// Morton curve, so that nearby triangles stay in the cache of the processor. Use this function
+/// only if the sequence of calls does not matter, for example for FixedPointSums.
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});

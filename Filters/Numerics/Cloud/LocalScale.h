@@ -17,11 +17,11 @@ namespace conformal
 /// root mean square distance of the samples closest to the triangles near the vertex. It includes
 /// two rings of neighbors of the vertex. If the distance of a sample is much larger than the local
 /// scale, the sample is an outlier. Near a feature that is not learned yet, the distances of many
-/// samples are large. They increase the local scale, so that these samples are not rejected.
+/// samples are large. These samples increase the local scale, and are therefore not rejected.
 class LocalScale
 {
 public:
-  /// @param[in] outlierRatio  minimum ratio of distance to local scale of outliers
+  /// @param[in] outlierRatio  ratio of distance to local scale above which a sample is an outlier
   LocalScale(Index neurons, double outlierRatio);
 
   /// Test whether a sample is an outlier, by the local scale of the last update. Before the first

@@ -30,7 +30,7 @@ struct OrientationOptions
 ///   vectors, and A a are the winding numbers at the points. This sum is that of Parametric Gauss
 ///   Reconstruction, \cite Lin2022, weighted by sparsityOf().
 /// - Each area vector is rotated to the direction of the negative gradient of the winding number.
-///   This is Winding Number Normal Consistency, \cite Lin2024.
+///   This part is Winding Number Normal Consistency, \cite Lin2024.
 ///
 /// Every normal depends on all points of the cloud, not only on its neighbors. If a scan has holes,
 /// normals are therefore still consistent, provided that the other points determine inside and
@@ -42,7 +42,7 @@ Points orient(
   const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
 /// Estimate the area of the surface that each point represents. The estimate is an eighth of the
-/// area of a circle whose radius is the distance to the eighth nearest neighbor.
+/// area of a circle. Its radius is the distance to the eighth nearest neighbor.
 /// @return #P areas
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
@@ -59,11 +59,11 @@ Points areaVectors(const Points& points, const Points& normals, const Run& run =
 
 /// Make area vectors point outward: if most of them point inward, reverse all.
 /// @param[in,out] areas  #P by 3 area vectors
-/// @return whether the area vectors are consistent: all or nearly all point to the same side of the
-///   surface. If false, do not use them.
+/// @return whether at least three quarters of the area vectors point outward by a clear margin. If
+///   false, do not use the area vectors: their orientations are inconsistent.
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run = {});
 
-/// Estimated noise of the points of a cloud.
+/// Estimated noise of the points of a cloud, computed by noiseOf().
 struct PointNoise
 {
   /// #P signed distances from each point to the mean of its neighbors, along the normal of the
@@ -74,8 +74,8 @@ struct PointNoise
   double Deviation = 0.0;
 };
 
-/// Estimate the noise of points from the nearest neighbors of each point. Neighbors whose normal
-/// differs by 90 degrees or more are ignored.
+/// Estimate the noise of points from the sixteen nearest neighbors of each point. Neighbors whose
+/// normal differs by 90 degrees or more are ignored.
 /// @param[in] areas  #P by 3 area vectors
 PointNoise noiseOf(const Points& points, const Points& areas, const Run& run = {});
 

@@ -18,7 +18,7 @@ namespace conformal
 /// origin. It then scales the largest distance of a sample from the origin to 1.
 ///
 /// The cloud may be distributed over several ranks (MPI processes). Each rank then has the samples
-/// of its part of the cloud. They are normalized by the centroid and radius of the whole cloud. All
+/// of its part of the cloud. Normalization uses the centroid and radius of the whole cloud. All
 /// ranks must call the same functions.
 class TrainingSamples
 {

@@ -18,7 +18,7 @@ namespace conformal
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///
-/// This w(x) is the winding number averaged over a ball of radius `width` around x. It is thus
+/// This w(x) is the winding number averaged over a ball of radius `width` around x. The average is
 /// smooth near the points. Winding numbers at given positions are linear in the area vectors a, and
 /// are written as A a below.
 ///

@@ -18,11 +18,11 @@ struct ConjugateGradientsOptions
   double Accuracy = 0.0;
 };
 
-/// Function that applies a linear map to its first argument. It writes the result to the second
-/// argument, which has the same size.
+/// Function that applies a linear map to the first argument and writes the result to the second
+/// argument. Both arguments have the same size.
 using LinearMap = std::function<void(const Points&, Points&)>;
 
-/// Solve A x = b for three columns at once, starting from x = 0. The matrix A and the
+/// Solve A x = b for the three columns of b, starting from x = 0. The matrix A and the
 /// preconditioner must be symmetric positive definite.
 /// @param[in,out] residual    on input, the right-hand side b. On return, the residual b - A x.
 /// @param[in] product         function that computes A x

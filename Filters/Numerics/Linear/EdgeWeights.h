@@ -51,8 +51,8 @@ struct StringConstants
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
 /// Compute weights of vertices for means over a surface. The weight of a vertex is twice the area
-/// of its triangles. If a third of each triangle is assigned to each of its vertices, the weight is
-/// six times the area of the vertex. If the surface has no area, all weights are 1.
+/// of its triangles. The weight is also six times the area of a vertex, if each triangle is divided
+/// equally among its vertices. If the surface has no area, all weights are 1.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
 /// Compute the string energy: half the sum over all edges of the edge's weight times its squared

@@ -14,10 +14,10 @@ namespace conformal
 {
 /// Cholesky factor of a sparse positive definite matrix, computed from small dense matrices called
 /// fronts, \cite Duff1983. The unknowns are divided into parts by nested dissection, see
-/// NestedDissection. Each part has a front. The rows of a front are the unknowns of the part, then
-/// those of later parts that are connected to them. Parts of one level are independent, and are
-/// factored concurrently. Large fronts are factored in panels, with a progress report after each
-/// panel.
+/// NestedDissection. Each part has a front. The first rows of a front are the unknowns of the part.
+/// The other rows are connected unknowns of later parts. Parts of one level are independent, and
+/// are factored concurrently. Large fronts are factored in panels, with a progress report after
+/// each panel.
 ///
 /// Eigen's sparse factorizations compute one column after another, on one thread and without
 /// progress reports. For a mesh of 134,342 vertices (the scan Igea), they need 0.7 s. This solver

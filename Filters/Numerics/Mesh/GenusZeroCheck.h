@@ -69,7 +69,7 @@ std::vector<std::string> describe(const GenusZeroReport& report);
 
 /// Throw an exception unless the triangles form a closed surface of genus zero. The triangles must
 /// be consistently oriented, and no triangle may repeat a vertex.
-/// @throws std::invalid_argument if the surface has faults; the message describes them
+/// @throws std::invalid_argument if the surface has faults. The message describes the faults.
 void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// Compute the volume enclosed by a closed mesh. The volume is positive if the triangles are
@@ -94,9 +94,9 @@ Index mergeCoincidentBoundaryPoints(
 Index dropRepeatedVertices(Triangles& triangles);
 
 /// Reverse triangles until any two neighboring triangles contain their common edge in opposite
-/// directions. Each connected set of triangles consists of two parts, each consistently oriented
-/// with itself. The part with fewer triangles is reversed. If both parts have equally many, the
-/// part without the first triangle of the set is reversed.
+/// directions. Each connected set of triangles has two parts with opposite orientations. The part
+/// with fewer triangles is reversed. If the parts have equal numbers of triangles, the part without
+/// the first triangle of the set is reversed.
 /// @pre the surface is orientable; otherwise some edges stay inconsistent
 /// @return number of triangles reversed
 Index orientConsistently(Triangles& triangles);

@@ -25,7 +25,7 @@ int geodesicFrequencyFor(Index numberOfVertices);
 
 /// Make a geodesic sphere: subdivide every face of the icosahedron into f^2 triangles,
 /// \cite Liou2008 Eqs. 1 and 2. New vertices have equal distances on the flat face, and are then
-/// projected to the sphere. This is class I of \cite Kenner1976.
+/// projected to the sphere, class I of \cite Kenner1976.
 ///
 /// The first 12 vertices are those of the icosahedron. Vertex 0 is the north pole (0, 0, 1).
 ///

@@ -18,12 +18,12 @@ namespace conformal
 ///
 /// Each corner of a hinge has a number k, computed from the cotangents of the angles at e. Let k x
 /// be the sum of these four numbers times the corner positions x. Let u and v be the unit vectors
-/// that point from e into the two triangles, perpendicular to e. Then k x =
-/// |e| (u + v). A flat hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle
-/// theta has |k x| = 2 |e| sin(theta / 2). Unlike the uniform Laplacian, this energy does not need
-/// nearly equilateral triangles. It also detects folds of thin triangles. The numbers of a hinge of
-/// needles (very thin triangles) are scaled down to at most 4. Otherwise solvers of this energy
-/// would not converge.
+/// that point from e into the two triangles, perpendicular to e. Then k x = |e| (u + v). A flat
+/// hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta has |k x| = 2
+/// |e| sin(theta / 2). Unlike the uniform Laplacian, this energy does not need nearly equilateral
+/// triangles. It also detects folds of thin triangles. For hinges of needles (very thin triangles),
+/// the numbers k are scaled down to at most 4. Otherwise the equations of this energy would be
+/// ill-conditioned.
 ///
 /// Let s be the mean stiffness of the two vertices of an edge. The energy is the sum of s (k x)^2
 /// over all edges, times the constant 1/14. Let L be the uniform Laplacian. The constant makes the
@@ -47,8 +47,8 @@ public:
   /// at the positions passed to bend().
   Vector3 forceAt(int vertex) const;
 
-  /// Return half the second derivative of the energy by a coordinate of a vertex. It is equal for
-  /// all three coordinates.
+  /// Return half the second derivative of the energy by a coordinate of a vertex. All three
+  /// coordinates have equal second derivatives.
   double diagonalAt(int vertex) const;
 
 private:

@@ -1,4 +1,5 @@
-/// Find neighboring vertices and triangles of a triangle mesh, and vertices that are not neighbors.
+/// Find neighboring vertices and triangles of a triangle mesh, and partition vertices into sets
+/// without neighbors.
 
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
@@ -11,8 +12,8 @@
 
 namespace conformal
 {
-/// Lists of ids, one list per vertex or other item. List i is Ids[Offsets[i]], ..., Ids[Offsets[i +
-/// 1] - 1].
+/// Lists of ids, for example the ids of the triangles around each vertex. List i is
+/// Ids[Offsets[i]], ..., Ids[Offsets[i + 1] - 1].
 struct Adjacency
 {
   std::vector<int> Offsets;
@@ -28,7 +29,7 @@ struct Adjacency
 /// @param[in] numberOfVertices  #V, the number of vertices
 Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 
-/// List the neighbors of each vertex in ascending order, each once. Neighbors are vertices that
+/// List the neighbors of each vertex once, in ascending order. Two vertices are neighbors if they
 /// share an edge.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 

@@ -23,7 +23,7 @@ struct ProgressiveMesh
 };
 
 /// Build a progressive mesh by half-edge collapses, those of minimum quadric error first.
-/// @param[in] mesh  mesh of size about 1 that passes requireGenusZero()
+/// @param[in] mesh  mesh that passes requireGenusZero(), with coordinates of magnitude about 1
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 

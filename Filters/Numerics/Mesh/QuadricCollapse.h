@@ -16,11 +16,10 @@ namespace conformal
 /// The cost is the quadric error, \cite Garland1997, and a small penalty for large and thin
 /// triangles. The penalty distributes the remaining vertices evenly in flat parts.
 ///
-/// Unwanted collapses have a much higher cost, so that they are made last. They flip a triangle,
-/// make a very thin triangle, or join more than ten neighbors at a vertex. Every closed surface of
-/// genus zero can be reduced to a tetrahedron. The reason is that it always has a vertex with at
-/// most five neighbors. A vertex with at most five neighbors can always collapse into one of its
-/// neighbors.
+/// A collapse is unwanted if it flips a triangle, makes a very thin triangle, or makes a vertex
+/// with more than ten neighbors. Unwanted collapses have a much higher cost, and are therefore made
+/// last. Every closed surface of genus zero has a vertex with at most five neighbors. This vertex
+/// can collapse into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
 class QuadricCollapse
 {
 public:
@@ -37,7 +36,7 @@ public:
 
   /// Compute the costs of all collapses. The parameters `points` and `rings` must outlive this
   /// object.
-  /// @param[in] points     #V by 3 positions, of size about 1
+  /// @param[in] points     #V by 3 positions, with coordinates of magnitude about 1
   /// @param[in,out] rings  connectivity of a closed surface of genus zero; changed by each collapse
   QuadricCollapse(const Points& points, VertexRings& rings, Needles needles = Needles::Keep);
 

@@ -18,24 +18,25 @@ struct RemeshingOptions
   bool MeetNumber = false;
 };
 
-/// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. Equilateral
-/// triangles with edges of the target length and the target number of vertices have the area of the
-/// surface. Each iteration has these steps:
+/// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
+/// length of edges is computed for equilateral triangles. They have the target number of vertices,
+/// and together the area of the surface. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
 /// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.
 /// - Move each vertex along the surface toward the centroid of its triangles.
 ///
 /// No step changes the topology. No step makes a needle (very thin triangle) or rotates the normal
-/// of a triangle by 60 degrees or more. There is one exception. If MeetNumber is true, strongly
-/// folded surfaces may keep too many vertices; then collapses of any shape are accepted. Vertices
-/// are not projected back to the input surface. The caller should therefore fit the result to the
-/// data again.
+/// of a triangle by 60 degrees or more. If MeetNumber is true, a strongly folded surface may keep
+/// too many vertices under these conditions. Collapses are then made without these conditions.
+/// Vertices are not projected back to the input surface. The caller should therefore fit the result
+/// to the data again.
 ///
 /// Implementation note: the splits, collapses and flips are made in rounds. Each round first lists
-/// the possible operations, on all threads. They are then applied serially by priority (length of
-/// the edge, or gain of the flip), then by id. An operation is skipped if another operation of the
-/// round changed one of its vertices. The result has the same bits for any number of threads.
+/// the possible operations, on all threads. The operations are then applied serially in sequence of
+/// priority: length of the edge, or gain of the flip. An operation is skipped if another operation
+/// of the round changed one of its vertices. The result has the same bits for any number of
+/// threads.
 ///
 /// @param[in,out] mesh  mesh to replace: finite, a closed manifold, consistently oriented, without
 ///   unused positions

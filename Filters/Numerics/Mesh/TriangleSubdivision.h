@@ -1,6 +1,6 @@
 /// Cut each triangle of a closed mesh into smaller triangles of the same shape. The numbering of
-/// new points by edges is our own construction. It makes ids independent of the sequence in which
-/// triangles are cut.
+/// new points by edges is our own construction. With this numbering, ids do not depend on the
+/// sequence in which triangles are cut.
 
 #ifndef ConformalTriangleSubdivision_h
 #define ConformalTriangleSubdivision_h
@@ -13,9 +13,9 @@ namespace conformal
 /// Cut every triangle into k^2 smaller triangles, with k equal segments along each edge. Both
 /// triangles of an edge share the new points on this edge.
 ///
-/// The #V old vertices come first, with unchanged ids. The k - 1 points on each edge follow. They
-/// start near the vertex of the edge that has the lower id. The points inside the triangles come
-/// last. The pieces of triangle r have the ids r k^2 to (r + 1) k^2 - 1.
+/// The #V old vertices come first, with unchanged ids. The k - 1 points on each edge follow,
+/// starting near its vertex with the lower id. The points inside the triangles come last. The
+/// pieces of triangle r have the ids r k^2 to (r + 1) k^2 - 1.
 ///
 /// @param[in] mesh          closed manifold, consistently oriented
 /// @param[in] subdivisions  number k of segments per edge, at least 1

@@ -13,6 +13,7 @@ namespace conformal
 /// triangles of vertex v are (v, ring[i], ring[i + 1]).
 using Ring = std::vector<int>;
 
+/// Connectivity of a closed triangle mesh. Edits change the triangles, but not the ids of vertices.
 class VertexRings
 {
 public:

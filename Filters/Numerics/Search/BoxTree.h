@@ -11,6 +11,7 @@
 
 namespace conformal
 {
+/// Axis-aligned box, initially empty.
 struct Box
 {
   Vector3 Lower = Vector3::Constant(std::numeric_limits<double>::infinity());

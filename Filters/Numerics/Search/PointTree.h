@@ -28,8 +28,8 @@ struct Neighbor
 ///
 /// The tree is stored as a permutation of the points. The middle point of a range splits the other
 /// points of the range into two smaller ranges. Memory is 32 bytes per point, and at most one byte
-/// per four points for the axes of the splits. The cost of a query is about logarithmic in #P.
-/// Several threads may query concurrently.
+/// per four points for the axes of the splits. The cost of a query is about logarithmic in the
+/// number of points. Several threads may query concurrently.
 class PointTree
 {
 public:
@@ -65,8 +65,8 @@ private:
     Found& found) const;
 
   std::vector<Place> Places; ///< points in the sequence of the tree
-  /// Axis (0, 1 or 2) of the split at each inner node i. The children of node i are 2 i + 1 and 2 i
-  /// + 2.
+  /// Axis (0, 1 or 2) of the split at each inner node i. Its children are 2 i + 1 and
+  /// 2 i + 2.
   std::vector<unsigned char> Axes;
 };
 }

@@ -30,7 +30,8 @@ FootPoint closestPointOfTriangle(
 
 /// Tree that finds exact closest points of a mesh whose vertices may move.
 ///
-/// The cost of a query is about logarithmic in #F. Several threads may query concurrently.
+/// The cost of a query is about logarithmic in the number of triangles. Several threads may query
+/// concurrently.
 class TriangleTree
 {
 public:
@@ -41,8 +42,8 @@ public:
   /// @throws Aborted
   TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// Update the boxes after vertices moved, in O(#F) operations. Pass the triangles from which the
-  /// tree was built.
+  /// Update the bounding boxes after vertices moved, in O(#F) operations. Pass the triangles from
+  /// which the tree was built.
   void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
 
   /// Find the point of the mesh closest to x. If several triangles have the minimum distance, the

@@ -20,7 +20,8 @@ struct AdaptiveSphereLimits
 {
   static constexpr Index MinimumPoints = 500, MaximumPoints = 100000000;
 
-  /// Maximum relative deviation from the target number of points.
+  /// Maximum deviation of the number of points from the target number, as a fraction of the target
+  /// number.
   static constexpr double Tolerance = 0.02;
 
   /// Minimum angle of every triangle [degrees].
@@ -39,9 +40,9 @@ struct AdaptiveSphereLimits
 ///
 /// The distance from a new point to any other point exceeds the shortest edge of the divided
 /// triangle. Refinement therefore ends for any density. Where the density jumps, the size of
-/// triangles changes gradually. Finally, SmoothingRounds rounds move points towards the centroid of
-/// their triangles, and flip edges. Moves and flips that would make an angle smaller than
-/// MinimumAngle are skipped.
+/// triangles changes gradually. Finally, in SmoothingRounds rounds, points are moved towards the
+/// centroid of their triangles and edges are flipped. Moves and flips that would make an angle
+/// smaller than MinimumAngle are skipped.
 ///
 /// Implementation note: target sizes have a random factor. Without this factor, all triangles in a
 /// region of constant density would be divided at about the same time. Triangles that are never

@@ -22,8 +22,8 @@ struct MoebiusTransform
   void applyTo(Points& spherePositions) const;
 };
 
-/// Return a point in the interior of the unit ball. A point outside, caused by rounding or a large
-/// step of an iteration, is moved inside.
+/// Move a point to the interior of the unit ball, if rounding or a large step of an iteration
+/// placed it outside.
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first

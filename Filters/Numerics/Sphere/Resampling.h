@@ -1,6 +1,6 @@
 /// Interpolate values of a surface at given directions of its sphere map. The method is our own
-/// construction: linear interpolation in the triangle that SphereLocator finds. SphereLocator finds
-/// the right triangle for triangles of any size.
+/// construction. It interpolates linearly in the triangle found by SphereLocator, because
+/// SphereLocator is exact for triangles of any size.
 
 #ifndef ConformalResampling_h
 #define ConformalResampling_h

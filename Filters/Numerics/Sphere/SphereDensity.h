@@ -44,17 +44,17 @@ double integralOf(const SphereDensity& density, const std::vector<double>& densi
 ///
 /// @param[in] surface  surface whose map covers the sphere exactly once; the map may reverse
 ///   orientation
-/// @param[in] weights  #V densities at the vertices of the surface, finite and at least 0; linear
-///   between vertices
+/// @param[in] weights  #V densities at the vertices of the surface, finite and at least 0.
+///   Densities are interpolated linearly between vertices.
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once
 /// @throws Aborted
 SphereDensity densityOnSurface(
   const MappedMesh& surface, const std::vector<double>& weights, const Run& run = {});
 
 /// Estimate the bending at each vertex: the sum of the absolute values of the principal curvatures.
-/// An edge has the bending length times angle between the normals of its triangles. Let E be the
-/// sum over the edges of the vertex. Let A be the area of the triangles of the vertex. The estimate
-/// is (E / 2) / (A / 3).
+/// The bending of an edge is its length times the angle between the normals of its two triangles.
+/// Let E be the sum of the bending of all edges at the vertex. Let A be the area of all triangles
+/// at the vertex. The estimate is (E / 2) / (A / 3).
 std::vector<double> vertexBending(const Mesh& surface);
 
 /// Compute weights for densityOnSurface() from the bending of the surface. With these weights, half

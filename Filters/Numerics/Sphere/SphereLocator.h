@@ -24,16 +24,18 @@ struct SphereLocation
 
 /// Search structure that finds the triangle in which a direction lies. For triangles of any size,
 /// results are exact up to the rounding of the positions. Very small triangles are common:
-/// conformal maps of long limbs can multiply areas by exp(-16).
+/// conformal maps of long limbs (thin parts of a shape, such as legs) can multiply areas by
+/// exp(-16).
 ///
 /// The sign of a determinant is the side of an edge on which a direction lies. The determinant is
 /// computed from differences between the two vertices of the edge and the direction. For both
 /// triangles of an edge, the vertices are used in the same sequence. The two signs are therefore
 /// consistent. If several triangles contain the direction, the one with the smallest id is
 /// returned. Near a vertex, rounding may result in no triangle that contains the direction. Then
-/// the triangle with the smallest violation is returned.
+/// the triangle that misses the direction by the smallest amount is returned.
 ///
-/// The cost of a query is about logarithmic in #R. Several threads may query concurrently.
+/// The cost of a query is about logarithmic in the number of triangles. Several threads may query
+/// concurrently.
 class SphereLocator
 {
 public:

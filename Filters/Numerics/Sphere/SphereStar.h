@@ -14,7 +14,7 @@
 namespace conformal
 {
 /// Minimum determinant of the three unit vectors of a triangle, twice its minimum area. Triangles
-/// above this minimum stay unflipped if other programs round the unit vectors.
+/// above this minimum do not become flipped if other programs round the unit vectors.
 constexpr double MinimumDeterminant = 1e-13;
 
 /// Energy of a map of a surface to the sphere, with terms for angles and for areas. The energy is
@@ -28,12 +28,12 @@ constexpr double MinimumDeterminant = 1e-13;
 /// Implementation note: A is computed as half the determinant of the three unit vectors, slightly
 /// less than the area. The energy is therefore unbounded for triangles that are almost flipped. The
 /// square of SmallArea is added to AreaWeight S^2. The addition has an effect only where areas
-/// would otherwise underflow, for example at the end of a long limb.
+/// would otherwise underflow, for example at the end of a long limb of the shape.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
   double AreaWeight = 0.005;
-  int AngleExponent = 1; ///< integer exponent, at least 1
+  int AngleExponent = 1; ///< exponent of D/A, an integer of at least 1
   double SmallArea = 10.0 * MinimumDeterminant;
 };
 

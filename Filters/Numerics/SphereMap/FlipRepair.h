@@ -15,7 +15,8 @@
 namespace conformal
 {
 /// Minimum determinant of the three unit vectors of a triangle. Triangles with a lower determinant
-/// are bad. They might become flipped if another program rounds the unit vectors to 16 digits.
+/// are bad. A triangle with a lower determinant might become flipped if another program rounds the
+/// unit vectors to 16 digits.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
 /// Energy of a sphere map that depends on angles only, not on areas.
@@ -26,7 +27,7 @@ constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
 /// Repair each connected set of bad triangles by moving the vertices of a neighborhood. If the
-/// repair fails, it is repeated with a larger neighborhood, enlarged by rings of vertices.
+/// repair fails, the neighborhood is enlarged by rings of vertices, and the repair is repeated.
 ///
 /// The border of the neighborhood is fixed. Vertices inside get new positions by the first of these
 /// methods that succeeds:
@@ -36,9 +37,10 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 ///   projection. This projection maps great circles to lines, and preserves the orientation of
 ///   triangles.
 /// - Compute the equilibrium with lower constants for short strings, so that triangles shrink less.
-///   This is necessary near limb ends, where triangles are otherwise too small.
-/// - Remove the vertices and insert them again one by one. This is necessary on limbs that have
-///   only a few vertices around their circumference.
+///   This method is necessary near the ends of limbs (thin parts of a shape), where triangles are
+///   otherwise too small.
+/// - Remove the vertices and insert them again one by one. This method is necessary on limbs that
+///   have only a few vertices around their circumference.
 ///
 /// @param[in] strings        result of cotangentWeights() for the surface
 /// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not

@@ -11,12 +11,12 @@
 namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
-/// nearly equilateral, as are the triangles around it. It is not at the end of a limb. If the
-/// puncture were there, the rest of the surface would be mapped to too small an area.
+/// nearly equilateral, as are the triangles around it. It is not at the end of a limb (thin part of
+/// a shape). A puncture there would make all other triangles on the sphere too small.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
-/// Choose another puncture after a first map to the sphere. The triangle is nearly equilateral, and
-/// the map enlarges its area more than those of other triangles.
+/// Choose another puncture, given a map of the surface to the sphere. The result is a nearly
+/// equilateral triangle whose area this map enlarges most.
 Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions);
 
@@ -26,23 +26,23 @@ Index choosePuncture(
 /// stereographic projection.
 ///
 /// The positions in the plane are a harmonic map: each vertex is the weighted mean of its
-/// neighbors. Such a map is nearly conformal. The finite size of the puncture distorts the map.
-/// This distortion is corrected. Positions near the puncture are then computed again by linear
-/// equations.
+/// neighbors. Harmonic maps to the plane are nearly conformal. The finite size of the puncture
+/// distorts the map. This distortion is corrected. Positions near the puncture are then computed
+/// again by linear equations.
 ///
 /// Implementation note: \cite Choi2015 solves a second global system for this correction. In this
 /// file, the error is written as a power series instead. Let z be the complex coordinate of the
 /// plane, with the puncture far from z = 0. Far from the puncture, the error of z is a sum of
 /// positive powers of z and of its conjugate. The smaller the puncture, the faster the coefficients
-/// decrease with the power. Only the powers of the conjugate are not conformal. Their coefficients
-/// are determined by a least-squares fit to the Beltrami coefficients (measures of
-/// non-conformality) of the triangles. These terms are then subtracted from z. The series is not
+/// decrease with the power. Only the powers of the conjugate are not conformal. The coefficients of
+/// these powers are fitted by least squares to the Beltrami coefficients (measures of
+/// non-conformality) of the triangles. The terms are then subtracted from z. The series is not
 /// valid near the puncture, where |z| is large. There, 1/z is computed again as a harmonic
-/// function. Its values at the border of this region are fixed.
+/// function. The values of 1/z at the border of this region are fixed.
 ///
 /// @param[in] points   #V by 3 positions with coordinates of magnitude about 1
 /// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface
-/// @return #V by 3 unit vectors. Their mean is not at the center of the sphere, and triangles may
+/// @return #V by 3 unit vectors. The mean of these vectors is in general not 0, and triangles may
 ///   be flipped.
 /// @throws NumericalFailure if the equations have no finite solution
 Points punctureToSphere(const Points& points, const Triangles& triangles,

@@ -21,8 +21,8 @@ enum class SeamMode
   /// Conformal map of each triangle, as published; the maps of neighbors differ on their common
   /// edge
   PerTriangle,
-  /// Maps that agree on the common edge of two triangles. They form one continuous map of the whole
-  /// surface.
+  /// Modified maps that agree on the common edge of two triangles, and form one continuous map of
+  /// the whole surface
   EdgeMatched
 };
 
@@ -32,17 +32,17 @@ enum class SeamMode
 ///
 /// Implementation note: the Schwarz-Christoffel maps of two neighboring triangles map points of
 /// their common edge differently. In mode EdgeMatched, each edge therefore has one correspondence
-/// e, which both triangles use. Let t in [0, 1] be a point that divides the edge in the ratio t : 1
-/// - t. Its image e(t) divides the edge in the ratio exp(c) t^p : (1 - t)^q. Near the ends of the
-/// edge, the conformal maps of both triangles have this form. The constants p, q and c are means
-/// over both triangles.
+/// e, which both triangles use. Let t in [0, 1] be the point that divides the edge in the ratio
+/// t : (1 - t). Its image e(t) divides the edge in the ratio exp(c) t^p : (1 - t)^q. Near the ends
+/// of the edge, a conformal map has this form, with constants p, q and c. The constants of the two
+/// triangles are averaged.
 ///
 /// The conformal map of each triangle is followed by three slides, one for each edge. A slide moves
 /// points parallel to its edge, so that the map agrees with the correspondence of the edge. Let i
-/// and j be the ends of the edge, and m the barycentric coordinates before the slide. Then S = m_i
-/// + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge is b =
-/// m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d). Let t be the point of the edge that the
-/// conformal map, without slides, maps to b'. Let o(x) = x / (1 - x). The slide replaces b by
+/// and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
+/// S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge
+/// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d). Let t be the point of the edge that
+/// the conformal map, without slides, maps to b'. Let o(x) = x / (1 - x). The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
 /// A slide does not move the points of the two other edges. The slide is smooth there, because b'
@@ -81,7 +81,8 @@ public:
   class Triangle;
 
 private:
-  /// Correspondence e of an edge. It maps the ratio t : 1 - t to the ratio exp(c) t^p : (1 - t)^q.
+  /// Correspondence e of an edge. It maps the ratio t : (1 - t) to the ratio exp(c) t^p : (1 -
+  /// t)^q.
   struct Edge
   {
     double AtFirst = 1.0;    ///< exponent p

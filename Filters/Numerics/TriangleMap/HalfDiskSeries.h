@@ -25,7 +25,7 @@ constexpr double MaximumLogS = -1.09861; // |s| < 1/3, slightly above the maximu
 constexpr int MaximumTerms = 36;         // even, sufficient for |s| = 1/3
 
 /// Compute the exponential function of a logarithm. If the imaginary part is 0 or pi, the result is
-/// exactly real. This is true for points on the straight edges of the half disk.
+/// exactly real. Points on the straight edges of the half disk have such logarithms.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -59,8 +59,8 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Return the even number of terms that a power series in s needs for full precision. The
-/// coefficients are assumed to be near 1.
+/// Return the number of terms that a power series in s needs for full precision, where logS = log
+/// |s|. The number is even. The coefficients of the series are assumed to be near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
@@ -147,8 +147,9 @@ public:
 
   /// Approximate log s for given log W, as a starting value of Newton's method. Here W = (1 +
   /// sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation is W(s)
-  /// = s / (1 - g s + q s^2), exact up to s^3. The approximation is also exact for the extremal
-  /// univalent functions. It is therefore accurate for triangles of any shape.
+  /// = s / (1 - g s + q s^2). The constants g and q are chosen so that it is exact up to s^3. The
+  /// approximation is also exact for the extremal univalent functions. It is therefore accurate for
+  /// triangles of any shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -158,7 +159,8 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for given real W, positive or negative.
+  /// Approximate s for a given real number W, positive or negative, by the formula of the complex
+  /// function.
   double guess(double w)
   {
     const auto [g, q] = this->leading();

@@ -29,7 +29,7 @@
 
 namespace conformal
 {
-/// Point of the half disk. Its coordinate s is relative to the corner of the triangle at s = 0.
+/// Point of the half disk. The coordinate s depends on the corner of the triangle that is at s = 0.
 struct HalfDiskPoint
 {
   int Corner = 0;         ///< corner at s = 0; the next corner is at 1, the previous corner at -1
@@ -42,7 +42,7 @@ struct HalfDiskPoint
 class TriangleShape
 {
 public:
-  /// Construct a degenerate triangle.
+  /// Construct the shape of a degenerate triangle.
   TriangleShape() = default;
 
   /// Construct the shape of a triangle from three vertices, in any plane and any unit.

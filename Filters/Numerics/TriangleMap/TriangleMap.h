@@ -56,7 +56,7 @@ public:
   /// @param[in] rotation  corner k of the table is corner k + rotation (mod 3) of the triangle
   TriangleMap(const TriangleShape& shape, const ShapeTable* table, int rotation);
 
-  /// Compute the table of a shape. This takes as long as mapping a few points without a table.
+  /// Compute the table of a shape. The cost is that of mapping a few points without a table.
   static ShapeTable makeTable(const TriangleShape& shape);
 
   const TriangleShape& shape() const { return this->Shape; }
