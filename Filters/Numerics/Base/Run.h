@@ -31,9 +31,9 @@ public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Threads and progress callback of one computation. A Run is the last parameter of functions that
-/// may take a noticeable time. A default-constructed Run uses only the calling thread and reports
-/// no progress.
+/// Threads and progress callback of one computation. A Run is the last parameter of functions with
+/// a noticeable running time. A default-constructed Run uses only the calling thread and reports no
+/// progress.
 class Run
 {
 public:
@@ -75,8 +75,8 @@ public:
   /// Return a Run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// Return a Run with the same progress callback that uses only the calling thread. Its loops run
-  /// in ascending order. This is necessary if the result of a loop depends on the order of
+  /// Return a Run with the same progress callback that uses only the calling thread, so that loops
+  /// run in ascending order. Use the returned Run if the result of a loop depends on the order of
   /// iterations.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 

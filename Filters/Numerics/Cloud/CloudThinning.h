@@ -1,5 +1,5 @@
-/// Reduce the number of points of a point cloud. The method is our own construction. It averages
-/// the points in each cell of a grid, because means have less noise. Bisection finds the cell size
+/// Reduce the number of points of a point cloud. The method is our own construction. The points in
+/// each cell of a grid are averaged, because means have less noise. Bisection finds the cell size
 /// that gives the wanted number of means.
 
 #ifndef ConformalCloudThinning_h
@@ -20,9 +20,9 @@ struct OrientedPoints
 };
 
 /// Select samples evenly from the sequence of all samples. The sequence is divided into intervals
-/// of equal length. One sample is selected from each interval. Its position in the interval varies,
-/// because the sequence of points of a scan may be periodic. All ranks (MPI processes) return the
-/// selected samples of all ranks.
+/// of equal length. One sample is selected from each interval. The position of the sample in its
+/// interval varies, because the sequence of points of a scan may be periodic. All ranks (MPI
+/// processes) return the selected samples of all ranks.
 /// @param[in] maximum  approximate number of samples to select. If there are fewer samples, all are
 ///   selected.
 OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);

@@ -39,18 +39,19 @@ struct FarPoints
   }
 };
 
-/// Find the far points of a cloud: a few points at a great distance from all others. If the cloud
-/// were scaled by its bounding box with these points, it would be too small for any grid. Examples
-/// of far points are invalid pixels with position (0, 0, 0), and outliers with huge coordinates.
+/// Find the far points of a cloud: a few points at a great distance from all others. If its
+/// bounding box included these points, the cloud would be too small for any grid over the box.
+/// Examples of far points are invalid pixels with position (0, 0, 0), and outliers with huge
+/// coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
 /// cloud is the distance within which nine tenths of the positions lie. Two sets of points are
-/// tested as far points, in this sequence:
+/// tested in this sequence. The far points are the first set that is accepted.
 /// - points beyond a gap. A gap is an interval of distances from R to 4 R that contains at most 3
 ///   points. R is at least the radius. The gap with the smallest R is used.
 /// - points at distances above 32 radii.
 ///
-/// A set is accepted if it has at most 32 different positions. It is also accepted if two
+/// A set is accepted if it has at most 32 different positions. A set is also accepted if two
 /// conditions hold. First, the number of its positions is at most a twentieth of the number of
 /// points. Second, the set does not form a surface. The set forms a surface if at least a quarter
 /// of its points are flat. A point is flat if it passes liesFlat() (StrayPoints.h), and its eight

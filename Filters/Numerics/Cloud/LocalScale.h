@@ -14,10 +14,11 @@
 namespace conformal
 {
 /// Typical distance of samples from a mesh (local scale) at each vertex. The local scale is the
-/// root mean square distance of the samples closest to the triangles near the vertex. It includes
-/// two rings of neighbors of the vertex. If the distance of a sample is much larger than the local
-/// scale, the sample is an outlier. Near a feature that is not learned yet, the distances of many
-/// samples are large. These samples increase the local scale, and are therefore not rejected.
+/// root mean square distance of the samples closest to the triangles near the vertex. Samples
+/// closest to triangles at two rings of neighboring vertices are included. If the distance of a
+/// sample is much larger than the local scale, the sample is an outlier. Near a feature that is not
+/// learned yet, the distances of many samples are large. These samples increase the local scale,
+/// and are therefore not rejected.
 class LocalScale
 {
 public:

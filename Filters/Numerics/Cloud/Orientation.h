@@ -27,12 +27,12 @@ struct OrientationOptions
 /// points. An area vector is the outward normal times the area that the point represents.
 /// Initially, all area vectors are zero. Each iteration has two parts:
 /// - One step of steepest descent reduces the sum of squares of A a - 1/2. Here, a are the area
-///   vectors, and A a are the winding numbers at the points. This sum is that of Parametric Gauss
-///   Reconstruction, \cite Lin2022, weighted by sparsityOf().
+///   vectors, and A a are the winding numbers at the points. The terms of the sum are weighted by
+///   sparsityOf(). This part is Parametric Gauss Reconstruction, \cite Lin2022.
 /// - Each area vector is rotated to the direction of the negative gradient of the winding number.
 ///   This part is Winding Number Normal Consistency, \cite Lin2024.
 ///
-/// Every normal depends on all points of the cloud, not only on its neighbors. If a scan has holes,
+/// Every normal depends on all points of the cloud, not only on points nearby. If a scan has holes,
 /// normals are therefore still consistent, provided that the other points determine inside and
 /// outside.
 ///
@@ -42,7 +42,7 @@ Points orient(
   const WindingNumbers& cloud, const OrientationOptions& options = {}, const Run& run = {});
 
 /// Estimate the area of the surface that each point represents. The estimate is an eighth of the
-/// area of a circle. Its radius is the distance to the eighth nearest neighbor.
+/// area of a circle. The radius of the circle is the distance to the eighth nearest neighbor.
 /// @return #P areas
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 

@@ -14,7 +14,7 @@
 
 namespace conformal
 {
-/// Plane fitted to the points nearest to a position. The nearest of them is not used, since it is
+/// Plane fitted to the points nearest to a position. The nearest point is not used, since it is
 /// usually the point at this position.
 struct NearestPlane
 {
@@ -30,7 +30,7 @@ struct NearestPlane
 NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
-/// Test whether a position and its eight nearest points lie approximately in one plane. If not,
+/// Test whether a position and its eight nearest points are approximately in one plane. If not,
 /// test its sixteen nearest points.
 /// @param[in] tree  tree of `points`; must have more than eight points
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);

@@ -15,7 +15,7 @@ namespace conformal
 {
 /// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied,
 /// but normalized on each access. Normalization moves the weighted centroid of the samples to the
-/// origin. It then scales the largest distance of a sample from the origin to 1.
+/// origin. Normalization then scales the largest distance of a sample from the origin to 1.
 ///
 /// The cloud may be distributed over several ranks (MPI processes). Each rank then has the samples
 /// of its part of the cloud. Normalization uses the centroid and radius of the whole cloud. All

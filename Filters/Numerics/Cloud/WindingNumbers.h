@@ -12,15 +12,15 @@
 namespace conformal
 {
 /// Winding numbers of a point cloud. The winding number of a closed surface is 1 inside and 0
-/// outside. Each point y_j of the cloud represents a part of the surface. Its area vector a_j is
+/// outside. Each point y_j of the cloud represents a part of the surface. The area vector a_j is
 /// the area of this part times the outward unit normal. Following \cite Barill2018, the winding
 /// number w at a position x is
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///
-/// This w(x) is the winding number averaged over a ball of radius `width` around x. The average is
-/// smooth near the points. Winding numbers at given positions are linear in the area vectors a, and
-/// are written as A a below.
+/// The result w(x) is the winding number averaged over a ball of radius `width` around x. The
+/// average is smooth near the points. Winding numbers at given positions are linear in the area
+/// vectors a, and are written as A a below.
 ///
 /// The points of a distant cluster are added as one point. A cluster is distant from x if two
 /// conditions hold. The distance of its center from x exceeds twice the longest side of its

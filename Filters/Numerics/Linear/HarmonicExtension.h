@@ -14,10 +14,10 @@ namespace conformal
 {
 /// Compute the values at the free vertices from the values at all other vertices. In the result,
 /// each free vertex has the weighted mean of the values of its neighbors. The equations are solved
-/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, they are solved by
-/// MultifrontalCholesky.
-/// @param[in] places      #V by 3 positions of the vertices. They determine only the elimination
-///   order.
+/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, MultifrontalCholesky
+/// is used instead.
+/// @param[in] places      #V by 3 positions of the vertices. Positions determine only the
+///   elimination order.
 /// @param[in] free        ids of the free vertices, each once
 /// @param[in,out] values  #V rows; each column is a separate problem. Rows of free vertices are
 ///   computed; the other rows are given.

@@ -13,8 +13,8 @@ namespace conformal
 {
 /// Elimination order of unknowns (the sequence in which a solver eliminates them), divided into
 /// parts, \cite George1973. Most parts are separators. A separator divides a set of unknowns into
-/// two halves that are not connected to each other. It follows both halves in the elimination
-/// order. Parts that are not divided further are called leaves.
+/// two halves that are not connected to each other. A separator follows both halves in the
+/// elimination order. Parts that are not divided further are called leaves.
 struct NestedDissection
 {
   struct Part

@@ -1,6 +1,6 @@
 /// Test whether the triangles of a mesh are as nearly equilateral as those made by remesh()
 /// (Remeshing.h). The thresholds of the test are our own construction, because none are published.
-/// They are between the values measured on scans and those measured on remeshed surfaces.
+/// The thresholds are between the values measured on scans and those measured on remeshed surfaces.
 
 #ifndef ConformalEvenTriangles_h
 #define ConformalEvenTriangles_h

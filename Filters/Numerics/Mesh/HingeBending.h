@@ -21,9 +21,9 @@ namespace conformal
 /// that point from e into the two triangles, perpendicular to e. Then k x = |e| (u + v). A flat
 /// hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta has |k x| = 2
 /// |e| sin(theta / 2). Unlike the uniform Laplacian, this energy does not need nearly equilateral
-/// triangles. It also detects folds of thin triangles. For hinges of needles (very thin triangles),
-/// the numbers k are scaled down to at most 4. Otherwise the equations of this energy would be
-/// ill-conditioned.
+/// triangles. This energy also detects folds of thin triangles. For hinges of needles (very thin
+/// triangles), the numbers k are scaled down to at most 4. Otherwise the equations of this energy
+/// would be ill-conditioned.
 ///
 /// Let s be the mean stiffness of the two vertices of an edge. The energy is the sum of s (k x)^2
 /// over all edges, times the constant 1/14. Let L be the uniform Laplacian. The constant makes the

@@ -16,7 +16,7 @@ struct Mesh
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
 
-/// Compute the area vector of a triangle. Its direction is the normal, and its length is the area.
+/// Compute the area vector of a triangle: the unit normal times the area.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
 {
   const Vector3 a = positions.row(triangles(triangle, 0)),

@@ -13,13 +13,13 @@
 namespace conformal
 {
 /// Half-edge collapses of a closed mesh. Each call of next() makes the collapse of minimum cost.
-/// The cost is the quadric error, \cite Garland1997, and a small penalty for large and thin
-/// triangles. The penalty distributes the remaining vertices evenly in flat parts.
+/// The cost of a collapse is the quadric error, \cite Garland1997, and a small penalty for large
+/// and thin triangles. The penalty distributes the remaining vertices evenly in flat parts.
 ///
-/// A collapse is unwanted if it flips a triangle, makes a very thin triangle, or makes a vertex
-/// with more than ten neighbors. Unwanted collapses have a much higher cost, and are therefore made
-/// last. Every closed surface of genus zero has a vertex with at most five neighbors. This vertex
-/// can collapse into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
+/// A collapse is unwanted if the result has a flipped or very thin triangle, or a vertex with more
+/// than ten neighbors. Unwanted collapses have a much higher cost, and are therefore made last.
+/// Every closed surface of genus zero has a vertex with at most five neighbors. This vertex can
+/// collapse into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
 class QuadricCollapse
 {
 public:

@@ -19,8 +19,8 @@ struct RemeshingOptions
 };
 
 /// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
-/// length of edges is computed for equilateral triangles. They have the target number of vertices,
-/// and together the area of the surface. Each iteration has these steps:
+/// length of edges is computed for equilateral triangles. These triangles have the area of the
+/// surface and the target number of vertices. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
 /// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.

@@ -65,8 +65,7 @@ private:
     Found& found) const;
 
   std::vector<Place> Places; ///< points in the sequence of the tree
-  /// Axis (0, 1 or 2) of the split at each inner node i. Its children are 2 i + 1 and
-  /// 2 i + 2.
+  /// Axis (0, 1 or 2) of the split at each inner node i. The children of i are 2 i + 1 and 2 i + 2.
   std::vector<unsigned char> Axes;
 };
 }

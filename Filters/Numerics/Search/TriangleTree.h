@@ -59,7 +59,7 @@ private:
   {
     Vector3 A, B, C;
   };
-  // Four boxes whose distances are computed together by SIMD instructions. They are the
+  // Four boxes whose distances are computed together by SIMD instructions. The boxes are the
   // grandchildren of a node of the binary tree.
   struct Quad
   {

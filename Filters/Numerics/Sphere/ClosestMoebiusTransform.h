@@ -1,7 +1,7 @@
 /// Fit a Moebius transform (conformal map of the sphere to itself) to pairs of positions. The
-/// method is our own construction, because no formula for the solution is known. It solves a
-/// weighted least-squares problem by the method of Levenberg and Marquardt. The initial transform
-/// is the closest rotation.
+/// method is our own construction, because no formula for the solution is known. The transform is
+/// computed by weighted least squares, with the method of Levenberg and Marquardt. The initial
+/// transform is the closest rotation.
 
 #ifndef ConformalClosestMoebiusTransform_h
 #define ConformalClosestMoebiusTransform_h

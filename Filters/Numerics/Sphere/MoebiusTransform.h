@@ -22,8 +22,8 @@ struct MoebiusTransform
   void applyTo(Points& spherePositions) const;
 };
 
-/// Move a point to the interior of the unit ball, if rounding or a large step of an iteration
-/// placed it outside.
+/// Move a point to the interior of the unit ball, if it is outside because of rounding or a large
+/// step.
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first

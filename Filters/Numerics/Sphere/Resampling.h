@@ -1,5 +1,5 @@
 /// Interpolate values of a surface at given directions of its sphere map. The method is our own
-/// construction. It interpolates linearly in the triangle found by SphereLocator, because
+/// construction. Interpolation is linear in the triangle found by SphereLocator, because
 /// SphereLocator is exact for triangles of any size.
 
 #ifndef ConformalResampling_h

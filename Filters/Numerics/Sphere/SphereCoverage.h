@@ -13,9 +13,9 @@ namespace conformal
 {
 struct SphereCoverage
 {
-  /// Number of times that the map covers the sphere. It is the sum of the triangles' signed solid
-  /// angles, divided by 4 pi. The degree of a one-to-one map is 1, or -1 if the map reverses
-  /// orientation.
+  /// Number of times that the map covers the sphere. This number is the sum of the triangles'
+  /// signed solid angles, divided by 4 pi. The degree of a one-to-one map is 1, or -1 if the map
+  /// reverses orientation.
   int Degree = 0;
   /// Number of triangles that are clockwise seen from outside, beyond rounding errors
   Index NumberOfFolds = 0;

@@ -1,6 +1,6 @@
 /// Compute densities of points on the sphere, from which makeAdaptiveSphere() builds a mesh. The
 /// representation of densities is our own construction: functions with directions at which they are
-/// sampled. Densities given by images and by surfaces thus have one interface.
+/// sampled. Densities given by images and densities given by surfaces thus have one interface.
 
 #ifndef ConformalSphereDensity_h
 #define ConformalSphereDensity_h

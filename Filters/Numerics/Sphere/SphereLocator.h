@@ -22,12 +22,11 @@ struct SphereLocation
   Vector3 Barycentric = Vector3::Zero();
 };
 
-/// Search structure that finds the triangle in which a direction lies. For triangles of any size,
-/// results are exact up to the rounding of the positions. Very small triangles are common:
-/// conformal maps of long limbs (thin parts of a shape, such as legs) can multiply areas by
-/// exp(-16).
+/// Search structure that finds the triangle that contains a direction. For triangles of any size,
+/// results are exact up to the rounding of the positions. Very small triangles are common. For
+/// example, a conformal map of a long limb, such as a leg, can multiply areas by exp(-16).
 ///
-/// The sign of a determinant is the side of an edge on which a direction lies. The determinant is
+/// The sign of a determinant determines on which side of an edge a direction is. The determinant is
 /// computed from differences between the two vertices of the edge and the direction. For both
 /// triangles of an edge, the vertices are used in the same sequence. The two signs are therefore
 /// consistent. If several triangles contain the direction, the one with the smallest id is

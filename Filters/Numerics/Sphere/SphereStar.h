@@ -28,7 +28,7 @@ constexpr double MinimumDeterminant = 1e-13;
 /// Implementation note: A is computed as half the determinant of the three unit vectors, slightly
 /// less than the area. The energy is therefore unbounded for triangles that are almost flipped. The
 /// square of SmallArea is added to AreaWeight S^2. The addition has an effect only where areas
-/// would otherwise underflow, for example at the end of a long limb of the shape.
+/// would otherwise underflow, for example at the end of a leg.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
@@ -60,8 +60,8 @@ struct Corner
 
 /// Find a valid position for a vertex inside the polygon of its neighbors (ring). The kernel of the
 /// ring is the set of positions from which all sides of the ring are counter-clockwise. The result
-/// is the centroid of the kernel. It is computed in a plane to which the sphere is projected from
-/// its center.
+/// is the centroid of the kernel. The centroid is computed in a plane to which the sphere is
+/// projected from its center.
 /// @param[in] ring  ids of the neighbors in `positions`. Seen from the first neighbor, all sides
 ///   that do not contain it are counter-clockwise.
 /// @return unit vector; no value if no position gives all triangles a determinant >=

@@ -20,7 +20,7 @@ enum class GlobalConformalMethod
 enum class GlobalConformalTier
 {
   Harmonic, ///< the solution of linear equations had no folds
-  Repaired, ///< folds of this solution were repaired locally
+  Repaired, ///< the solution of linear equations had folds, which were repaired locally
   /// The map was computed by mapToSphere(). Either AreaBalance is above 0, or triangles of a
   /// conformal map would be too small for double precision.
   Progressive
@@ -48,7 +48,7 @@ struct GlobalConformalMapResult
   /// Both phases have reached Tolerance, and no string constant (cotangent weight of an edge) is
   /// infinite.
   bool Converged = false;
-  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, by exact arithmetic
+  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, computed in exact arithmetic
   /// Number of edges whose opposite angles have a sum above pi
   Index NumberOfNegativeStringConstants = 0;
   Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
@@ -60,7 +60,7 @@ struct GlobalConformalMapResult
 /// The method Robust has these steps:
 /// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
 ///    repair folds by repairFlips().
-/// 2. If the puncture is on a limb (thin part of the shape) or the repair fails, repeat step 1 with
+/// 2. If the puncture is on a limb (long, thin part) or the repair fails, repeat step 1 with
 ///    another puncture.
 /// 3. Move vertices of triangles whose angles are not preserved, to preserve angles better.
 /// 4. If a triangle is flipped or too small, use mapToSphere() instead. Several values of

@@ -13,7 +13,7 @@ namespace conformal
 {
 struct HarmonicSphereMap
 {
-  Points Positions; ///< #V by 3 unit vectors; their area-weighted mean is 0
+  Points Positions; ///< #V by 3 unit vectors; the mean, weighted by areas of the surface, is 0
   /// Whether the map has no flipped or too small triangles, see badTriangles(). If false, do not
   /// use Positions.
   bool OneToOne = false;
@@ -26,8 +26,8 @@ struct HarmonicSphereMap
 ///
 /// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
 ///    repair folds by repairFlips().
-/// 2. If the puncture is on a limb (thin part of the shape) or the repair fails, repeat step 1 once
-///    with another puncture.
+/// 2. If the puncture is on a limb (long, thin part) or the repair fails, repeat step 1 once with
+///    another puncture.
 /// 3. Move the vertices of triangles whose angles are not preserved, to preserve angles better. If
 ///    the mesh has fewer than 20,000 vertices, move all vertices.
 ///

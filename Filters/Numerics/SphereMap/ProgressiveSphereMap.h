@@ -20,15 +20,15 @@ struct ProgressiveSphereMapOptions
   double AreaBalance = 0.5;
   /// Number of sweeps over all vertices after all are inserted, at least 0
   int NumberOfSweeps = 30;
-  /// Number of sweeps after the NumberOfSweeps ones. They give more weight to the triangles with
-  /// the highest energy.
+  /// Number of sweeps after those of NumberOfSweeps. These later sweeps give more weight to the
+  /// triangles with the highest energy.
   int NumberOfSmoothingSweeps = 30;
   /// Treatment of needles (very thin triangles) by QuadricCollapse. Use Thin if large parts of the
   /// surface are connected by necks that consist of needles. The reason is that vertices of these
-  /// parts cannot be inserted before those of the necks.
+  /// parts cannot be inserted before the vertices of the necks.
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
-  /// Maximum number of insertions that need space, so that vertices nearby are moved first. Each of
-  /// these insertions may take a second.
+  /// Some vertices can be inserted only after vertices nearby are moved. This is the maximum number
+  /// of these insertions. One of these insertions may need a second.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
   /// Whether to collapse and insert vertices as if all triangles were equilateral, with equal
   /// areas. The final sweeps always use the true shapes. Use this option only if all other attempts

@@ -11,8 +11,9 @@
 namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
-/// nearly equilateral, as are the triangles around it. It is not at the end of a limb (thin part of
-/// a shape). A puncture there would make all other triangles on the sphere too small.
+/// nearly equilateral, as are the triangles around it. The puncture is not at the end of a limb
+/// (long, thin part of a shape). A puncture there would make all other triangles on the sphere too
+/// small.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
 /// Choose another puncture, given a map of the surface to the sphere. The result is a nearly

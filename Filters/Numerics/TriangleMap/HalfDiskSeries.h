@@ -1,7 +1,7 @@
 /// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on a
 /// half disk, see the comment at the beginning of SchwarzChristoffel.h. The series is our own
-/// construction, because it converges for triangles of any shape. It expands the integrand of
-/// \cite Liou2008 Eqs. 4 and 5 on the half disk at a corner.
+/// construction, because it converges for triangles of any shape. The integrand of \cite Liou2008
+/// Eqs. 4 and 5 is expanded at a corner of the half disk.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -25,7 +25,7 @@ constexpr double MaximumLogS = -1.09861; // |s| < 1/3, slightly above the maximu
 constexpr int MaximumTerms = 36;         // even, sufficient for |s| = 1/3
 
 /// Compute the exponential function of a logarithm. If the imaginary part is 0 or pi, the result is
-/// exactly real. Points on the straight edges of the half disk have such logarithms.
+/// exactly real. These imaginary parts occur at points on the straight edges of the half disk.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -145,11 +145,11 @@ public:
     }
   }
 
-  /// Approximate log s for given log W, as a starting value of Newton's method. Here W = (1 +
-  /// sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation is W(s)
-  /// = s / (1 - g s + q s^2). The constants g and q are chosen so that it is exact up to s^3. The
-  /// approximation is also exact for the extremal univalent functions. It is therefore accurate for
-  /// triangles of any shape.
+  /// Approximate log s for given log W, as a starting value of Newton's method. Here W =
+  /// (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation is
+  /// W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that it is exact up to s^3.
+  /// The approximation is also exact for the extremal univalent functions. Therefore, the
+  /// approximation is accurate for triangles of any shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();

@@ -38,7 +38,7 @@ public:
   Vector3 toModel(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   /// Map a point of a model triangle to a point of a network triangle: the inverse of toModel().
-  /// This is the formula z' = f_2(f_1^-1(z)) below Eq. 5 of \cite Liou2008.
+  /// The map is z' = f_2(f_1^-1(z)), the formula below Eq. 5 of \cite Liou2008.
   Vector3 toNetwork(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   bool degenerate(Index triangle) const

@@ -24,7 +24,7 @@ struct CornerTable
 using ShapeTable = std::array<CornerTable, 3>;
 
 /// Position on an edge: the two barycentric coordinates of the ends of the edge, each to full
-/// precision. Their sum is 1.
+/// precision. The sum of both coordinates is 1.
 struct EdgeShares
 {
   double First = 0.0, Second = 0.0;
