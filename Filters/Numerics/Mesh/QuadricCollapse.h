@@ -16,10 +16,10 @@ namespace conformal
 /// The cost of a collapse is the quadric error, \cite Garland1997, and a small penalty for large
 /// and thin triangles. The penalty distributes the remaining vertices evenly in flat parts.
 ///
-/// A collapse is unwanted if the result has a flipped or very thin triangle, or a vertex with more
-/// than ten neighbors. Unwanted collapses have a much higher cost, and are therefore made last.
-/// Every closed surface of genus zero has a vertex with at most five neighbors. This vertex can
-/// collapse into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
+/// Unwanted are collapses after which a triangle is flipped or very thin, or a vertex has more than
+/// ten neighbors. These collapses have a much higher cost, and are therefore made last. Every
+/// closed surface of genus zero has a vertex with at most five neighbors. This vertex can collapse
+/// into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
 class QuadricCollapse
 {
 public:

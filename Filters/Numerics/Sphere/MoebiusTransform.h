@@ -22,8 +22,7 @@ struct MoebiusTransform
   void applyTo(Points& spherePositions) const;
 };
 
-/// Move a point to the interior of the unit ball, if it is outside because of rounding or a large
-/// step.
+/// Move a point to the interior of the unit ball, if rounding or a large step placed it outside.
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first

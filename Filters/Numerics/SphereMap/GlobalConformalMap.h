@@ -60,8 +60,8 @@ struct GlobalConformalMapResult
 /// The method Robust has these steps:
 /// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
 ///    repair folds by repairFlips().
-/// 2. If the puncture is on a limb (long, thin part) or the repair fails, repeat step 1 with
-///    another puncture.
+/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 with
+///    another triangle.
 /// 3. Move vertices of triangles whose angles are not preserved, to preserve angles better.
 /// 4. If a triangle is flipped or too small, use mapToSphere() instead. Several values of
 ///    AreaBalance are tried in ascending order. The last attempt uses the option ConnectivityFirst.

@@ -26,8 +26,8 @@ struct HarmonicSphereMap
 ///
 /// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
 ///    repair folds by repairFlips().
-/// 2. If the puncture is on a limb (long, thin part) or the repair fails, repeat step 1 once with
-///    another puncture.
+/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
+///    another triangle.
 /// 3. Move the vertices of triangles whose angles are not preserved, to preserve angles better. If
 ///    the mesh has fewer than 20,000 vertices, move all vertices.
 ///
