@@ -1,4 +1,5 @@
-/// Collective operations over all ranks: gather, minimum, maximum and ordered sums. All use Reduce.
+/// Combine data of all ranks (MPI processes): concatenation, minimum, maximum and sums in rank
+/// order. All functions communicate by the integer sums of Reduce.
 
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
@@ -17,7 +18,8 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  rows of this rank, any number; integers must be exact as doubles
+/// @param[in] own  rows of this rank; ranks may have different numbers of rows. Integers must be
+///   representable as double.
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 {
@@ -34,8 +36,8 @@ Matrix gatherRows(const Reduce& reduce, const Matrix& own)
     .template cast<typename Matrix::Scalar>();
 }
 
-/// Concatenate the triangles of all ranks in rank order, on every rank. Vertex ids then refer to
-/// the concatenated points of all ranks.
+/// Concatenate the triangles of all ranks in rank order, on every rank. Vertex ids of the result
+/// refer to the concatenated points of all ranks.
 /// @param[in] own     triangles of this rank, with ids in [0, points)
 /// @param[in] points  number of points of this rank
 /// @throws std::invalid_argument if an int cannot hold the number of all points
@@ -50,7 +52,7 @@ inline Triangles gatherTriangles(const Reduce& reduce, Triangles own, Index poin
   return gatherRows(reduce, own);
 }
 
-/// Minimum of a number over all ranks, and the lowest rank that has this minimum.
+/// Minimum of a number over all ranks, and the lowest rank on which the number has this value.
 struct Minimum
 {
   double Value = std::numeric_limits<double>::infinity();
@@ -58,12 +60,13 @@ struct Minimum
 };
 
 /// Compute the element-wise minimum over all ranks.
-/// @param[in] own  numbers of this rank, as many as on every other rank
+/// @param[in] own  numbers of this rank; all ranks must pass equally many
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
   std::vector<Minimum> result(size);
-  constexpr Index ChunkSize = 1 << 16; // limits the memory for the numbers of all ranks
+  // maximum number of values per rank that are gathered at once, to limit memory
+  constexpr Index ChunkSize = 1 << 16;
   for (Index first = 0; first < size; first += ChunkSize)
   {
     const Index count = std::min(ChunkSize, size - first);
@@ -82,7 +85,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 }
 
 /// Compute the element-wise maximum over all ranks.
-/// @param[in] own  numbers of this rank, as many as on every other rank
+/// @param[in] own  numbers of this rank; all ranks must pass equally many
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);
@@ -94,10 +97,12 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
   return most;
 }
 
-/// Reduce serially in rank order: each rank starts from the numbers computed by the previous rank.
-/// The result of the last rank is returned on all ranks. Floating-point sums therefore have the
-/// same bits as in a single process. This is slow: the numbers are sent once per rank.
-/// @param[in,out] numbers  array of `count` numbers, equal on all ranks
+/// Update an array serially in rank order: each rank continues from the values that the previous
+/// rank computed. All ranks receive the values of the last rank. Floating-point sums therefore have
+/// the same bits as in a single process. The function is slow, since it sends the array once per
+/// rank.
+/// @param[in,out] numbers  array of `count` values; equal on all ranks before the call, and again
+///   after the call
 /// @param[in] goOn         function that updates `numbers` with the data of this rank
 inline void inTurn(
   const Reduce& reduce, double* numbers, Index count, const std::function<void()>& goOn)

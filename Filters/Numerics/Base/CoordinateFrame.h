@@ -1,6 +1,6 @@
-/// Scale coordinates by a power of two to a size near 1, so that products stay in range. Own
-/// construction: scaling by powers of two, because it does not round. Results thus have the same
-/// bits in any unit of length.
+/// Scale coordinates to a size near 1, so that their products neither overflow nor underflow. The
+/// choice of the scale is our own construction. The scale is a power of two, because division by a
+/// power of two does not round. Results thus have the same bits in any unit of length.
 
 #ifndef ConformalCoordinateFrame_h
 #define ConformalCoordinateFrame_h
@@ -13,37 +13,41 @@
 
 namespace conformal
 {
-/// Return x / unit. If the result has a coordinate beyond 2^26, it is moved to a distance of 2^26
-/// in the same direction. In double precision, both points have the same closest point on a surface
-/// of size 1.
+/// Return x / unit, or a closer point if a coordinate of x / unit exceeds 2^26 in magnitude. The
+/// closer point has the direction of x and the distance 2^26 from the origin. In double precision,
+/// both points have the same closest point on a surface whose size is about 1.
 Vector3 inUnits(const Vector3& x, double unit);
 
-/// Unit of length in which coordinates are near 1. The unit is a power of two, so that conversion
-/// into the frame and back does not round. If the unit is a normal number, results of the numerical
-/// library have the same bits in any unit of the input.
+/// Unit of length in which coordinates are near 1. The unit is a power of two, so that division and
+/// multiplication by the unit do not round. Results of the numerical library therefore have the
+/// same bits in any unit of the input. The only exception is a unit that is not a normal
+/// floating-point number.
 struct CoordinateFrame
 {
   double Unit = 1.0; ///< unit of length, a power of two
 
-  /// Convert one of the points from which frameOf() computed the frame.
+  /// Divide a point by the unit. The point must be one of those from which frameOf() computed the
+  /// frame.
   Vector3 toFrame(const Vector3& x) const { return x / this->Unit; }
 
-  /// Convert any other point, possibly far away, by inUnits().
+  /// Divide any other point, which may be far away, by the unit: see inUnits().
   Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 
-/// Choose the frame in which the maximum absolute coordinate lies in [1, 2). Points that are not
-/// finite are ignored. The unit is 1 if all other coordinates are 0.
-/// @param[in] reduce  sums over the ranks; each rank passes its own part of the points
+/// Choose the unit so that the maximum absolute coordinate, divided by the unit, is in [1, 2).
+/// Points that are not finite are ignored. If all coordinates of finite points are 0, the unit is
+/// 1.
+/// @param[in] reduce  communication between ranks (MPI processes); each rank passes its part of the
+///   points
 CoordinateFrame frameOf(
   const std::vector<PointView>& points, const Reduce& reduce = {}, const Run& run = {});
 
-/// Normalize a vector of any length without overflow or underflow. The result is not finite if the
-/// vector is zero or not finite.
+/// Normalize a vector of any length without overflow or underflow. If the vector is zero or not
+/// finite, the result is not finite.
 Vector3 unitVector(const Vector3& v);
 
 /// Normalize each row of a matrix in place, without overflow or underflow.
-/// @return number of rows that have no direction because they are zero or not finite
+/// @return number of rows that cannot be normalized, because they are zero or not finite
 Index normalizeRows(Points& vectors);
 }
 

@@ -1,4 +1,4 @@
-/// Disjoint sets: union-find with path halving, \cite Tarjan1984.
+/// Merge disjoint sets and find the set of an id: union-find with path halving, \cite Tarjan1984.
 #ifndef ConformalDisjointSets_h
 #define ConformalDisjointSets_h
 
@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Partition of the ids 0 to size - 1 into sets. Initially each id is a set of its own. The name of
-/// a set is one of its ids.
+/// Partition of the ids 0 to size - 1 into sets. Initially each set has one id. Each set is named
+/// by one of its ids.
 class DisjointSets
 {
 public:

@@ -1,5 +1,6 @@
-/// Fixed-point sums, which do not depend on the order of addition. Own construction: sums of
-/// integers, because their addition is associative. Threads and ranks may thus add in any order.
+/// Add real numbers as fixed-point numbers, so that sums do not depend on the order of addition.
+/// The use of fixed-point numbers is our own construction, because the addition of integers is
+/// associative. Threads and ranks (MPI processes) may thus add in any order.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h
@@ -14,9 +15,9 @@
 
 namespace conformal
 {
-/// Sums of numbers of magnitude up to about 1, stored as integer multiples of 2^-38. Threads and
-/// ranks may add in any order: the sums have the same bits. A sum has space for 2^24 numbers of
-/// magnitude 2.
+/// Sums of numbers of magnitude up to about 1, stored as integer multiples of 2^-38. The bits of a
+/// sum do not depend on the order in which threads and ranks add. A sum does not overflow for fewer
+/// than 2^24 numbers of magnitude up to 2.
 class FixedPointSums
 {
 public:

@@ -1,4 +1,4 @@
-/// Compact list of the ids that pass a test. Storage is one bit per tested id.
+/// Store which ids pass a test in one bit per tested id, and access the passing ids by index.
 
 #ifndef ConformalKeptIds_h
 #define ConformalKeptIds_h
@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Ascending list of the ids in [0, size) that pass a test. Storage is one bit per tested id. A
-/// plain list needs 64 bits for each listed id, too much for clouds of ten million points.
+/// Ascending list of the ids in [0, size) that pass a test. Storage is one bit per tested id. An
+/// array of ids would need 64 bits per listed id, too much for ten million points.
 class KeptIds
 {
 public:

@@ -1,13 +1,13 @@
-/// Small fixed-size vectors for SIMD units.
+/// Define vectors of 8 floats and of 4 doubles for SIMD instructions.
 
 #ifndef ConformalLanes_h
 #define ConformalLanes_h
 
 namespace conformal
 {
-/// Vector types of GCC and Clang. Operators + - * < ?: act on each element separately, with the
-/// same bits on every SIMD unit. Vectors need only the alignment of their elements. They serve in
-/// the few loops that compilers do not vectorize automatically.
+/// Vector types of GCC and Clang. Operators + - * < ?: act on each element separately. Results have
+/// the same bits with every SIMD instruction set. Vectors need only the alignment of their
+/// elements. Loops use these types only if compilers do not vectorize them automatically.
 using Floats = float __attribute__((vector_size(32), aligned(4)));
 using Doubles = double __attribute__((vector_size(32), aligned(8)));
 constexpr int FloatLanes = 8;

@@ -1,4 +1,5 @@
-/// Exception for a method that fails on valid input, so that another method can be tried.
+/// Throw NumericalFailure if a method fails on valid input, so that the caller can use another
+/// method.
 
 #ifndef ConformalNumericalFailure_h
 #define ConformalNumericalFailure_h
@@ -7,9 +8,9 @@
 
 namespace conformal
 {
-/// Exception thrown by a method that finds no result for a valid input. Examples are equations
-/// without a usable solution, or a map in which a vertex has no valid position. The caller can try
-/// another method.
+/// Exception thrown by a numerical method that finds no result for a valid input. One example is a
+/// system of equations without a usable solution. Another example is a map in which a vertex has no
+/// valid position. The caller can use another method.
 class NumericalFailure : public std::runtime_error
 {
 public:

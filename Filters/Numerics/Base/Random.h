@@ -1,4 +1,4 @@
-/// Pseudorandom numbers with equal values on every machine for the same seed.
+/// Generate pseudorandom numbers that depend only on a seed, not on the machine.
 
 #ifndef ConformalRandom_h
 #define ConformalRandom_h
@@ -11,9 +11,9 @@
 
 namespace conformal
 {
-/// Pseudorandom numbers from the Mersenne Twister. The C++ standard defines the numbers of the
-/// generator, but not those of its distributions. This class therefore converts the generator's
-/// numbers itself.
+/// Pseudorandom numbers from the Mersenne Twister. The C++ standard specifies the numbers of
+/// std::mt19937_64, but not the numbers of its distributions. This class therefore computes uniform
+/// numbers without a standard distribution.
 class Random
 {
 public:

@@ -1,4 +1,4 @@
-/// Sums over all ranks (MPI processes). Each rank holds a part of the cloud.
+/// Add integers over all ranks (MPI processes). Each rank stores a part of the input points.
 
 #ifndef ConformalReduce_h
 #define ConformalReduce_h
@@ -14,16 +14,16 @@
 
 namespace conformal
 {
-/// Sum over all ranks, each of which holds a part of the cloud. All ranks must make the same calls
-/// in the same sequence, with equal counts. Integer sums do not depend on the order of addition, so
-/// results have the same bits for any number of ranks. Every other reduction is expressed as an
+/// Sum of integers over all ranks (MPI processes). All ranks must make the same calls in the same
+/// sequence, with equal counts. Integer sums do not depend on the order of addition. Results
+/// therefore have the same bits for any number of ranks. Every other reduction is expressed as an
 /// integer sum.
 struct Reduce
 {
   int Rank = 0; ///< rank of this process, in [0, NumberOfRanks)
   int NumberOfRanks = 1;
-  /// Function that replaces each of `count` values by its sum over all ranks. Empty if there is
-  /// only one rank.
+  /// Function that replaces each of `count` values by its sum over all ranks. If there is only one
+  /// rank, the function is empty.
   std::function<void(std::int64_t* values, Index count)> Sum;
 
   void sum(std::int64_t* values, Index count) const
@@ -35,7 +35,7 @@ struct Reduce
   }
 };
 
-/// Position of one rank's data in the concatenated data of all ranks, in rank order.
+/// Position of one rank's items in the concatenation of the items of all ranks, in rank order.
 struct Share
 {
   std::int64_t Before = 0; ///< number of items on lower ranks
@@ -59,7 +59,8 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
     return own;
   }
   const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
-  // Each rank adds the bits of its numbers to zeros, so that the numbers do not change.
+  // Each number is sent as an integer with the same bits. All other ranks add 0, so that the bits
+  // do not change.
   std::vector<std::int64_t> bits(size, 0);
   std::transform(own.begin(), own.end(), bits.begin() + first,
     [](double number)

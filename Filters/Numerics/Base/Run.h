@@ -1,7 +1,7 @@
-/// Execution context of a computation: a thread pool, and a progress callback that may abort.
+/// Run computations on several threads, and report progress to a callback that may abort.
 ///
-/// Results do not depend on the number of threads. Work is divided into blocks of fixed size, and
-/// each block writes only its own results.
+/// Results do not depend on the number of threads. Loops are divided into blocks of fixed size.
+/// Each block writes only the results of its indices.
 
 #ifndef ConformalRun_h
 #define ConformalRun_h
@@ -15,12 +15,13 @@
 
 namespace conformal
 {
-/// Run body(i) once for every i in [0, count), in any order and possibly concurrently.
+/// Function that calls body(i) once for every i in [0, count), in any order and possibly
+/// concurrently.
 using ParallelFor = std::function<void(Index count, const std::function<void(Index)>& body)>;
 
-/// Progress callback. Its argument is the completed fraction in [0, 1], which never decreases. The
-/// callback runs on the thread that started the computation. If it returns false, the computation
-/// throws Aborted.
+/// Progress callback. The argument is the completed fraction in [0, 1], which never decreases. The
+/// callback runs on the thread that started the computation. If the callback returns false, the
+/// computation throws Aborted.
 using Progress = std::function<bool(double)>;
 
 /// Exception thrown after the progress callback returned false.
@@ -30,8 +31,9 @@ public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Execution context of one computation, passed as the last argument. A default-constructed run
-/// uses only the calling thread and reports no progress.
+/// Threads and progress callback of one computation. A Run is the last parameter of functions with
+/// a noticeable running time. A default-constructed Run uses only the calling thread and reports no
+/// progress.
 class Run
 {
 public:
@@ -43,7 +45,7 @@ public:
   }
 
   /// Report progress.
-  /// @param[in] fraction  completed fraction in [0, 1]; must not decrease
+  /// @param[in] fraction  completed fraction in [0, 1]; must not be lower than in earlier calls
   /// @throws Aborted if the progress callback returns false
   void report(double fraction) const
   {
@@ -53,8 +55,8 @@ public:
     }
   }
 
-  /// Return a run for one part of this computation. Its progress from 0 to 1 is reported as
-  /// progress from `begin` to `end` of this run.
+  /// Return a Run for one part of this computation. Progress from 0 to 1 of the part is reported as
+  /// progress from `begin` to `end` of the whole computation.
   Run part(double begin, double end) const
   {
     if (!this->Watcher)
@@ -66,18 +68,19 @@ public:
             } };
   }
 
-  /// Return a run with the same threads and without progress reports, for steps too short to
+  /// Return a Run with the same threads and without progress reports, for steps too short to
   /// report.
   Run unwatched() const { return { this->Threads }; }
 
-  /// Return a run with the same threads and another progress callback.
+  /// Return a Run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// Return a run with the same progress callback but without threads. It executes blocks serially
-  /// in ascending order, for bodies that depend on the order.
+  /// Return a Run with the same progress callback that uses only the calling thread. Loops of the
+  /// returned Run are executed in ascending order. Use the returned Run if the result of a loop
+  /// depends on the order of iterations.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
-  /// Run body(i) once for every i in [0, count), on all threads.
+  /// Call body(i) once for every i in [0, count), on all threads.
   void forEach(Index count, const std::function<void(Index)>& body) const
   {
     if (this->Threads)
@@ -104,9 +107,10 @@ inline void forBlocks(
     [&](Index block) { body(block * blockSize, std::min(size, (block + 1) * blockSize)); });
 }
 
-/// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size), and
-/// report progress from the calling thread. Progress is reported after each sixteenth of the
-/// blocks, but at least 64 and at most 256 blocks, so that many threads stay busy.
+/// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size).
+/// Report progress from the calling thread after every n blocks. The number n is a sixteenth of the
+/// number of blocks, clamped to [64, 256]. At least 64 blocks between reports keep many threads
+/// busy.
 /// @throws Aborted if the progress callback returns false
 inline void forBlocksReporting(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)

@@ -1,4 +1,4 @@
-/// Divide the progress of a computation among its steps.
+/// Compute the progress of a computation from the progress of its steps.
 
 #ifndef ConformalSteps_h
 #define ConformalSteps_h
@@ -13,19 +13,21 @@
 
 namespace conformal
 {
-/// Assign a fraction of the total progress to each step of a computation:
+/// Assign a share of the total progress to each step of a computation. For example, the second of
+/// these steps has 60 % of the progress:
 ///
 ///     Steps steps(run, { 0.4, 0.6 }); // tree, foot points
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// The fractions are constants: the measured times of the steps for a surface of 100,000 points, on
-/// one core in a release build (2026). Only their ratios matter. Progress therefore never decreases
-/// and is reported often, but it does not predict the remaining time.
+/// Callers pass constant shares: the measured times of the steps. The times are those for a surface
+/// of 100,000 points, on one core in a release build (2026). Only the ratios of the shares matter.
+/// Progress never decreases and is reported often. However, progress does not predict the remaining
+/// time, since other surfaces have other ratios.
 class Steps
 {
 public:
-  /// @param[in] shares  relative durations of the steps; 0 for a step that is left out
+  /// @param[in] shares  relative durations of the steps; 0 for a step that is not executed
   Steps(Run whole, std::vector<double> shares)
     : Whole(std::move(whole))
     , Shares(std::move(shares))
@@ -34,7 +36,7 @@ public:
   }
 
   /// Begin the next step, and report the progress at its beginning.
-  /// @return run to pass to that step; a short step need not report progress
+  /// @return Run to pass to that step; a short step need not report progress
   /// @throws Aborted if the progress callback returns false
   Run next()
   {

@@ -1,4 +1,4 @@
-/// Shared types of the numerical library: matrices, corners of triangles, views of points and of
+/// Define shared types of the numerical library: matrices, and read-only views of points and
 /// numbers.
 
 #ifndef ConformalTypes_h
@@ -20,7 +20,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;    ///< c
 constexpr double Pi = 3.14159265358979323846;
 
 /// Return the corner (0, 1 or 2) that follows a corner of a triangle counter-clockwise. The inverse
-/// is previous().
+/// function is previous().
 constexpr int next(int corner)
 {
   return corner == 2 ? 0 : corner + 1;
@@ -30,8 +30,8 @@ constexpr int previous(int corner)
   return corner == 0 ? 2 : corner - 1;
 }
 
-/// Read-only view of packed points, in float or double. It refers to memory owned elsewhere, so
-/// that ten million points need no copy. Coordinates are divided by a unit of length, see
+/// Read-only view of packed points, in float or double. The view does not own the memory, so that
+/// ten million points need no copy. On access, coordinates are divided by a unit of length, see
 /// CoordinateFrame.
 class PointView
 {
@@ -72,7 +72,7 @@ private:
   double Unit = 1.0;
 };
 
-/// Read-only view of floats or doubles in memory owned elsewhere.
+/// Read-only view of floats or doubles. The view does not own the memory.
 class NumberView
 {
 public:

@@ -1,5 +1,6 @@
-/// Reduce the number of points of a cloud. Own construction: points are averaged in the cells of a
-/// grid, because means reduce noise. The size of the cells is found by bisection.
+/// Reduce the number of points of a point cloud. The method is our own construction. The points in
+/// each cell of a grid are averaged, because means have less noise. Bisection finds the cell size
+/// that gives the wanted number of means.
 
 #ifndef ConformalCloudThinning_h
 #define ConformalCloudThinning_h
@@ -10,7 +11,7 @@
 
 namespace conformal
 {
-/// Points of a cloud, and their normals if these are known.
+/// Points of a point cloud, and their normals if known.
 struct OrientedPoints
 {
   Points Positions; ///< #P by 3
@@ -18,22 +19,23 @@ struct OrientedPoints
   Points Normals;
 };
 
-/// Select samples evenly from the sequence of points. The sequence is divided into intervals of
-/// equal length, and one sample is selected from each. Its position in the interval varies, because
-/// the sequence of points of a scan may be periodic. All ranks return the same samples.
-/// @param[in] maximum  approximate number of samples to select; if there are fewer, all are
-///   returned
+/// Select samples evenly from the sequence of all samples. The sequence is divided into intervals
+/// of equal length. One sample is selected from each interval. The position of the sample in its
+/// interval varies, because the sequence of points of a scan may be periodic. All ranks (MPI
+/// processes) return the selected samples of all ranks.
+/// @param[in] maximum  approximate number of samples to select. If there are fewer samples, all are
+///   selected.
 OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);
 
-/// Return a cloud without the marked points.
-/// @param[in] marks  #P marks, 1 for points to leave out, 0 for all others
+/// Return the points of a cloud that are not marked.
+/// @param[in] marks  #P marks: 1 for points to leave out, 0 for points to keep
 OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8_t>& marks);
 
 /// Replace the points in each cube of a grid by their mean. The size of the cubes is chosen so that
-/// there are about `count` means, and no more. The means have less noise than the points. Dense
-/// parts of the cloud lose more points than sparse parts.
-/// @param[in] count  approximate number of means, at least 1; a cloud of at most `count` points is
-///   returned unchanged
+/// there are at most `count` means, and not many fewer. The means have less noise than the points.
+/// In dense parts of the cloud, more points are averaged than in sparse parts.
+/// @param[in] count  maximum number of means, at least 1. A cloud of at most `count` points is
+///   returned unchanged.
 OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run = {});
 }
 

@@ -73,7 +73,8 @@ double quantile(std::vector<double>& values, double share)
   return values[static_cast<std::size_t>(at)];
 }
 
-/// State of one search; all lengths are quarters.
+/// State of one search for far points. All lengths are divided by 4, so that differences do not
+/// overflow.
 class Search
 {
 public:
@@ -123,7 +124,8 @@ private:
     std::vector<Place> places;
     for (Index block = first / stretch; block * stretch < last; ++block)
     {
-      // Select a varying point of each stretch, since scans may be periodic.
+      // Select a point at a varying position of each interval, since the sequence of points of a
+      // scan may be periodic.
       const std::uint64_t mixed = static_cast<std::uint64_t>(block) * 0x9e3779b97f4a7c15U;
       const Index id = block * stretch +
         static_cast<Index>((mixed >> 32) % static_cast<std::uint64_t>(stretch)) - first;
@@ -206,7 +208,7 @@ private:
     return counts;
   }
 
-  // Find the end of the first gap; infinite without any.
+  // Find the distance at the end of the first gap. If there is no gap, the result is infinite.
   double beyondGap(const std::vector<std::int64_t>& counts) const
   {
     const auto size = static_cast<int>(counts.size());
@@ -227,7 +229,7 @@ private:
   {
     std::vector<Place> places;
     double nearest = std::numeric_limits<double>::infinity(), maximumCoordinate = 0.0;
-    // Numbers of far points, of examined points, and of positions of this rank
+    // Numbers of far points, of examined points, and of positions of far points on this rank
     std::int64_t counts[] = { 0, 0, 0 };
     for (Index i = 0; i < this->View.size(); ++i)
     {
@@ -269,8 +271,9 @@ private:
     return true;
   }
 
-  // Test whether a quarter of the positions lie flat among neighbors nearer than the cloud.
-  // Outliers at increasing distances have neighbors towards the cloud, which are flat by chance.
+  // Test whether at least a quarter of the positions are flat, with neighbors nearer than the
+  // cloud. Outliers at increasing distances from the cloud have neighbors towards the cloud, and
+  // would be flat by chance.
   bool isSurface(const std::vector<Place>& places) const
   {
     constexpr Index asked = 2000, share = 4;

@@ -1,6 +1,6 @@
-/// Detect points so far from a cloud that they would determine its scale. Own construction: gaps in
-/// the distances from the median, because usual criteria fail if many outliers share one position.
-/// An example of a usual criterion is the distance to neighbors.
+/// Detect points so far from a point cloud that they would determine its scale. The method is our
+/// own construction: it finds gaps in the distances of points from the median. The reason is that
+/// criteria based on distances to neighbors fail if many outliers have one position.
 
 #ifndef ConformalFarPoints_h
 #define ConformalFarPoints_h
@@ -14,20 +14,21 @@
 
 namespace conformal
 {
-/// Result of findFarPoints(), equal on all ranks: the number and the distance of the far points of
-/// a cloud.
+/// Number and distance of the far points of a cloud. The result of findFarPoints() is equal on all
+/// ranks (MPI processes).
 struct FarPoints
 {
   Index Count = 0; ///< number of far points
   Index Total = 0; ///< number of points examined, including far points
   double Distance =
-    0.0; ///< distance of the nearest far point, in units of the cloud's radius; 0 if there is none
-  /// Maximum absolute coordinate of the points that are not far; 0 if there are no far points
+    0.0; ///< distance of the nearest far point, divided by the cloud's radius; 0 without far points
+  /// Maximum absolute coordinate of the points that are not far. If there are no far points, this
+  /// number is 0.
   double MaximumCoordinate = 0.0;
 
-  /// One quarter of the coordinate-wise median of the cloud
+  /// One quarter of the coordinate-wise median of the points
   Vector3 QuarterOfCenter = Vector3::Zero();
-  /// One quarter of the distance from the median beyond which a point is far
+  /// One quarter of a distance. Points with a larger distance from the median are far.
   double QuarterOfReach = std::numeric_limits<double>::infinity();
 
   /// Test whether a finite point is far. The test uses quarters of coordinates, since differences
@@ -38,27 +39,31 @@ struct FarPoints
   }
 };
 
-/// Find the far points of a cloud: a few points at a great distance. Scaled together with them, the
-/// cloud would be too small to be resolved. Examples are invalid pixels at (0, 0, 0), and outliers
-/// with huge coordinates.
+/// Find the far points of a cloud: a few points at a great distance from all others. If its
+/// bounding box included these points, the cloud would be too small for any grid over the box.
+/// Examples of far points are invalid pixels with position (0, 0, 0), and outliers with huge
+/// coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
-/// cloud is the distance within which nine tenths of the positions lie. Candidates for far points
-/// are points
-/// - beyond a gap: for some distance R, at least the radius, at most 3 points lie between R and 4
-///   R; or
-/// - beyond 32 radii.
+/// cloud is the distance within which nine tenths of the positions lie. Two sets of points are
+/// tested in this sequence. The far points are the first set that is accepted.
+/// - points beyond a gap. A gap is an interval of distances from R to 4 R that contains at most 3
+///   points. R is at least the radius. The gap with the smallest R is used.
+/// - points at distances above 32 radii.
 ///
-/// Candidates are far points if they have at most 32 different positions. They are also far points
-/// if they have at most a twentieth of all positions and do not form a surface. Candidates form a
-/// surface if a quarter or more of them pass liesFlat() (StrayPoints.h) with neighbors nearer than
-/// half the distance to the cloud.
+/// A set is accepted if it has at most 32 different positions. A set is also accepted if two
+/// conditions hold. First, the number of its positions is at most a twentieth of the number of
+/// points. Second, the set does not form a surface. The set forms a surface if at least a quarter
+/// of its points are flat. A point is flat if it passes liesFlat() (StrayPoints.h), and its eight
+/// nearest neighbors in the set are near. Near means a distance of less than half the distance from
+/// the point to the median.
 ///
-/// Points at the same position count as one. A cloud of fewer than 20 positions has no far points.
+/// Several points at one position count as one position. A cloud with fewer than 20 positions has
+/// no far points.
 ///
-/// @param[in] points  #P by 3 coordinates, in any unit; points that are not finite are not examined
+/// @param[in] points  #P by 3 coordinates, in any unit. Points that are not finite are ignored.
 /// @param[in] skip    function that returns true for points to leave out; may be empty
-/// @param[in] reduce  sums over the ranks; each rank passes its own part of the cloud
+/// @param[in] reduce  communication between ranks; each rank passes its part of the cloud
 /// @throws Aborted
 /// @post the result does not depend on the number of threads or ranks
 FarPoints findFarPoints(const PointView& points, const std::function<bool(Index)>& skip = {},

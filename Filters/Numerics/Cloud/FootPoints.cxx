@@ -12,7 +12,7 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-// Item and its grid cell, with a number that is close for neighboring cells.
+// Item and the number (Morton key) of its grid cell. Neighboring cells usually have close numbers.
 struct Cell
 {
   std::uint32_t Key, Item;
@@ -20,7 +20,7 @@ struct Cell
 
 constexpr int BitsOfAxis = 10, BitsOfKey = 3 * BitsOfAxis;
 
-// Spread the bits of a number below 1024, with two zeros before each.
+// Spread the bits of a number below 1024: insert two zero bits before each bit.
 std::uint32_t spreadBits(std::uint32_t x)
 {
   x = (x | x << 16) & 0x030000ffu;
@@ -29,7 +29,7 @@ std::uint32_t spreadBits(std::uint32_t x)
   return (x | x << 2) & 0x09249249u;
 }
 
-// Compute the Morton order on a grid over the samples, of maximum radius 1.
+// Compute the Morton key of a sample, on a grid over the cube [-1, 1]^3 that contains all samples.
 std::uint32_t keyOf(const Vector3& x)
 {
   constexpr double cells = 1 << BitsOfAxis;
@@ -117,7 +117,8 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
-  constexpr Index MaximumSorted = 1 << 20; // at a time, to bound the memory
+  // Maximum number of samples sorted at a time, to limit the memory
+  constexpr Index MaximumSorted = 1 << 20;
   const ClosestPoint closest = [&](Index, const Vector3& x, int hint)
   { return surface.closestPoint(x, hint); };
   std::vector<Cell> cells;

@@ -8,8 +8,9 @@ namespace conformal
 namespace
 {
 constexpr int Rings = 2;
-/// Limit of distances in units of the last scale. A few outliers then have little effect, while
-/// many far samples raise the scale from round to round until they are included.
+/// Upper bound of distances, divided by the local scale of the last update. A few outliers thus
+/// have little effect. Many distant samples, however, increase the scale from update to update,
+/// until they are no outliers.
 constexpr double MaximumRatio = 6.0;
 
 /// Upper bound of distances, in units of the maximum radius: larger squares do not fit into the

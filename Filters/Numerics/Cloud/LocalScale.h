@@ -1,5 +1,6 @@
-/// Local scale of the distances between samples and surface, to reject outliers. Own construction:
-/// one scale per vertex, because a global scale would reject features that are not learned yet.
+/// Compute the typical distance between samples and a mesh at each vertex, to reject outliers. The
+/// scale per vertex is our own construction, because a global scale would reject features that are
+/// not learned yet.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h
@@ -12,31 +13,34 @@
 
 namespace conformal
 {
-/// Local scale at each vertex: the root mean square distance of the samples around the vertex and a
-/// few rings of its neighbors. A sample much farther from the surface than this is an outlier.
-/// Where a feature is not learned yet, many samples are far from the surface. They increase the
-/// local scale, so that they are kept.
+/// Typical distance of samples from a mesh (local scale) at each vertex. The local scale is the
+/// root mean square distance of the samples closest to the triangles near the vertex. Samples
+/// closest to triangles at two rings of neighboring vertices are included. If the distance of a
+/// sample is much larger than the local scale, the sample is an outlier. Near a feature that is not
+/// learned yet, the distances of many samples are large. These samples increase the local scale,
+/// and are therefore not rejected.
 class LocalScale
 {
 public:
   /// @param[in] outlierRatio  ratio of distance to local scale above which a sample is an outlier
   LocalScale(Index neurons, double outlierRatio);
 
-  /// Test whether a sample is an outlier by the scale of the last update. Before the first update,
-  /// no sample is an outlier.
+  /// Test whether a sample is an outlier, by the local scale of the last update. Before the first
+  /// update, no sample is an outlier.
   bool outlying(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
-  /// Add the distance of a sample, to be used in the next update.
+  /// Add the distance of a sample. The next update uses this distance.
   void add(const FootPoint& foot, const conformal::Triangles& triangles, double weight);
 
-  /// Update the scale from the distances that all ranks added since the last update.
+  /// Update the local scale from the distances that all ranks (MPI processes) added since the last
+  /// update.
   void update(const Adjacency& neighbors, const Reduce& reduce);
 
 private:
   double squareAt(const FootPoint& foot, const conformal::Triangles& triangles) const;
 
   double OutlierRatio;
-  FixedPointSums Sums; ///< sums of weights and of weighted square distances, at each vertex
+  FixedPointSums Sums; ///< for each vertex, sum of weights and sum of weighted square distances
   std::vector<double> SquareScale;
 };
 }

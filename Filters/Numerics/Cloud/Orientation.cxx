@@ -108,8 +108,9 @@ Points areaVectors(const Points& points, const Points& normals, const Run& run)
 //------------------------------------------------------------------------------
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run)
 {
-  // Winding numbers are 1/2 at the points of a complete surface. They are less near large holes and
-  // for noise above the point distance, and about zero for random signs.
+  // Winding numbers are 1/2 at the points of a complete surface. They are lower near large holes,
+  // and if the noise exceeds the distance between points. They are about zero if normals have
+  // random signs.
   constexpr double telling = 0.15, majority = 0.75;
   if (cloud.size() == 0)
   {
@@ -130,7 +131,8 @@ PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
 {
   constexpr int neighbors = 16;
   constexpr Index blockSize = 256;
-  constexpr double toDeviation = 1.4826; // from the median of its absolute value
+  // Standard deviation of a normal distribution, divided by the median of the absolute value
+  constexpr double toDeviation = 1.4826;
   const Index size = points.rows();
   PointNoise noise;
   noise.Offsets = Eigen::VectorXd::Zero(size);
@@ -161,7 +163,7 @@ PointNoise noiseOf(const Points& points, const Points& areas, const Run& run)
         noise.Offsets[i] = around[i].empty() ? 0.0 : sum / static_cast<double>(around[i].size());
       }
     });
-  // A bend of the surface offsets neighboring points equally.
+  // The bending of the surface causes nearly equal offsets of neighboring points.
   std::vector<double> differences(size, 0.0);
   for (Index i = 0; i < size; ++i)
   {

@@ -1,5 +1,6 @@
-/// Select deterministic subsets of the samples, a different subset for each pass. Own construction:
-/// each subset is shifted by the golden section, because successive subsets are then spread evenly.
+/// Select another subset of the samples for each pass of training, deterministically. The selection
+/// is our own construction: each subset is shifted by the golden section. The subsets of successive
+/// passes are then evenly distributed over all samples.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -12,10 +13,11 @@
 
 namespace conformal
 {
-/// Selection of the samples of a pass. If there are few samples, all are selected. Otherwise,
-/// samples are selected at equal spacing in the order of the scan. The first position changes from
-/// pass to pass, so that in the course of many passes all samples are used. Each rank selects from
-/// its own part. Together the ranks select the same samples as a single process.
+/// Selection of the samples of a pass. If there are at most as many samples as wanted, all are
+/// selected. Otherwise, samples at equal spacing in the sequence of the cloud are selected. The
+/// first position differs from pass to pass, so that all samples are used in the course of many
+/// passes. Each rank (MPI process) selects from its part of the cloud. All ranks together select
+/// the same samples as a single process would.
 class SampleRotation
 {
 public:
@@ -32,7 +34,8 @@ public:
   void turn(Index wanted)
   {
     this->TotalCount = std::min(wanted, this->Total);
-    constexpr double GoldenSection = 0.6180339887498949; // its multiples modulo 1 are spread evenly
+    // Multiples of this number modulo 1 are evenly distributed
+    constexpr double GoldenSection = 0.6180339887498949;
     this->Start = std::fmod(this->Start + GoldenSection, 1.0);
     this->Begin = this->firstFrom(this->First);
     this->End = this->firstFrom(this->Last);
@@ -40,9 +43,11 @@ public:
 
   Index totalCount() const { return this->TotalCount; }
   Index count() const { return this->End - this->Begin; }
-  /// Return the position of this rank's first sample among all samples of the pass.
+  /// Return the position of this rank's first selected sample among the selected samples of all
+  /// ranks.
   Index begin() const { return this->Begin; }
-  /// Return the id in TrainingSamples of the i-th sample of this rank, for i in [0, count()).
+  /// Return the id in TrainingSamples of the i-th selected sample of this rank, for i in [0,
+  /// count()).
   Index id(Index i) const { return this->idOfTotal(this->Begin + i) - this->First; }
 
 private:
@@ -53,8 +58,8 @@ private:
       static_cast<Index>((static_cast<double>(i) + this->Start) * spacing), this->Total - 1);
   }
 
-  /// Find the first sample of the pass whose id is at least the given id. The result is its
-  /// position in the pass.
+  /// Return the position of the first selected sample whose id among all samples is at least the
+  /// given id.
   Index firstFrom(Index id) const
   {
     Index low = 0, high = this->TotalCount;

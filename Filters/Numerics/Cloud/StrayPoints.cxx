@@ -14,8 +14,9 @@ namespace
 {
 constexpr int Neighbors = 8;
 
-/// Unmark sparse parts of a surface. A candidate is unmarked if a quarter of the candidates around
-/// it lie flat, which is unlikely for a few points scattered in space.
+/// Remove the marks from sparse parts of a surface. The mark of a point is removed if at least a
+/// quarter of the nearest marked points pass liesFlat(). For a few points scattered in space, this
+/// is unlikely.
 void acquitSurfaces(
   const Points& points, const PointTree& tree, std::vector<std::uint8_t>& suspects, const Run& run)
 {
@@ -66,7 +67,7 @@ NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector
 {
   std::vector<Neighbor> nearest;
   tree.nearest(place, count + 1, nearest);
-  // The first neighbor is the point itself, or one at the same position.
+  // The nearest point is the point at the position itself.
   const auto others = static_cast<Index>(nearest.size()) - 1;
   Eigen::Matrix<double, 3, Eigen::Dynamic> around(3, others);
   for (Index k = 0; k < others; ++k)
@@ -86,7 +87,8 @@ NearestPlane planeNear(const Points& points, const PointTree& tree, const Vector
 
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
 {
-  constexpr double thickness = 0.1; // ratio of squares, relative to the second axis
+  // Maximum ratio of the variance across the plane to the variance along its second axis
+  constexpr double thickness = 0.1;
   for (const int count : { Neighbors, 2 * Neighbors })
   {
     const NearestPlane plane = planeNear(points, tree, place, count);

@@ -18,8 +18,9 @@ namespace
 {
 constexpr Index BlockSize = 1 << 12;
 
-/// Mass, first and second moments. Sums of numbers up to 1 in integer steps of 2^-50, in two parts,
-/// hold 2^38 addends. Blocks and ranks may thus be added in any order.
+/// Mass, first and second moments of the samples, as integer multiples of 2^-50. Each sum has two
+/// parts, so that 2^38 numbers of magnitude up to 1 do not overflow. Blocks and ranks may be added
+/// in any order.
 class Moments
 {
 public:
@@ -199,8 +200,9 @@ void TrainingSamples::findFrame(const Run& run)
   this->MaximumWeight = this->weighted() ? extremes[6] : 1.0;
   const Vector3 lower(-extremes[0], -extremes[1], -extremes[2]);
   const Vector3 upper(extremes[3], extremes[4], extremes[5]);
-  // Compute the sums in the unit box first. Otherwise sums of very large, very small or very
-  // distant coordinates overflow, vanish or lose digits. Halves avoid overflow too.
+  // Compute the sums in the unit box first. Otherwise, sums of very large coordinates would
+  // overflow, sums of very small ones would underflow, and sums of very distant ones would lose
+  // digits. Halved coordinates also avoid overflow.
   this->Center = 0.5 * lower + 0.5 * upper;
   const double half = (0.5 * upper - 0.5 * lower).maxCoeff();
   this->Scale = half > 0.0 ? half : 1.0;
@@ -222,7 +224,8 @@ void TrainingSamples::findFrame(const Run& run)
   const Vector3 spread =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(total.covariance(), Eigen::EigenvaluesOnly)
       .eigenvalues();
-  constexpr double Negligible = 1e-14; // square of a relative thickness of 1e-7
+  // Square of the relative thickness 1e-7 below which a cloud is regarded as flat
+  constexpr double Negligible = 1e-14;
   this->Dimension = half > 0.0 ? static_cast<int>((spread.array() > Negligible).count()) : 0;
 
   const Vector3 centroid = this->Center + this->Scale * total.mean();

@@ -1,4 +1,4 @@
-/// Training samples: points selected, weighted and normalized for learning, \cite Liou2008.
+/// Select, weight and normalize the points of a cloud as training samples, \cite Liou2008.
 
 #ifndef ConformalTrainingSamples_h
 #define ConformalTrainingSamples_h
@@ -13,24 +13,24 @@
 
 namespace conformal
 {
-/// Samples for training, called patterns x in X in \cite Liou2008, section 2. Points are not
-/// copied, but normalized on each access. Normalization moves their weighted centroid to the
-/// origin, and scales the largest distance from it to 1.
+/// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied,
+/// but normalized on each access. Normalization moves the weighted centroid of the samples to the
+/// origin. Normalization then scales the largest distance of a sample from the origin to 1.
 ///
-/// The cloud may be distributed over several ranks. Each rank then has the samples of its part,
-/// normalized by the centroid and radius of the whole cloud. All ranks must call the same
-/// functions.
+/// The cloud may be distributed over several ranks (MPI processes). Each rank then has the samples
+/// of its part of the cloud. Normalization uses the centroid and radius of the whole cloud. All
+/// ranks must call the same functions.
 class TrainingSamples
 {
 public:
   /// @param[in] points    #P by 3 coordinates, not copied; must outlive this object
-  /// @param[in] weights   priority of each point, not copied; empty if all points have the same
-  ///   priority. Points with a coordinate that is not finite, or without a positive finite weight,
-  ///   are left out.
+  /// @param[in] weights   weight of each point, not copied; empty if all points have the same
+  ///   weight. Points are left out if a coordinate is not finite, or if the weight is not positive
+  ///   and finite.
   /// @param[in] skip      function that returns true for points to leave out; may be empty
-  /// @param[in] reduce    sums over the ranks; each rank passes its own part of the cloud
-  /// @throws std::invalid_argument if the number of weights is not #P on any rank; thrown on all
-  ///   ranks
+  /// @param[in] reduce    communication between ranks; each rank passes its part of the cloud
+  /// @throws std::invalid_argument if the number of weights differs from #P on some rank. The
+  ///   exception is thrown on all ranks.
   /// @throws Aborted
   TrainingSamples(const PointView& points, const NumberView& weights = {},
     const std::function<bool(Index)>& skip = {}, const Reduce& reduce = {}, const Run& run = {});
@@ -39,14 +39,14 @@ public:
   Index size() const { return this->Size; }
   /// Return the number of samples on all ranks.
   Index totalSize() const { return this->OfAll.Total; }
-  /// Return the number of samples on lower ranks. It is the position of this rank's first sample
-  /// among the samples of all ranks.
+  /// Return the number of samples on lower ranks. This number is the position of this rank's first
+  /// sample among the samples of all ranks.
   Index firstOfTotal() const { return this->OfAll.Before; }
   bool empty() const { return this->OfAll.Total == 0; }
 
   /// Return the normalized sample i, for i in [0, size()).
   Vector3 operator[](Index i) const { return this->normalize(this->View[this->id(i)]); }
-  /// Return the priority of sample i, divided by the maximum priority.
+  /// Return the weight of sample i, divided by the maximum weight of all samples.
   double weight(Index i) const
   {
     return this->weighted() ? this->Weights[this->id(i)] / this->MaximumWeight : 1.0;
@@ -54,14 +54,15 @@ public:
   /// Test whether weights were given on any rank. A rank without points has no weights.
   bool weighted() const { return this->Weighted; }
 
-  /// Set the normals of the points: #P by 3 vectors of any length, not copied. Unknown normals are
-  /// zero or not finite. Call this function on all ranks or on none.
+  /// Set the normals of the points: #P by 3 vectors of any length, not copied. A normal that is
+  /// zero or not finite is unknown. Call this function either on all ranks or on no rank.
   /// @throws std::invalid_argument if the number of normals differs from the number of points
   void setNormals(const PointView& normals);
   bool oriented() const { return this->Oriented; }
   Vector3 normal(Index i) const { return this->Normals[this->id(i)]; }
 
-  /// Convert a point from input coordinates to normalized coordinates. The inverse is restore().
+  /// Convert a point from input coordinates to normalized coordinates. The inverse function is
+  /// restore().
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
   Vector3 restore(const Vector3& x) const { return x * this->Scale + this->Center; }
   /// Convert many points from input coordinates to normalized coordinates.
@@ -70,14 +71,14 @@ public:
   Points restoreAll(Points points) const;
   double scale() const { return this->Scale; }
 
-  /// Return the number of points with a coordinate that is not finite, over all ranks.
+  /// Return the number of points on all ranks with a coordinate that is not finite.
   Index numberOfNonFinite() const { return this->NonFinite; }
 
-  /// Return the affine rank of the points: 1 if they lie on a line, 2 if they lie in a plane, else
-  /// 3. It is 0 if all points are equal, or if there are none.
+  /// Return the affine rank of the samples. If all samples are equal, or there are none, the affine
+  /// rank is 0. If all are on a line, it is 1; if all are in a plane, it is 2. Otherwise it is 3.
   int dimension() const { return this->Dimension; }
 
-  /// Return the object that computes sums over the ranks.
+  /// Return the object for communication between ranks.
   const conformal::Reduce& reduce() const { return this->Sums; }
 
 private:

@@ -10,11 +10,12 @@ namespace conformal
 {
 namespace
 {
-constexpr double Farness = 4.0; // distance, in half sides, beyond which a cluster counts as a whole
+// Minimum distance of a distant cluster, divided by half of its longest side
+constexpr double Farness = 4.0;
 constexpr int LeafSize = 8, GroupSize = 16, RunSize = 64;
 constexpr Index GroupsPerBlock = 8;
 
-// Positions evaluated together, as many as SIMD lanes.
+// Positions that are evaluated together, one per SIMD lane.
 constexpr int NumberOfLanes = 8;
 using Lanes = Eigen::Array<float, NumberOfLanes, 1>;
 
@@ -88,7 +89,8 @@ std::array<Lanes, 3> attractionOf(
   return sum;
 }
 
-// Call body(first, count, lanes) for lanes full of positions; the last position fills unused lanes.
+// Call body(first, count, lanes) for groups of positions, one position per lane. Unused lanes
+// contain the last position.
 template <typename PlaceOf, typename Body>
 void forLanes(int first, int last, const PlaceOf& placeOf, const Body& body)
 {
@@ -135,8 +137,8 @@ WindingNumbers::WindingNumbers(const Points& points, const Run& run)
   BoxTree tree = buildBoxTree(boxes, run);
   this->Order.swap(tree.Items);
   const int size = static_cast<int>(tree.Nodes.size());
-  // For each node, from the last to the first: the range of its points, and the next node outside
-  // of it.
+  // For each node, from the last to the first, compute the range of its points and the next node
+  // that is not part of it.
   std::vector<int> first(size), last(size), next(size);
   for (int i = size - 1; i >= 0; --i)
   {
@@ -244,7 +246,7 @@ void WindingNumbers::gather(const Sources& sources, const Vector3& lower, const 
     const Cluster& cluster = this->Clusters[i];
     const double square =
       (lower - cluster.Center).cwiseMax(cluster.Center - upper).cwiseMax(0.0).squaredNorm();
-    // The kernel differs within the width: no cluster may reach into it.
+    // Within `width`, the kernel has another formula: no point of a distant cluster may be so near.
     const double far = std::max(Farness * cluster.HalfSide, width + 2.0 * cluster.HalfSide);
     if (square > far * far)
     {

@@ -1,4 +1,5 @@
-/// Compute winding numbers of a cloud of oriented points by a hierarchical sum, \cite Barill2018.
+/// Compute winding numbers of a cloud of points with normals by a hierarchical sum,
+/// \cite Barill2018.
 
 #ifndef ConformalWindingNumbers_h
 #define ConformalWindingNumbers_h
@@ -10,20 +11,22 @@
 
 namespace conformal
 {
-/// Winding numbers of a cloud. The winding number of a closed surface is 1 inside and 0 outside.
-/// Points y_j with area vectors a_j (area times outward unit normal) represent parts of the
-/// surface. By the method of \cite Barill2018,
+/// Winding numbers of a point cloud. The winding number of a closed surface is 1 inside and 0
+/// outside. Each point y_j of the cloud represents a part of the surface. The area vector a_j is
+/// the area of this part times the outward unit normal. Following \cite Barill2018, the winding
+/// number w at a position x is
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///
-/// This w(x) is the winding number averaged over a ball of radius `width` around x, so it is smooth
-/// near the points. It is linear in the area vectors: below, A a denotes the winding numbers at
-/// given positions for area vectors a.
+/// The result w(x) is the winding number averaged over a ball of radius `width` around x. The
+/// average is smooth near the points. Winding numbers at given positions are linear in the area
+/// vectors a, and are written as A a below.
 ///
-/// A distant cluster of points is added as one point. A cluster is distant if its center is farther
-/// away than twice its longest side, and the cluster lies beyond `width`. This causes an error of a
-/// few thousandths. The cost for one position is logarithmic in the number of points. The order of
-/// addition is fixed, so results have the same bits for any number of threads.
+/// The points of a distant cluster are added as one point. A cluster is distant from x if two
+/// conditions hold. The distance of its center from x exceeds twice the longest side of its
+/// bounding box. All of its points are farther from x than `width`. The resulting error of w is a
+/// few thousandths. The cost for one position is logarithmic in the number of points. Results have
+/// the same bits for any number of threads.
 class WindingNumbers
 {
 public:
@@ -39,19 +42,19 @@ public:
   /// Compute A a, the winding numbers at the points of the cloud.
   Eigen::VectorXd atPoints(const Points& areas, double width, const Run& run = {}) const;
 
-  /// Compute the negative gradient of the winding number at the points of the cloud. It points
-  /// outward if the area vectors are approximately right.
+  /// Compute the negative gradient of the winding number at the points of the cloud. If the area
+  /// vectors are approximately correct, the negative gradient points outward.
   Points descentAtPoints(const Points& areas, double width, const Run& run = {}) const;
 
-  /// Compute the product of the transpose of A and given values at the points of the cloud.
+  /// Multiply the transpose of A by given values. Here A is the matrix for the points of the cloud.
   Points transposed(const Eigen::VectorXd& values, double width, const Run& run = {}) const;
 
-  /// Term of the sum: a point, or a distant cluster of points.
+  /// Term of the sum for w(x): a point, or a cluster of points.
   struct Source
   {
     Eigen::Vector3f Position, Strength;
   };
-  /// Terms of the sum for given area vectors.
+  /// Terms of the sum for w(x), for given area vectors.
   struct Sources
   {
     std::vector<Source> OfPoints, OfClusters;
@@ -59,20 +62,21 @@ public:
   Sources sources(const Points& areas) const;
 
   /// Compute winding numbers at any positions. Each block of 64 consecutive positions should be
-  /// close together, since clusters are selected for the whole block.
+  /// close together, since distant clusters are selected once per block.
   /// @param[in] sources  result of sources() for the area vectors
   Eigen::VectorXd at(
     const Points& places, const Sources& sources, double width, const Run& run = {}) const;
 
 private:
-  // Cluster of points. Clusters are in depth-first order: the first child of a cluster comes next
-  // after it.
+  // Cluster of points. Clusters are stored in depth-first order: the first child of a cluster
+  // follows the cluster.
   struct Cluster
   {
-    Vector3 Center;          ///< center of the bounding box
-    double HalfSide = 0.0;   ///< half the longest side of the bounding box
-    int First = 0, Last = 0; ///< range of positions in Order: the points of the cluster
-    int Next = 0;            ///< index of the next cluster that is not inside this one
+    Vector3 Center;        ///< center of the bounding box
+    double HalfSide = 0.0; ///< half of the longest side of the bounding box
+    /// Range of positions in Order that contains the points of the cluster
+    int First = 0, Last = 0;
+    int Next = 0; ///< index of the next cluster that is not part of this cluster
     bool Leaf = false;
   };
   template <typename Strengths>
@@ -83,10 +87,10 @@ private:
   void sumAtPoints(const Sources& sources, double width, const Run& run, const Sum& sum) const;
 
   Points Places;
-  std::vector<int> Order; ///< order of the points in the tree
+  std::vector<int> Order; ///< ids of the points in the sequence of the clusters
   std::vector<Cluster> Clusters;
-  /// Disjoint clusters that together contain all points. The points of one such cluster are
-  /// evaluated together
+  /// Indices of disjoint clusters that together contain all points. Sums at the points of each of
+  /// these clusters are evaluated together.
   std::vector<int> Groups;
 };
 }

@@ -1,5 +1,5 @@
-/// Preconditioned conjugate gradients, \cite Hestenes1952. Unlike Eigen's solver, this one reports
-/// progress and can be aborted.
+/// Solve linear equations by preconditioned conjugate gradients, \cite Hestenes1952. Unlike
+/// Eigen::ConjugateGradient, this function reports progress and can be aborted.
 
 #ifndef ConformalConjugateGradients_h
 #define ConformalConjugateGradients_h
@@ -13,20 +13,20 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Stop when the square of the residual, in the norm of the preconditioner, is at most this
-  /// fraction of its initial value.
+  /// Let E be the square of the residual, in the norm of the preconditioner. If E is at most this
+  /// fraction of its initial value, the iteration ends.
   double Accuracy = 0.0;
 };
 
-/// Linear map of the first argument. The result is written into the second argument, which has the
-/// same size.
+/// Function that applies a linear map to the first argument and writes the result to the second
+/// argument. Both arguments have the same size.
 using LinearMap = std::function<void(const Points&, Points&)>;
 
-/// Solve A x = b, starting from x = 0. Both A and the preconditioner must be symmetric positive
-/// definite.
-/// @param[in,out] residual    right-hand side b; on return, the residual b - A x
+/// Solve A x = b for the three columns of b, starting from x = 0. The matrix A and the
+/// preconditioner must be symmetric positive definite.
+/// @param[in,out] residual    on input, the right-hand side b. On return, the residual b - A x.
 /// @param[in] product         function that computes A x
-/// @param[in] preconditioned  function that approximates A^-1 x
+/// @param[in] preconditioned  preconditioner, a function that approximates A^-1 x
 /// @return solution x
 /// @throws Aborted
 inline Points conjugateGradients(Points& residual, const LinearMap& product,

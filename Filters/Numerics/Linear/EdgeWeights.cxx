@@ -8,8 +8,8 @@ namespace conformal
 {
 namespace
 {
-// Compute cotangents of the corners, zero for triangles of zero area, and list the ids of these
-// triangles.
+// Compute the cotangents of the corners of all triangles. The cotangents of triangles of zero area
+// are zero. List the ids of triangles of zero area.
 Points cotangentsOf(
   const Points& points, const Triangles& triangles, std::vector<Index>& withoutArea)
 {

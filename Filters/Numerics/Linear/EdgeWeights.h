@@ -1,4 +1,4 @@
-/// Edge weights of a triangle mesh: equal weights, \cite Tutte1963, and cotangent weights,
+/// Compute edge weights of a triangle mesh: equal weights, \cite Tutte1963, or cotangent weights,
 /// \cite Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
@@ -11,8 +11,9 @@
 
 namespace conformal
 {
-/// Weights of the edges of a mesh, as a symmetric sparse matrix. Each edge has two entries, one for
-/// each direction. Weights[i] belongs to the edge from a vertex to its neighbor Neighbors.Ids[i].
+/// Weights of the edges of a mesh, stored as a symmetric sparse matrix. Each edge has two entries,
+/// one for each direction. Weights[i] is the weight of the edge from a vertex to its neighbor
+/// Neighbors.Ids[i].
 struct EdgeWeights
 {
   Adjacency Neighbors;
@@ -29,33 +30,35 @@ struct EdgeWeights
   }
 };
 
-/// Assign weight 1 to each edge. With these weights, a planar map into a convex boundary never
-/// folds, \cite Tutte1963.
+/// Assign weight 1 to each edge. With these weights, a harmonic map of a disk into a convex planar
+/// polygon never folds, \cite Tutte1963.
 EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 
 /// Compute cotangent weights: half the sum of the cotangents of the two angles opposite each edge,
-/// \cite Pinkall1993. Papers on harmonic maps call them string constants.
+/// \cite Pinkall1993. These weights are called string constants in papers on harmonic maps.
 /// @param[in] cotangents  #F by 3 cotangents of the angles at the corners
 EdgeWeights cotangentWeights(
   const Triangles& triangles, Index numberOfVertices, const Points& cotangents);
 
-/// String constants of \cite GuYau2002, and counts of edges that impair a harmonic map. A string
-/// constant is the weight of an edge in the harmonic energy.
+/// Cotangent weights of a surface, and numbers of edges for which a harmonic map may fail. These
+/// weights are the string constants of \cite GuYau2002.
 struct StringConstants
 {
-  EdgeWeights Strings;        ///< cotangent weights; triangles of zero area contribute nothing
+  EdgeWeights Strings;        ///< cotangent weights; triangles of zero area are ignored
   Index NumberOfNegative = 0; ///< number of edges whose opposite angles have a sum above pi
   Index NumberOfInfinite = 0; ///< number of edges of triangles with zero area
 };
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
-/// Compute twice the area of the triangles around each vertex. If each triangle is divided equally
-/// among its vertices, this is six times the area of the vertex. All values are 1 if the surface
-/// has no area.
+/// Compute weights of vertices for means over a surface. The weight of a vertex is twice the area
+/// of its triangles. The weight is also six times the area of a vertex, if each triangle is divided
+/// equally among its vertices. If the surface has no area, all weights are 1.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
-/// Compute the string energy: half the sum over all edges of weight times squared length.
-/// @param[in] places  #V by 3 positions of the vertices, on the sphere or elsewhere
+/// Compute the string energy: half the sum over all edges of the edge's weight times its squared
+/// length.
+/// @param[in] places  #V by 3 positions of the vertices at which the energy is evaluated, for
+///   example on the sphere
 double stringEnergy(const EdgeWeights& strings, const Points& places);
 }
 

@@ -1,5 +1,5 @@
-/// Harmonic extension: compute values at the free vertices of a mesh from fixed values at all other
-/// vertices, \cite Pinkall1993.
+/// Compute a harmonic extension, \cite Pinkall1993. Values at some vertices of a mesh (free
+/// vertices) are computed from given values at all other vertices.
 
 #ifndef ConformalHarmonicExtension_h
 #define ConformalHarmonicExtension_h
@@ -12,14 +12,15 @@
 
 namespace conformal
 {
-/// Compute values at the free vertices. At each free vertex, the weighted differences to its
-/// neighbors' values then have the sum zero. The equations are solved by Eigen's sparse Cholesky
-/// factorization, or for many vertices by MultifrontalCholesky.
-/// @param[in] places      #V by 3 positions of the vertices; they determine only the elimination
-///   order
+/// Compute the values at the free vertices from the values at all other vertices. In the result,
+/// each free vertex has the weighted mean of the values of its neighbors. The equations are solved
+/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, MultifrontalCholesky
+/// is used instead.
+/// @param[in] places      #V by 3 positions of the vertices. Positions determine only the
+///   elimination order.
 /// @param[in] free        ids of the free vertices, each once
 /// @param[in,out] values  #V rows; each column is a separate problem. Rows of free vertices are
-///   computed, all others are given.
+///   computed; the other rows are given.
 /// @throws NumericalFailure if the matrix of the weights is not positive definite
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
   const std::vector<int>& free, Columns& values, const Run& run = {});

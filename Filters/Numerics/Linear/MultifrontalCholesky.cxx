@@ -14,7 +14,8 @@ namespace conformal
 namespace
 {
 constexpr Index PanelSize = 96;
-constexpr Index LargeFront = 500; // rows; larger fronts run one after the other
+// Number of rows above which fronts are factored one after another, each on all threads
+constexpr Index LargeFront = 500;
 }
 
 //------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-/// Multifrontal Cholesky solver for mesh Laplacians, \cite Duff1983.
+/// Solve linear equations of mesh Laplacians by the multifrontal Cholesky method, \cite Duff1983.
 
 #ifndef ConformalMultifrontalCholesky_h
 #define ConformalMultifrontalCholesky_h
@@ -12,36 +12,41 @@
 
 namespace conformal
 {
-/// Cholesky factor of a sparse positive definite matrix, computed from dense matrices called
-/// fronts, \cite Duff1983. Each part of a nested dissection has a front. Its rows are the unknowns
-/// of the part and the later unknowns connected to them. Parts of one level are independent, and
-/// run concurrently. Large fronts are factored in panels, with a progress report after each panel.
+/// Cholesky factor of a sparse positive definite matrix, computed from small dense matrices called
+/// fronts, \cite Duff1983. The unknowns are divided into parts by nested dissection, see
+/// NestedDissection. Each part has a front. The first rows of a front are the unknowns of the part.
+/// The other rows are connected unknowns of later parts. Parts of one level are independent, and
+/// are factored concurrently. Large fronts are factored in panels, with a progress report after
+/// each panel.
 ///
-/// Eigen's sparse factorizations work column by column, on one thread and without progress. For the
-/// 134,342 vertices of the scan Igea they need 0.7 s; this solver needs 0.2 s.
+/// Eigen's sparse factorizations compute one column after another, on one thread and without
+/// progress reports. For a mesh of 134,342 vertices (the scan Igea), these factorizations need 0.7
+/// s, and this solver needs 0.2 s.
 class MultifrontalCholesky
 {
 public:
-  /// Factor a matrix. Its off-diagonal entries are the negated weights.
-  /// @param[in] places  one position for each unknown; they determine only the elimination order
-  /// @throws NumericalFailure if the matrix is not positive definite, or if its factor has too many
-  ///   entries because neighboring unknowns are far apart
+  /// Factor a symmetric matrix. The off-diagonal entries are the weights times -1.
+  /// @param[in] places  position of each unknown in space. Positions determine only the elimination
+  ///   order.
+  /// @throws NumericalFailure if the matrix is not positive definite, or its factor has too many
+  ///   entries. The factor has many entries if neighboring unknowns are far apart in space.
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
     const Points& places, const Run& run = {});
 
-  /// Solve the equations for each column.
-  /// @param[in,out] columns  right-hand sides; on return, the solutions
+  /// Solve the linear equations for each column.
+  /// @param[in,out] columns  on input, the right-hand sides. On return, the solutions.
   void solve(Columns& columns) const;
 
 private:
   struct Front
   {
-    // Later unknowns of this front: their positions in the order, ascending
+    // Unknowns of this front that belong to later parts: their positions in the elimination order,
+    // ascending
     std::vector<int> Boundary;
-    // Part of the Cholesky factor. Rows: unknowns of the part and of its boundary; columns:
-    // unknowns of the part
+    // Columns of the Cholesky factor for the unknowns of this part. The rows are the unknowns of
+    // the part, then those of Boundary.
     Columns Factor;
-    Columns Update; // Schur complement to add to the parent's front, lower triangle
+    Columns Update; // lower triangle of the Schur complement, which is added to the parent's front
   };
 
   void findBoundaries(const Adjacency& graph);

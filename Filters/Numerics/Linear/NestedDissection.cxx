@@ -20,7 +20,7 @@ public:
   {
   }
 
-  // Return the index of the part.
+  // Divide the unknowns in [begin, end), and return the index of their last part.
   int part(int begin, int end, int level)
   {
     std::vector<int> children;
@@ -39,7 +39,8 @@ public:
   }
 
 private:
-  // Reorder [begin, end) to left half, right half and separator; return the ends of the halves.
+  // Sort the unknowns in [begin, end) into left half, right half and separator. Return the ends of
+  // both halves.
   std::pair<int, int> cut(int begin, int end)
   {
     auto* ids = this->Result.Order.data();
@@ -77,7 +78,7 @@ private:
   const Adjacency& Graph;
   const Points& Places;
   NestedDissection& Result;
-  std::vector<int> Sides; // stamp of the last cut with the point in the right half
+  std::vector<int> Sides; // number of the last cut that had the unknown in its right half
   int Stamp = 0;
 };
 }

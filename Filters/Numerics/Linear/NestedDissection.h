@@ -1,4 +1,5 @@
-/// Nested dissection: an elimination order for the unknowns of a surface mesh, \cite George1973.
+/// Compute an elimination order for sparse linear equations on a mesh by nested dissection,
+/// \cite George1973.
 
 #ifndef ConformalNestedDissection_h
 #define ConformalNestedDissection_h
@@ -10,26 +11,31 @@
 
 namespace conformal
 {
-/// Elimination order of unknowns, divided into parts, \cite George1973. Each part is a separator:
-/// it separates two other parts, and follows them in the order. Some parts separate nothing.
+/// Elimination order of unknowns (the sequence in which a solver eliminates them), divided into
+/// parts, \cite George1973. Most parts are separators. A separator divides a set of unknowns into
+/// two halves that are not connected to each other. A separator follows both halves in the
+/// elimination order. Parts that are not divided further are called leaves.
 struct NestedDissection
 {
   struct Part
   {
-    int Begin, End; ///< range of positions in Order
-    int Level; ///< 0 for the last part; one more than the level of the separator for other parts
-    std::vector<int> Children; ///< the two parts that this part separates, or none
+    int Begin, End; ///< first position of the part in Order, and the position after its last one
+    /// 0 for the last part; for any other part, the level of its parent plus 1
+    int Level;
+    /// Indices in Parts of the last parts of both halves; none for a leaf
+    std::vector<int> Children;
   };
-  std::vector<int> Order;     ///< unknown at each position of the order
-  std::vector<int> Positions; ///< position of each unknown in the order
-  std::vector<Part> Parts;    ///< parts; each comes after its children
+  std::vector<int> Order;     ///< unknown at each position of the elimination order
+  std::vector<int> Positions; ///< position in Order of each unknown
+  std::vector<Part> Parts;    ///< parts in elimination order; children precede their parent
 };
 
-/// Compute an elimination order by recursive bisection. The unknowns are divided at the median
-/// along the longest side of their bounding box. The separator consists of the unknowns in one half
-/// that have neighbors in the other half.
-/// @param[in] graph   neighbors of each unknown; symmetric, without loops
-/// @param[in] places  one position for each unknown
+/// Compute an elimination order by recursive bisection. A set of unknowns is divided at the median
+/// position along the longest side of its bounding box. The separator consists of all unknowns in
+/// one half that have neighbors in the other half.
+/// @param[in] graph   neighbors of each unknown: a symmetric relation; no unknown is its own
+///   neighbor
+/// @param[in] places  position of each unknown in space
 NestedDissection dissect(const Adjacency& graph, const Points& places);
 }
 

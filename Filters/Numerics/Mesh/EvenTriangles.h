@@ -1,6 +1,6 @@
-/// Test whether the triangles of a mesh are as even as those made by remeshing. Own construction:
-/// thresholds between values measured on scans and on remeshed surfaces, because none are
-/// published.
+/// Test whether the triangles of a mesh are as nearly equilateral as those made by remesh()
+/// (Remeshing.h). The thresholds of the test are our own construction, because none are published.
+/// The thresholds are between the values measured on scans and those measured on remeshed surfaces.
 
 #ifndef ConformalEvenTriangles_h
 #define ConformalEvenTriangles_h
@@ -9,10 +9,11 @@
 
 namespace conformal
 {
-/// Test whether a closed mesh was probably made by remesh(). The minimum angle of a triangle,
-/// averaged over all triangles, must be at least 46 degrees. At least 99 % of the vertices must
-/// have five to seven triangles. Scans stay below both limits. Learned adaptive meshes of some
-/// thousand vertices pass the test, and so may surfaces that other programs remeshed.
+/// Test whether a closed mesh was probably made by remesh(). Two conditions must hold. The smallest
+/// angle of a triangle, averaged over all triangles, must be at least 46 degrees. At least 99 % of
+/// the vertices must have five to seven triangles. Measured scans satisfy neither condition.
+/// Adaptive meshes learned by vtkConformalSOM with some thousand vertices pass the test. Surfaces
+/// remeshed by other programs may also pass.
 bool hasEvenTriangles(const Mesh& mesh);
 }
 

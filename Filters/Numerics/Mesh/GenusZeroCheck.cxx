@@ -42,8 +42,8 @@ struct Side
 
 using Sides = std::vector<Side>;
 
-// Sort the half-edges so that those of one edge are adjacent: by smaller id first, then by larger
-// id.
+// Sort the half-edges by their smaller id, then by their larger id. The half-edges of an edge are
+// then adjacent.
 Sides sortedSides(const Triangles& triangles, const Run& run = {})
 {
   Steps steps(run, { 0.16, 0.52, 0.32 });
@@ -135,7 +135,8 @@ bool hasSeveralFans(const Triangles& triangles, const Adjacency& around, int v)
 
 struct Orientation
 {
-  std::vector<char> Turned;    // relative to the first triangle of the connected set
+  // Whether to reverse each triangle to agree with the first triangle of its connected set
+  std::vector<char> Turned;
   std::vector<int> FirstOfSet; // id of the first triangle of the set
   // Whether reversing the marked triangles makes all neighbors consistent
   bool Consistent = true;
@@ -211,8 +212,8 @@ bool hasNoArea(const PointView& points, const Triangles& triangles, Index r)
 {
   const Vector3 a = points[triangles(r, 0)];
   const Vector3 u = points[triangles(r, 1)] - a, v = points[triangles(r, 2)] - a;
-  // Bound of the cross product below which it is rounding error. Lengths are scaled so that squares
-  // neither overflow nor underflow.
+  // A cross product below this bound is rounding error. Lengths are scaled so that squares neither
+  // overflow nor underflow.
   const double scale = std::max(u.lpNorm<Eigen::Infinity>(), v.lpNorm<Eigen::Infinity>());
   return !(scale > 0.0) ||
     !((u / scale).cross(v / scale).norm() > 4.0 * std::numeric_limits<double>::epsilon());
@@ -462,7 +463,8 @@ Index dropRepeatedVertices(Triangles& triangles)
 Index orientConsistently(Triangles& triangles)
 {
   const Orientation orientation = spreadOrientation(triangles, sortedSides(triangles));
-  // Per first triangle: number of kept minus number of reversed triangles
+  // At the first triangle of each set: number of triangles to keep minus number of triangles to
+  // reverse
   std::vector<Index> majority(triangles.rows(), 0);
   for (Index r = 0; r < triangles.rows(); ++r)
   {

@@ -162,7 +162,7 @@ private:
   const std::array<std::array<int, 3>, NumberOfSides> Sides = icosahedronSides();
   std::map<std::pair<int, int>, int> FirstOnEdge;
   int FirstInside;
-  const int NumberInside; // of each side
+  const int NumberInside; // number of points inside each side
 };
 }
 

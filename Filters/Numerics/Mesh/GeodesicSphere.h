@@ -1,4 +1,5 @@
-/// Geodesic sphere: a subdivided icosahedron, projected to the unit sphere, \cite Kenner1976.
+/// Make a geodesic sphere: a subdivided icosahedron, projected to the unit sphere,
+/// \cite Kenner1976.
 
 #ifndef ConformalGeodesicSphere_h
 #define ConformalGeodesicSphere_h
@@ -8,8 +9,8 @@
 
 namespace conformal
 {
-/// Maximum frequency f of a geodesic sphere. The number of vertices, 10 f^2 + 2, must fit into an
-/// int.
+/// Maximum frequency f of a geodesic sphere. The frequency is the number of segments per edge of
+/// the icosahedron. The limit ensures that the number of vertices, 10 f^2 + 2, fits into an int.
 constexpr int MaximumFrequency = 10000;
 
 /// Return the number of vertices of a geodesic sphere of frequency f: 10 f^2 + 2.
@@ -18,17 +19,18 @@ constexpr Index geodesicSphereSize(Index frequency)
   return 10 * frequency * frequency + 2;
 }
 
-/// Find the frequency whose geodesic sphere has the number of vertices nearest to the given number.
-/// The result is at least 1.
+/// Find the frequency, at least 1, whose geodesic sphere has the number of vertices nearest to the
+/// given number.
 int geodesicFrequencyFor(Index numberOfVertices);
 
-/// Subdivide every face of the icosahedron into f^2 triangles, \cite Liou2008 Eqs. 1 and 2. Points
-/// are spaced equally on the flat face, then projected to the sphere: class I of \cite Kenner1976.
+/// Make a geodesic sphere: subdivide every face of the icosahedron into f^2 triangles,
+/// \cite Liou2008 Eqs. 1 and 2. New vertices have equal distances on the flat face, and are then
+/// projected to the sphere, class I of \cite Kenner1976.
 ///
-/// The first 12 positions are the icosahedron's; position 0 is the north pole (0, 0, 1).
+/// The first 12 vertices are those of the icosahedron. Vertex 0 is the north pole (0, 0, 1).
 ///
 /// @param[in] frequency  number f of segments per edge of the icosahedron, in [1, MaximumFrequency]
-/// @return 10 f^2 + 2 unit vectors n_i and 20 f^2 triangles
+/// @return mesh of 10 f^2 + 2 unit vectors (n_i in the paper) and 20 f^2 triangles
 /// @throws std::invalid_argument if f is out of range
 Mesh makeGeodesicSphere(int frequency, const Run& run = {});
 
@@ -36,9 +38,10 @@ Mesh makeGeodesicSphere(int frequency, const Run& run = {});
 /// geodesic sphere has 10 f^2 + 2 vertices: 12 of them have 5 triangles, all others have 6.
 bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices);
 
-/// Test whether a mesh on the sphere is a geodesic sphere. It must have the connectivity of one,
-/// and its largest triangle at most 4 times the area of its smallest. For makeGeodesicSphere() this
-/// ratio is below 2. Sphere maps of surfaces with the same connectivity may have larger ratios.
+/// Test whether a mesh on the sphere is a geodesic sphere. The mesh must have the connectivity of a
+/// geodesic sphere. The area of its largest triangle must be at most 4 times the area of its
+/// smallest. Geodesic spheres made by makeGeodesicSphere() have a ratio below 2. The limit excludes
+/// other surfaces of this connectivity that were mapped to the sphere with more distortion.
 /// @param[in] positions  #V by 3 unit vectors
 bool isGeodesicSphere(const Points& positions, const Triangles& triangles);
 }

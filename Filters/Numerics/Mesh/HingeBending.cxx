@@ -10,11 +10,12 @@ namespace
 {
 constexpr Index BlockSize = 512;
 
-/// Factor that makes the form as stiff as the uniform Laplacian.
+/// Factor of the energy that makes it as stiff as the uniform Laplacian.
 constexpr double LikeLaplacian = 1.0 / 14.0;
 
-/// Upper bound of the stiffness of hinges of needles, for a solvable system. Measured: with 8,
-/// triangles contract at creases; with 3, thin triangles fold half as often again.
+/// Maximum of the numbers k of a hinge, since larger numbers of needles (very thin triangles) make
+/// the equations ill-conditioned. Measured: with 8, triangles contract at creases; with 3, thin
+/// triangles fold half as often again.
 constexpr double MaximumNumber = 4.0;
 
 double cotangent(const Vector3& a, const Vector3& b)

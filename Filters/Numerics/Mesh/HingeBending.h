@@ -1,4 +1,5 @@
-/// Bending energy of a triangle mesh at its edges, as a quadratic form.
+/// Compute the bending energy of a triangle mesh at its edges, \cite Wardetzky2007. The energy is a
+/// quadratic form in the positions of the vertices.
 
 #ifndef ConformalHingeBending_h
 #define ConformalHingeBending_h
@@ -12,19 +13,21 @@
 
 namespace conformal
 {
-/// Bending energy of hinges, \cite Wardetzky2007. A hinge consists of the two triangles at an edge
-/// e.
+/// Bending energy of the hinges of a mesh, \cite Wardetzky2007. A hinge consists of the two
+/// triangles at an edge e.
 ///
-/// Four numbers k are computed from the cotangents of the angles at e. Their products with the
-/// positions x of the four corners of the hinge have the sum k x = |e| (u + v). The unit vectors u
-/// and v point from e into its triangles, perpendicular to e. A flat hinge has k x = 0, whatever
-/// the shape of its triangles. A hinge bent by an angle theta has |k x| = 2 |e| sin(theta / 2).
-/// Unlike the uniform Laplacian, this energy does not need even triangles, and it detects folds of
-/// thin triangles.
+/// Each corner of a hinge has a number k, computed from the cotangents of the angles at e. Let k x
+/// be the sum of these four numbers times the corner positions x. Let u and v be the unit vectors
+/// that point from e into the two triangles, perpendicular to e. Then k x = |e| (u + v). A flat
+/// hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta has |k x| = 2
+/// |e| sin(theta / 2). Unlike the uniform Laplacian, this energy does not need nearly equilateral
+/// triangles. This energy also detects folds of thin triangles. For hinges of needles (very thin
+/// triangles), the numbers k are scaled down to at most 4. Otherwise the equations of this energy
+/// would be ill-conditioned.
 ///
-/// The energy is the sum of s (k x)^2 over all edges, where s is the mean stiffness of the edge's
-/// two vertices. Let L be the uniform Laplacian. For equilateral triangles, the energy is scaled to
-/// be as stiff as the sum of s (L x)^2 over all vertices.
+/// Let s be the mean stiffness of the two vertices of an edge. The energy is the sum of s (k x)^2
+/// over all edges, times the constant 1/14. Let L be the uniform Laplacian. The constant makes the
+/// energy of equilateral triangles as stiff as the sum of s (L x)^2 over all vertices.
 class HingeBending
 {
 public:
@@ -36,21 +39,23 @@ public:
   HingeBending(const conformal::Triangles& triangles, const Adjacency& around, const Points& places,
     const Eigen::VectorXd& stiffness, const Run& run);
 
-  /// Evaluate k x of every hinge for positions x of the vertices, #V by 3. Call this function
-  /// before forceAt().
+  /// Compute k x of every hinge for vertex positions x, #V by 3. Call this function before
+  /// forceAt().
   void bend(const Points& x, const Run& run);
 
-  /// Return half the gradient of the energy with respect to the position of a vertex.
+  /// Return half the gradient of the energy by the position of a vertex. The gradient is evaluated
+  /// at the positions passed to bend().
   Vector3 forceAt(int vertex) const;
 
-  /// Return half the second derivative of the energy with respect to one coordinate of a vertex.
+  /// Return half the second derivative of the energy by a coordinate of a vertex. All three
+  /// coordinates have equal second derivatives.
   double diagonalAt(int vertex) const;
 
 private:
   struct Hinge
   {
     std::array<int, 4> Corners; ///< vertices of the edge, then the two opposite vertices
-    std::array<float, 4> K;     ///< numbers k of the hinge, times sqrt(s)
+    std::array<float, 4> K;     ///< numbers k of the hinge, times sqrt(s / 14)
   };
   template <typename Visitor>
   void forHingesOf(int vertex, const Visitor& visit) const;
@@ -58,8 +63,9 @@ private:
   const conformal::Triangles& Triangles;
   const Adjacency& Around;
   std::vector<Hinge> Hinges;
-  conformal::Triangles HingeOf; ///< entry (r, j): hinge at edge (j, j + 1 mod 3) of triangle r
-  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> Bent; ///< sqrt(s) k x of each hinge
+  /// Entry (r, j): id of the hinge at edge (j, j + 1 mod 3) of triangle r
+  conformal::Triangles HingeOf;
+  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> Bent; ///< sqrt(s / 14) k x of each hinge
 };
 }
 

@@ -1,4 +1,4 @@
-/// Triangle meshes.
+/// Define triangle meshes.
 
 #ifndef ConformalMesh_h
 #define ConformalMesh_h
@@ -16,7 +16,7 @@ struct Mesh
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
 
-/// Compute the area vector of a triangle: its normal, with the area as length.
+/// Compute the area vector of a triangle: the unit normal times the area.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
 {
   const Vector3 a = positions.row(triangles(triangle, 0)),

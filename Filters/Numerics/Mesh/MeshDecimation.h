@@ -10,21 +10,22 @@
 
 namespace conformal
 {
-/// Decimated mesh. Its vertices are #W of the input points, in the order of the input. It has 2 #W
-/// - 4 triangles.
+/// Decimated mesh. Its vertices are #W of the input points, in the sequence of the input. The mesh
+/// has 2 (#W - 2) triangles.
 struct DecimatedMesh : Mesh
 {
-  std::vector<int> PointIds; ///< #W ids: the input point of each vertex
+  std::vector<int> PointIds; ///< #W values: id of the input point at each vertex
 };
 
-/// Remove vertices of a closed surface of genus zero by half-edge collapses (QuadricCollapse). The
-/// topology does not change.
+/// Remove vertices of a closed surface of genus zero by half-edge collapses, see QuadricCollapse.
+/// The topology does not change.
 ///
-/// @param[in] mesh              mesh to decimate, finite and consistently oriented; points without
-///   triangles are dropped
-/// @param[in] numberOfVertices  #W, at least 4; a mesh of at most #W vertices is returned unchanged
-/// @throws std::invalid_argument if the surface is not closed and of genus zero; the message
-///   describes its faults
+/// @param[in] mesh              mesh to decimate; finite and consistently oriented. Points without
+///   triangles are dropped.
+/// @param[in] numberOfVertices  #W, at least 4. If the mesh has at most #W vertices, no vertex of a
+///   triangle is removed.
+/// @throws std::invalid_argument if #W is below 4, or the surface is not closed and of genus zero.
+///   The message describes the faults.
 DecimatedMesh decimate(const Mesh& mesh, Index numberOfVertices, const Run& run = {});
 }
 

@@ -1,4 +1,5 @@
-/// Adjacency of vertices and triangles in a triangle mesh.
+/// Find neighboring vertices and triangles of a triangle mesh, and partition vertices into sets
+/// without neighbors.
 
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
@@ -11,8 +12,8 @@
 
 namespace conformal
 {
-/// Lists of ids, one list per vertex or other item. List i is Ids[Offsets[i]], ..., Ids[Offsets[i +
-/// 1] - 1].
+/// Lists of ids, for example the ids of the triangles around each vertex. List i is
+/// Ids[Offsets[i]], ..., Ids[Offsets[i + 1] - 1].
 struct Adjacency
 {
   std::vector<int> Offsets;
@@ -28,12 +29,13 @@ struct Adjacency
 /// @param[in] numberOfVertices  #V, the number of vertices
 Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 
-/// List the neighbors of each vertex, the vertices that share an edge with it. Each neighbor is
-/// listed once, in ascending order.
+/// List the neighbors of each vertex once, in ascending order. Two vertices are neighbors if they
+/// share an edge.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
 /// Find the triangle across each edge. Entry (r, k) belongs to edge (k, k + 1 mod 3) of triangle r.
-/// It is the triangle that contains this edge in the opposite direction, or -1 if there is none.
+/// The value is the id of the triangle that contains this edge in the opposite direction. If no
+/// triangle contains it, the value is -1.
 /// @pre no edge has the same direction in two triangles, see checkGenusZero()
 Triangles triangleNeighbors(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
@@ -43,16 +45,16 @@ Triangles triangleNeighbors(
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
 
-/// Count the edges of triangles that do not occur in the opposite direction in another triangle.
-/// The result is 0 for a closed, consistently oriented mesh.
+/// Count the directed edges of triangles whose opposite direction occurs in no other triangle. The
+/// result is 0 for a closed, consistently oriented mesh.
 Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// Function that calls `visit` with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 
-/// Partition vertices into independent sets: no two vertices of a set are neighbors, so they can
-/// move concurrently. The method is greedy coloring: in the given order, each vertex joins the
-/// first set that contains none of its neighbors.
+/// Partition vertices into independent sets. No two vertices of an independent set are neighbors,
+/// so that all vertices of a set can move concurrently. The method is greedy coloring in the given
+/// sequence of vertices. Each vertex is added to the first set that contains none of its neighbors.
 /// @param[in] vertices  ids in [0, numberOfVertices), each once
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);

@@ -1,5 +1,5 @@
-/// Progressive mesh: a tetrahedron, and vertex splits that restore a closed surface from it,
-/// \cite Hoppe1996.
+/// Build a progressive mesh: a tetrahedron, and the vertex splits that restore a closed surface
+/// from the tetrahedron, \cite Hoppe1996.
 
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h
@@ -14,31 +14,33 @@
 
 namespace conformal
 {
-/// Tetrahedron, and the sequence of vertex splits that restores the mesh from it.
+/// Tetrahedron, and the sequence of vertex splits that restores a mesh from the tetrahedron.
 struct ProgressiveMesh
 {
   VertexRings Rings; ///< connectivity of the tetrahedron
-  /// Arguments of VertexRings::split(), in the order of the splits
+  /// Arguments of VertexRings::split() for each split, in the sequence of the splits
   std::vector<QuadricCollapse::Collapse> Splits;
 };
 
-/// Build a progressive mesh by collapses in the order of their quadric error.
-/// @param[in] mesh  mesh of size about 1 that passes requireGenusZero()
+/// Build a progressive mesh by half-edge collapses, those of minimum quadric error first.
+/// @param[in] mesh  mesh that passes requireGenusZero(), with coordinates of magnitude about 1
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 
-/// Build a progressive mesh from connectivity alone, for surfaces whose shape is unusable. Each
-/// round removes independent vertices: no two share an edge. Vertices with the fewest neighbors are
-/// removed first, \cite Kirkpatrick1983. The number of rounds is logarithmic in the number of
-/// vertices.
+/// Build a progressive mesh from connectivity alone, for surfaces whose positions are unusable.
+/// Vertices are removed in rounds. No two vertices that are removed in a round share an edge.
+/// Vertices with the fewest neighbors are removed first, \cite Kirkpatrick1983. The number of
+/// rounds is logarithmic in the number of vertices.
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Remove some vertices of a mesh in rounds of independent vertices, as makeProgressiveMesh() does
-/// for all vertices.
-/// @param[in] vertices  ids of the vertices to remove; some may have to stay
-/// @param[in] maximum   maximum number of vertices to remove; four vertices of the mesh always stay
-/// @return rings of the remaining mesh, and the splits that restore the removed vertices
+/// Remove given vertices of a mesh in rounds. No two vertices that are removed in a round share an
+/// edge.
+/// @param[in] vertices  ids of the vertices to remove. A vertex is kept if no collapse of the
+///   vertex preserves the topology.
+/// @param[in] maximum   maximum number of vertices to remove; at most the number of vertices in use
+///   minus 4
+/// @return connectivity of the remaining mesh, and the splits that restore the removed vertices
 ProgressiveMesh takeOut(
   VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run = {});
 }

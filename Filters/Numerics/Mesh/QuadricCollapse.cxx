@@ -12,16 +12,18 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// Penalties far above the sums of quadrics in a box of size one, so that unwanted collapses are
-// postponed.
+// Penalties of unwanted collapses. They exceed all quadric errors of a mesh of size 1, so that
+// unwanted collapses are made last.
 constexpr double UnwantedCost = 1e3;
 constexpr double TurnedOverCost = 1e6;
 
 constexpr double ShapeWeight = 1e-4;
-constexpr double WorstAspect = 8.0;          // 1 is equilateral
-constexpr double MinimumCosine = 0.2;        // between a triangle's normals before and after
-constexpr std::size_t MaximumNeighbors = 10; // after a collapse
-constexpr std::size_t TooManyNeighbors = 24; // of a vertex to remove: postpone
+constexpr double WorstAspect = 8.0; // maximum aspect ratio of a triangle; 1 if equilateral
+// Minimum cosine between the normals of a triangle before and after a collapse
+constexpr double MinimumCosine = 0.2;
+// Maximum number of neighbors of a vertex after a collapse
+constexpr std::size_t MaximumNeighbors = 10;
+constexpr std::size_t TooManyNeighbors = 24; // vertices with more neighbors are not removed yet
 
 double aspectOf(const Vector3& a, const Vector3& b, const Vector3& c, double twiceArea)
 {
@@ -72,7 +74,7 @@ QuadricCollapse::QuadricCollapse(const Points& points, VertexRings& rings, Needl
 }
 
 //------------------------------------------------------------------------------
-// Cost of the triangles that a collapse leaves.
+// Compute the part of the cost that depends on the shape of the triangles after a collapse.
 double QuadricCollapse::shapeCost(int v, int u) const
 {
   const Ring& ring = this->Rings[v];
@@ -107,7 +109,8 @@ QuadricCollapse::Choice QuadricCollapse::bestTarget(int v) const
   {
     return best;
   }
-  // Lower bounds of the costs are cheap; evaluate shapes in their order.
+  // The costs without shapes are lower bounds and cheap. Evaluate shapes in ascending sequence of
+  // these bounds.
   std::array<Choice, TooManyNeighbors> choices;
   std::size_t count = 0;
   for (int u : ring)

@@ -1,4 +1,5 @@
-/// Half-edge collapses of a closed mesh in the order of their quadric error, \cite Garland1997.
+/// Collapse half-edges of a closed mesh one by one, those of minimum quadric error first,
+/// \cite Garland1997.
 
 #ifndef ConformalQuadricCollapse_h
 #define ConformalQuadricCollapse_h
@@ -11,37 +12,44 @@
 
 namespace conformal
 {
-/// Half-edge collapses in the order of their quadric error, \cite Garland1997. A small penalty for
-/// large and misshapen triangles makes flat parts lose vertices evenly.
+/// Half-edge collapses of a closed mesh. Each call of next() makes the collapse of minimum cost.
+/// The cost of a collapse is the quadric error, \cite Garland1997, and a small penalty for large
+/// and thin triangles. The penalty distributes the remaining vertices evenly in flat parts.
 ///
-/// Collapses that flip a triangle, make a needle or join many neighbors are postponed until no
-/// other collapse is left. Every closed surface of genus zero can thus be reduced to a tetrahedron.
-/// The reason is that it always has a vertex with at most five neighbors, which can always collapse
-/// into one of them.
+/// Unwanted are collapses after which a triangle is flipped or very thin, or a vertex has more than
+/// ten neighbors. These collapses have a much higher cost, and are therefore made last. Every
+/// closed surface of genus zero has a vertex with at most five neighbors. This vertex can collapse
+/// into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
 class QuadricCollapse
 {
 public:
-  /// Priority of collapses at needles of the input surface. A needle is a very thin triangle.
+  /// Treatment of needles, very thin triangles of the input surface.
   enum class Needles
   {
-    /// Remove needles last, because collapses there make new needles. For surfaces with few needles
+    /// Collapse vertices of needles last, because most of these collapses make new needles. This
+    /// value is for surfaces with few needles.
     Keep,
-    Thin ///< Remove needles like other triangles, unless the collapse makes thinner ones
+    /// Collapse vertices of needles like other vertices, unless the collapse makes thinner
+    /// triangles
+    Thin
   };
 
-  /// Prepare collapses. The object refers to `points` and `rings`, which must outlive it.
-  /// @param[in] points     #V by 3 positions, of size about 1
+  /// Compute the costs of all collapses. The parameters `points` and `rings` must outlive this
+  /// object.
+  /// @param[in] points     #V by 3 positions, with coordinates of magnitude about 1
   /// @param[in,out] rings  connectivity of a closed surface of genus zero; changed by each collapse
   QuadricCollapse(const Points& points, VertexRings& rings, Needles needles = Needles::Keep);
 
   struct Collapse
   {
     int Vertex; ///< id of the removed vertex
-    /// Its neighbors before the collapse, starting with the vertex into which it collapsed
+    /// Neighbors of the removed vertex before the collapse, starting with the vertex into which it
+    /// collapsed
     Ring Neighbors;
   };
 
-  /// Remove the vertex of minimum cost. Of vertices with equal cost, the smallest id is removed.
+  /// Remove the vertex whose collapse has minimum cost. If several vertices have this cost, remove
+  /// the one with the smallest id.
   /// @pre more than four vertices are in use
   Collapse next();
 
@@ -79,8 +87,10 @@ private:
   const Points& Places;
   VertexRings& Rings;
   std::vector<Quadric> Quadrics;
-  std::vector<double> Aspects; // maximum aspect accepted at each vertex
-  std::vector<int> Stamps;     // a candidate with an older stamp is outdated
+  // maximum aspect ratio of triangles (1 if equilateral) accepted at each vertex
+  std::vector<double> Aspects;
+  // stamp of the current candidate of each vertex; candidates with older stamps are outdated
+  std::vector<int> Stamps;
   std::priority_queue<Candidate> Queue;
 };
 }

@@ -17,22 +17,25 @@ namespace
 {
 constexpr Index BlockSize = 512;
 
-// Limits in units of the target length. They are far enough apart that an edge does not split and
-// collapse forever.
+// Limits of edge lengths, divided by the target length. Their ratio is large enough that no edge is
+// split and collapsed again and again.
 constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
-constexpr double MinimumCosine = 0.5;   // of the rotation of a normal
-constexpr double MinimumQuality = 0.05; // of a triangle that a collapse makes; 1 is equilateral
-constexpr double SmoothingStep = 0.7;   // fraction of the way to the centroid
-constexpr int SmoothingTries = 3;       // each with half the step
-constexpr int MaximumRounds = 100;      // of one kind of operation; far more than needed
+constexpr double MinimumCosine = 0.5; // minimum cosine of the rotation of a triangle's normal
+// Minimum quality of a triangle after a collapse; 1 if equilateral
+constexpr double MinimumQuality = 0.05;
+constexpr double SmoothingStep = 0.7; // length of a move, divided by the distance to the centroid
+constexpr int SmoothingTries = 3;     // number of tries, each with half the step of the one before
+constexpr int MaximumRounds = 100;    // maximum number of rounds of one kind of operation
 constexpr int FinalSmoothings = 3;
 
-/// Factor of the target number of vertices beyond which a surface of vanishing area is not split.
+/// Maximum number of vertices after splits, divided by the target number. The limit is necessary
+/// for surfaces of vanishing area.
 constexpr Index MaximumSplit = 4;
 
-constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5; // of normals across a flipped edge
+// Minimum cosines between the normals of the two triangles of a flipped edge
+constexpr double EdgeCosine = 0.7, DelaunayCosine = 0.5;
 
-/// Operation on the edge of A and B; higher priorities come first.
+/// Operation on the edge between A and B. Operations are sorted by descending priority.
 struct Operation
 {
   int A, B;
@@ -78,11 +81,11 @@ public:
 
   Index count() const { return this->Count; }
 
-  /// Callback with the progress of an operation, called after each round.
+  /// Set the Run to which operations report progress after each round.
   void reportTo(const Run& run) { this->Step = run; }
 
-  /// Compute the edge length of equilateral triangles for a number of vertices on the area of the
-  /// surface.
+  /// Compute the edge length of equilateral triangles that have the area of the surface and the
+  /// given number of vertices.
   double lengthFor(Index numberOfVertices) const
   {
     double area = 0.0;
@@ -100,7 +103,8 @@ public:
     return std::sqrt(2.0 * area / (std::sqrt(3.0) * static_cast<double>(numberOfVertices)));
   }
 
-  /// Split edges longer than a limit, or the longest ones, up to the given number of vertices.
+  /// Split edges longer than a limit, the longest first, until the mesh has the given number of
+  /// vertices.
   void split(double limit, Index maximum = std::numeric_limits<Index>::max())
   {
     const double squareLimit = limit * limit;
@@ -126,8 +130,8 @@ public:
       [&] { return this->Count < maximum; });
   }
 
-  /// Collapse edges shorter than a limit, unless longer edges than another limit result, down to
-  /// the given number of vertices.
+  /// Collapse edges shorter than `limit`, until the mesh has the given number of vertices. A
+  /// collapse that results in an edge longer than `longest` is skipped.
   /// @param[in] anyway  accept any shape of the triangles that preserves the topology
   void collapse(double limit, double longest, Index minimum = 4, bool anyway = false)
   {
@@ -159,7 +163,7 @@ public:
       [&] { return this->Count > minimum; });
   }
 
-  /// Flip edges while this moves vertices closer to six neighbors.
+  /// Flip edges as long as flips make the numbers of neighbors of vertices closer to six.
   void flipForValence()
   {
     const auto excess = [&](int v, int change)
@@ -175,7 +179,7 @@ public:
       });
   }
 
-  /// Flip edges with opposite angles of sum above pi.
+  /// Flip edges whose two opposite angles have a sum above pi.
   void flipForAngles()
   {
     this->flip(DelaunayCosine, 0.0,
@@ -192,8 +196,8 @@ public:
       });
   }
 
-  /// Move vertices along the surface to the centroid of their triangles. Neighbors move one after
-  /// the other, so that none depends on a neighbor that moves at the same time.
+  /// Move vertices along the surface towards the centroid of their triangles. Two neighbors never
+  /// move at the same time, so that the result does not depend on the number of threads.
   void smooth()
   {
     for (const std::vector<int>& color : this->colors())
@@ -209,7 +213,7 @@ public:
     }
   }
 
-  /// Return the mesh without unused ids.
+  /// Replace the mesh by the remeshed one, without unused ids.
   void finish()
   {
     std::vector<int> ids(this->Rings.size(), -1);
@@ -236,9 +240,11 @@ private:
   /// Apply operations in rounds. First propose operations, on all threads, for edges with an end
   /// touched in the last round. Then apply them by priority, except those on vertices touched in
   /// this round.
-  /// @param[in] proposed   whether to operate on an edge, and its priority and position
-  /// @param[in] operate    apply an operation and return the touched vertices; or return false
-  /// @param[in] wanted     whether to continue
+  /// @param[in] proposed   function that returns whether to operate on an edge, and sets the
+  ///   priority and position of the operation
+  /// @param[in] operate    function that applies an operation and lists the touched vertices. If
+  ///   the operation is not possible, it returns false.
+  /// @param[in] wanted     function that returns whether to continue
   void perform(const std::function<bool(int, int, Operation&)>& proposed,
     const std::function<bool(const Operation&, std::vector<int>&)>& operate,
     const std::function<bool()>& wanted)
@@ -312,7 +318,7 @@ private:
   }
 
   /// Merge sorted parts.
-  /// @param[in] offsets  of the parts, and the end of the last one
+  /// @param[in] offsets  first index of each part, then the end of the last part
   void merge(std::vector<Operation>& operations, const std::vector<Index>& offsets) const
   {
     const auto parts = static_cast<Index>(offsets.size()) - 1;
@@ -331,7 +337,7 @@ private:
     }
   }
 
-  /// Resize to at least a number of positions, with half as many to spare.
+  /// Enlarge the array of positions to at least a given number, plus half of this number.
   void reserve(Index count)
   {
     if (count > this->Places.rows())
@@ -386,7 +392,8 @@ private:
   }
 
   /// Flip edges of positive gain if the surface keeps its shape.
-  /// @param[in] minimumQuality  of the new triangles relative to the old ones
+  /// @param[in] minimumQuality  minimum quality of the new triangles, divided by that of the old
+  ///   ones
   template <typename Gain>
   void flip(double minimumDihedral, double minimumQuality, const Gain& gain)
   {
@@ -491,14 +498,14 @@ private:
 
   Points& Places;
   conformal::Triangles& Triangles;
-  const Run Threads; // without progress
+  const Run Threads; // threads without progress reports
   VertexRings Rings;
   Index Count;
-  Run Step; // of the current remeshing step
+  Run Step; // receives the progress of the current remeshing step
 };
 
-/// Shares of each iteration: splits, collapses, flips, smoothing; then of meeting the number:
-/// collapses, splits, smoothings, flips.
+/// Return the relative durations of all steps. Each iteration has splits, collapses, flips and
+/// smoothing. MeetNumber adds collapses, splits, smoothings and flips.
 std::vector<double> sharesOf(const RemeshingOptions& options)
 {
   std::vector<double> shares;
@@ -546,7 +553,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
     constexpr double any = std::numeric_limits<double>::max();
     remesher.reportTo(steps.next());
     remesher.collapse(any, any, wanted);
-    remesher.collapse(any, any, wanted, true); // for a surface of folds
+    remesher.collapse(any, any, wanted, true); // for strongly folded surfaces
     remesher.reportTo(steps.next());
     remesher.split(0.0, wanted);
     for (int i = 0; i < FinalSmoothings; ++i)

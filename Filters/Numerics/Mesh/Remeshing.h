@@ -1,4 +1,5 @@
-/// Remesh a closed surface to even triangles with a given number of vertices, \cite Botsch2004.
+/// Remesh a closed surface to nearly equilateral triangles of about equal size, with a given number
+/// of vertices, \cite Botsch2004.
 
 #ifndef ConformalRemeshing_h
 #define ConformalRemeshing_h
@@ -12,27 +13,30 @@ struct RemeshingOptions
 {
   Index NumberOfVertices = 12962; ///< target number of vertices, at least 4
   int NumberOfIterations = 3;     ///< number of iterations, each with the four steps of remesh()
-  /// Whether to reach NumberOfVertices exactly, and finish with Delaunay flips
+  /// Whether the result has exactly NumberOfVertices vertices and edges that are flipped to be
+  /// Delaunay. If false, the number of vertices is approximate.
   bool MeetNumber = false;
 };
 
 /// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
-/// length is the edge length at which equilateral triangles with the target number of vertices
-/// cover the area of the surface. Each iteration has these steps:
-/// - Split edges longer than 4/3 of the target length, longest first.
-/// - Collapse edges shorter than 4/5 of the target length, shortest first.
-/// - Flip edges so that vertices approach six neighbors.
-/// - Move vertices along the surface to the centroid of their triangles.
+/// length of edges is computed for equilateral triangles. These triangles have the area of the
+/// surface and the target number of vertices. Each iteration has these steps:
+/// - Split edges longer than 4/3 of the target length, the longest first.
+/// - Collapse edges shorter than 4/5 of the target length, the shortest first.
+/// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.
+/// - Move each vertex along the surface toward the centroid of its triangles.
 ///
-/// No step changes the topology. No step makes a needle or rotates the normal of a triangle by 60
-/// degrees or more. With MeetNumber, strongly folded surfaces that would otherwise keep too many
-/// vertices are an exception. Vertices are not projected back to the input surface, so the caller
-/// should fit the result to the data again.
+/// No step changes the topology. No step makes a needle (very thin triangle) or rotates the normal
+/// of a triangle by 60 degrees or more. If MeetNumber is true, a strongly folded surface may keep
+/// too many vertices under these conditions. Collapses are then made without these conditions.
+/// Vertices are not projected back to the input surface. The caller should therefore fit the result
+/// to the data again.
 ///
-/// Implementation note: the operations of each step are made in rounds. Of operations that touch
-/// common vertices, a round selects the one with the best length or gain, then the smallest id. The
-/// selected operations are independent and run concurrently, so the result has the same bits for
-/// any number of threads.
+/// Implementation note: the splits, collapses and flips are made in rounds. Each round first lists
+/// the possible operations, on all threads. The operations are then applied serially in sequence of
+/// priority: length of the edge, or gain of the flip. An operation is skipped if another operation
+/// of the round changed one of its vertices. The result has the same bits for any number of
+/// threads.
 ///
 /// @param[in,out] mesh  mesh to replace: finite, a closed manifold, consistently oriented, without
 ///   unused positions

@@ -19,20 +19,23 @@ namespace
 constexpr Index BlockSize = 256;
 constexpr int FilterPasses = 8;
 constexpr int MajorityPasses = 3;
-constexpr int GrowthPasses = 3; // growth of edges into corners
+constexpr int GrowthPasses = 3; // number of passes that continue sharp edges into corners
 
-// Parameters of the filter, in edge lengths and as lengths of differences of unit normals.
+// Parameters of the filter of normals: width in space, in units of the edge length, and width of
+// the differences of unit normals.
 constexpr double FilterWidth = 1.0, NormalWidth = 0.35;
 
-constexpr double SharpCosine = 0.8;   // of normals at a sharp edge
-constexpr double PlaneCosine = 0.985; // of a triangle's own normal and the smoothed one, in a plane
+constexpr double SharpCosine = 0.8; // maximum cosine between the normals at a sharp edge
+// Minimum cosine, in a plane, between the normal of a triangle and its smoothed normal
+constexpr double PlaneCosine = 0.985;
 
-// Radii in edge lengths: of the weights of planes around a vertex, and of the maximum move of a
-// vertex.
+// Radius of the area whose planes are weighted at a vertex, and maximum move of a vertex, both in
+// units of the edge length.
 constexpr double PlaneWidth = 1.2, LongestWay = 1.2;
-// Minimum share of planes in the area around a vertex, without triangles across an edge. Measured:
-// 0.95 or more on edges of a machine part, 0.90 or less on ridges of animals, with one exception in
-// twenty vertices each. In corners, between accepted vertices, a smaller share suffices.
+// Minimum fraction of the area around a vertex that consists of planes. Triangles across an edge
+// are not counted. Measured: 0.95 or more on edges of a machine part, 0.90 or less on ridges of
+// animals, with one exception in twenty vertices each. In corners, between accepted vertices, a
+// smaller share suffices.
 constexpr double SurePlaneShare = 0.92, MinimumPlaneShare = 0.6;
 
 // Maximum residual of planes on sharp edges, in edge lengths. Measured: 0.02 to 0.06 on a machine
@@ -42,7 +45,8 @@ constexpr double MaximumMisfit = 0.09;
 // Relative second moment of the normals below which a direction is undetermined, as along an edge.
 constexpr double MinimumEigenvalue = 0.04;
 
-constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05; // of triangles with a moved vertex
+// Limits for the rotation and quality of triangles with a moved vertex
+constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05;
 
 using Corners = std::array<Vector3, 3>;
 
@@ -220,10 +224,10 @@ private:
     return this->Smoothed.row(r).dot(this->Smoothed.row(this->TrianglesAcross(r, k))) < SharpCosine;
   }
 
-  /// Test whether a triangle cuts an edge off, or is adjacent to one that does.
+  /// Test whether a triangle bevels a sharp edge, or is adjacent to such a triangle.
   bool across(Index r) const { return this->sharp(r, 0) || this->sharp(r, 1) || this->sharp(r, 2); }
 
-  /// A triangle between two or three sharp edges belongs to none of their planes.
+  /// A triangle between two or three sharp edges belongs to no plane.
   void takeSides()
   {
     for (Index r = 0; r < this->TrianglesAcross.rows(); ++r)
@@ -319,7 +323,7 @@ private:
   }
 
   const Mesh& Surface;
-  const Run Threads; // without progress
+  const Run Threads; // threads without progress reports
   const Adjacency Around, Neighbors;
   const Triangles TrianglesAcross;
   const double Edge;

@@ -1,4 +1,5 @@
-/// Restore sharp edges and corners that the triangles of a surface cut off, \cite Kobbelt2001.
+/// Restore sharp edges and corners of a shape that are beveled by the triangles of its mesh,
+/// \cite Kobbelt2001.
 
 #ifndef ConformalSharpEdges_h
 #define ConformalSharpEdges_h
@@ -8,21 +9,22 @@
 
 namespace conformal
 {
-/// Move vertices onto the sharp edges and corners of the shape. An edge is sharp if its two planes
-/// meet at 37 degrees or more.
+/// Move vertices of a mesh onto the sharp edges and corners of the shape. A sharp edge is the
+/// intersection of two nearly planar parts whose normals differ by 37 degrees or more.
 ///
-/// The normals of the triangles are smoothed, but not across jumps, \cite Zheng2011. Each triangle
-/// that cuts off an edge is thus assigned to one of the edge's planes. A vertex belongs to an edge
-/// if smoothed normals of its triangles differ by more than 37 degrees. Most of the area around the
-/// vertex must also lie in planes, which excludes bends and noise. The vertex moves to the point
-/// closest to its planes: onto the edge of two planes, or into the corner of three,
-/// \cite Kobbelt2001.
+/// The normals of the triangles are smoothed, but not across jumps, \cite Zheng2011. A triangle
+/// that bevels a sharp edge thus gets the normal of one of the two planes of the edge. A vertex
+/// belongs to a sharp edge if two conditions hold. First, the smoothed normals of its triangles
+/// differ by more than 37 degrees. Second, most of the area around the vertex consists of planes,
+/// which excludes bends and noise. The vertex moves to the point closest to these planes. This
+/// point is on the edge of two planes, or in the corner of three planes, \cite Kobbelt2001.
 ///
-/// If the whole move would cause a defect, the vertex moves half or a quarter of the way, or stays.
-/// Defects are needles, folds, and triangles rotated by a right angle or more.
+/// If the whole move would cause a defect, half and a quarter of the move are tried. If these moves
+/// would also cause a defect, the vertex does not move. Defects are needles (very thin triangles),
+/// folds, and triangles rotated by a right angle or more.
 ///
 /// @param[in,out] mesh  closed manifold, consistently oriented, with triangles of about equal size.
-///   Vertices that are not moved keep their bits.
+///   Positions of vertices that are not moved keep all bits.
 /// @return number of vertices moved
 /// @throws Aborted
 /// @post the result does not depend on the number of threads

@@ -1,4 +1,4 @@
-/// Point on a triangle mesh, in barycentric coordinates.
+/// Store a point on a triangle mesh by its barycentric coordinates.
 
 #ifndef ConformalSurfacePlace_h
 #define ConformalSurfacePlace_h

@@ -1,4 +1,5 @@
-/// Compute vertex normals of a triangle mesh with the area weights of \cite Max1999.
+/// Compute vertex normals of a triangle mesh. The normals of the triangles are weighted by area, as
+/// discussed in \cite Max1999.
 
 #ifndef ConformalVertexNormals_h
 #define ConformalVertexNormals_h
@@ -9,9 +10,9 @@
 
 namespace conformal
 {
-/// Compute vertex normals: the area-weighted means of the normals of the triangles around each
-/// vertex, normalized to unit length. A normal is zero for a vertex without triangles, or if the
-/// triangles' normals cancel each other.
+/// Compute a unit normal at each vertex: the normalized, area-weighted mean of the normals of its
+/// triangles. The normal is zero if the vertex has no triangles, or if the normals of its triangles
+/// cancel each other.
 ///
 /// @param[in] points     #V by 3 positions, in any unit
 /// @param[in] triangles  #F by 3 ids

@@ -1,4 +1,4 @@
-/// Editable connectivity of a closed triangle mesh: a ring of neighbors for each vertex.
+/// Edit the connectivity of a closed triangle mesh, stored as a ring of neighbors for each vertex.
 
 #ifndef ConformalVertexRings_h
 #define ConformalVertexRings_h
@@ -13,6 +13,7 @@ namespace conformal
 /// triangles of vertex v are (v, ring[i], ring[i + 1]).
 using Ring = std::vector<int>;
 
+/// Connectivity of a closed triangle mesh. Edits change the triangles, but not the ids of vertices.
 class VertexRings
 {
 public:
@@ -20,41 +21,44 @@ public:
   ///   repeats a vertex
   VertexRings(const Triangles& triangles, Index numberOfVertices);
 
-  /// Ring of v; empty if v is not in use
+  /// Return the ring of v. The ring is empty if v is not in use, that is, not a vertex of any
+  /// triangle.
   const Ring& operator[](int v) const { return this->Rings[v]; }
   Index size() const { return static_cast<Index>(this->Rings.size()); }
 
-  /// Test whether the mesh stays a closed manifold of the same genus when v collapses into its
-  /// neighbor u. Vertices v and u must have only two common neighbors, the vertices opposite their
-  /// common edge.
+  /// Test whether the mesh stays a closed manifold of the same genus if v collapses into its
+  /// neighbor u. This is true if v and u have exactly two common neighbors, the vertices opposite
+  /// their common edge.
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 
-  /// Collapse v into its neighbor u. Afterward vertex v is not in use.
+  /// Collapse v into its neighbor u. Vertex v is then no longer in use.
   /// @return ring of v before the collapse, starting with u
   Ring collapse(int v, int u);
 
-  /// Undo the collapse of v. All later collapses must have been undone before.
+  /// Undo the collapse of v. Undo all later collapses first.
   /// @param[in] ring  result of collapse() for v
   void split(int v, const Ring& ring);
 
-  /// Change the number of vertices to `count`. New vertices are not in use.
+  /// Change the number of vertex ids to `count`. New ids are not in use.
   void resize(Index count) { this->Rings.resize(count); }
 
-  /// Insert vertex m into the edge of a and b, and split both triangles of this edge.
+  /// Insert vertex m into the edge between a and b, and split both triangles of this edge.
   /// @pre m is not in use
   void splitEdge(int a, int b, int m);
 
-  /// Replace the edge of a and b by the edge between the two vertices opposite it.
+  /// Flip the edge between a and b: replace this edge by the edge between the two vertices opposite
+  /// it.
   /// @pre canFlip(a, b)
   void flip(int a, int b);
 
-  /// Test whether the mesh stays a closed manifold when the edge of a and b is flipped. Vertices a
-  /// and b must have more than three neighbors each. The two vertices opposite the edge must not be
-  /// neighbors yet.
+  /// Test whether the mesh stays a closed manifold if the edge between a and b is flipped. Two
+  /// conditions are tested. Vertices a and b each have more than three neighbors. The two vertices
+  /// opposite the edge are not neighbors.
   bool canFlip(int a, int b) const;
 
-  /// Vertices opposite the edge of a and b: its triangles are (a, b, Left) and (b, a, Right).
+  /// Vertices opposite the edge between a and b. The triangles of the edge are (a, b, Left) and (b,
+  /// a, Right).
   struct Across
   {
     int Left, Right;

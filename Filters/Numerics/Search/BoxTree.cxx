@@ -10,12 +10,12 @@ namespace conformal
 namespace
 {
 constexpr int LeafSize = 2;
-constexpr int RangeSize = 2048; // items of a branch built by one thread
+constexpr int RangeSize = 2048; // maximum number of items of a branch that is built by one thread
 
 /// Sort key of an item, stored with its id.
 struct Center
 {
-  Vector3 At; // twice the center, with the same order
+  Vector3 At; // twice the center of the box, which sorts like the center
   int Item;
 };
 

@@ -1,4 +1,4 @@
-/// Binary tree of bounding boxes, for closest-point and ray queries, \cite Ericson2005.
+/// Build a binary tree of bounding boxes, for closest-point and ray queries, \cite Ericson2005.
 
 #ifndef ConformalBoxTree_h
 #define ConformalBoxTree_h
@@ -11,6 +11,7 @@
 
 namespace conformal
 {
+/// Axis-aligned box, initially empty.
 struct Box
 {
   Vector3 Lower = Vector3::Constant(std::numeric_limits<double>::infinity());
@@ -26,23 +27,24 @@ struct Box
     this->Lower = this->Lower.cwiseMin(box.Lower);
     this->Upper = this->Upper.cwiseMax(box.Upper);
   }
-  /// Compute the square distance of a point from the box. It is 0 inside the box, and infinite for
-  /// an empty box.
+  /// Compute the square distance between a point and the box. The result is 0 inside the box, and
+  /// infinite if the box is empty.
   double squareDistance(const Vector3& x) const
   {
     return (this->Lower - x).cwiseMax(x - this->Upper).cwiseMax(0.0).squaredNorm();
   }
 };
 
-/// Binary tree with nodes in depth-first order. The children of an inner node i are i + 1 and
-/// Nodes[i].Second. The items of a leaf are consecutive in Items.
+/// Binary tree of boxes. Nodes are stored in depth-first order. The children of an inner node i are
+/// i + 1 and Nodes[i].Second. An item is the index of a box from which the tree was built. The
+/// items of a leaf are consecutive in Items.
 struct BoxTree
 {
   struct Node
   {
     Box Bounds;
-    int Second = 0; ///< index of the second child; unused in a leaf
-    int First = 0;  ///< position of a leaf's first item in Items
+    int Second = 0; ///< index of an inner node's second child; unused in a leaf
+    int First = 0;  ///< position in Items of a leaf's first item
     int Count = 0;  ///< number of items of a leaf; 0 for an inner node
   };
 
@@ -50,9 +52,9 @@ struct BoxTree
   std::vector<int> Items;
 };
 
-/// Build a tree of n boxes in O(n log n) operations. Each node is split at the median of the boxes'
-/// centers along its longest side. The tree depends only on the boxes, so every run builds the same
-/// tree.
+/// Build a tree of n boxes in O(n log n) operations. Each node is split along its longest side, at
+/// the median of the centers of its boxes. The result depends only on the boxes, not on the number
+/// of threads.
 /// @throws Aborted
 BoxTree buildBoxTree(const std::vector<Box>& boxes, const Run& run = {});
 }

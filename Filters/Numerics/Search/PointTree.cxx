@@ -18,7 +18,7 @@ Index middleOf(Index first, Index last)
   return first + (last - first) / 2;
 }
 
-// Farther than any point.
+// Neighbor at infinite distance.
 constexpr Neighbor Nobody = { std::numeric_limits<int>::max(),
   std::numeric_limits<double>::infinity() };
 
@@ -58,7 +58,7 @@ PointTree::PointTree(const PointView& points, const Run& run)
     throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(points.size()) +
       " points of the cloud are not finite");
   }
-  // The lower part of a range is the longer one, if they differ.
+  // If the two parts of a range differ in size, the lower part has one more point.
   Index nodes = 0;
   for (Index longest = this->size(), count = 1; longest > LeafSize; longest /= 2)
   {
@@ -72,7 +72,8 @@ PointTree::PointTree(const PointView& points, const Run& run)
 //------------------------------------------------------------------------------
 void PointTree::split(Index node, Index first, Index last, const Run& run)
 {
-  constexpr Index sizeToReport = 1 << 12; // large enough for a noticeable time
+  // Smaller ranges are split in a short time, and are not reported
+  constexpr Index sizeToReport = 1 << 12;
   if (last - first <= LeafSize)
   {
     return;
@@ -139,8 +140,8 @@ void PointTree::search(
     }
   };
   searchSide(beyond >= 0.0, apart);
-  // Lower bound of the distance to the other half, axis by axis. At an equal distance a lower id is
-  // possible.
+  // Lower bound of the distance to the other half, axis by axis. At equal distance, the other half
+  // may contain a lower id.
   Vector3 gap = apart;
   gap[axis] = beyond;
   if (gap.dot(gap) <= found.farthest().SquareDistance)

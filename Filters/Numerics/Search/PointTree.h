@@ -1,4 +1,4 @@
-/// Nearest points of a cloud by a k-d tree, \cite Friedman1977.
+/// Find the nearest points of a point cloud by a k-d tree, \cite Friedman1977.
 
 #ifndef ConformalPointTree_h
 #define ConformalPointTree_h
@@ -10,13 +10,13 @@
 
 namespace conformal
 {
-/// Point of a cloud and its square distance from the query point.
+/// Point found by a query, and its square distance from the query point.
 struct Neighbor
 {
   int Id = -1;
   double SquareDistance = 0.0;
 
-  /// Compare by distance, then by id.
+  /// Compare by distance. If distances are equal, compare by id.
   bool operator<(const Neighbor& other) const
   {
     return this->SquareDistance < other.SquareDistance ||
@@ -24,12 +24,12 @@ struct Neighbor
   }
 };
 
-/// K-d tree that finds exact nearest points of a fixed cloud.
+/// K-d tree that finds the exact nearest points of a fixed point cloud.
 ///
-/// The tree is a permutation of the points. The middle point of each range splits the other points
-/// of this range into two smaller ranges. Each point is stored with its id in 32 bytes. The split
-/// axes need one byte for every four or more points. The cost of a query is about logarithmic in
-/// #P. Several threads may query concurrently.
+/// The tree is stored as a permutation of the points. The middle point of a range splits the other
+/// points of the range into two smaller ranges. Memory is 32 bytes per point, and at most one byte
+/// per four points for the axes of the splits. The cost of a query is about logarithmic in the
+/// number of points. Several threads may query concurrently.
 class PointTree
 {
 public:
@@ -41,16 +41,16 @@ public:
 
   Index size() const { return static_cast<Index>(this->Places.size()); }
 
-  /// Find the k points nearest to x. The nearest point comes first; of points at equal distance,
-  /// the smallest id comes first.
+  /// Find the k points nearest to x, in ascending order of distance. Points at equal distance are
+  /// in ascending order of id.
   ///
-  /// @param[in] k          number of points to find, at least 0; all points are returned if there
-  ///   are fewer
-  /// @param[out] neighbors  points found; replaced. Pass the same vector again to avoid
-  ///   allocations.
+  /// @param[in] k          number of points to find, at least 0. If the cloud has fewer points, all
+  ///   of them are found.
+  /// @param[out] neighbors  points found; previous elements are discarded. Pass the vector of an
+  ///   earlier call to avoid allocations.
   void nearest(const Vector3& x, int k, std::vector<Neighbor>& neighbors) const;
 
-  /// Find the point nearest to x. Its id is -1 if the cloud is empty.
+  /// Find the point nearest to x. If the cloud is empty, the id is -1.
   Neighbor nearest(const Vector3& x) const;
 
 private:
@@ -64,8 +64,8 @@ private:
   void search(const Vector3& x, const Vector3& apart, Index node, Index first, Index last,
     Found& found) const;
 
-  std::vector<Place> Places; ///< points in the order of the tree
-  /// Split axis of each inner node i, whose children are 2 i + 1 and 2 i + 2
+  std::vector<Place> Places; ///< points in the sequence of the tree
+  /// Axis (0, 1 or 2) of the split at each inner node i. The children of i are 2 i + 1 and 2 i + 2.
   std::vector<unsigned char> Axes;
 };
 }

@@ -49,7 +49,8 @@ FootPoint closestPointOfTriangle(
   {
     return footAt(x, a, b, c, Vector3(0, 0, 1));
   }
-  // Twice the signed areas opposite to c, b and a, times twice the area of the triangle.
+  // Twice the signed areas of the triangles of x with the edges opposite c, b and a, each times
+  // twice the area of the triangle.
   const double areaC = abx * acxb - abxb * acx;
   if (areaC <= 0.0 && abx >= 0.0 && abxb <= 0.0 && abx - abxb > 0.0)
   {
@@ -250,7 +251,8 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     int Quad;         ///< -1 for a leaf
     int First, Count; ///< range of positions in Items
   };
-  // At most three quads per level wait; the depth is half the logarithm of an int.
+  // At most three quads per level are on the stack. The depth of the tree is at most half the
+  // number of bits of an int.
   std::array<Waiting, 3 * 32> stack;
   int depth = 0;
   stack[depth++] = { 0.0, 0, 0, 0 };
@@ -275,7 +277,8 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     const int bottom = depth;
     for (int k = 0; k < DoubleLanes; ++k)
     {
-      // Empty lanes are infinitely far. Insert sorted, so that the closest is visited first.
+      // Unused boxes have an infinite distance. Insert boxes sorted by distance, so that the
+      // closest one is visited first.
       if (distances[k] <= best.SquareDistance && (quad.Next[k] >= 0 || quad.Count[k] > 0))
       {
         int at = depth++;

@@ -1,4 +1,5 @@
-/// Find the closest point of a triangle mesh, called foot point, \cite Ericson2005.
+/// Find the point of a triangle mesh that is closest to a query point, called foot point,
+/// \cite Ericson2005.
 
 #ifndef ConformalTriangleTree_h
 #define ConformalTriangleTree_h
@@ -12,24 +13,25 @@
 
 namespace conformal
 {
-/// Closest point of a mesh: its triangle, barycentric coordinates, position and square distance.
+/// Point of a mesh that is closest to a query point, and its square distance from the query point.
 struct FootPoint
 {
   int Triangle = -1;
-  /// Coordinates of the closest point in its triangle; >= 0, with the sum 1
+  /// Barycentric coordinates in the triangle; >= 0, with the sum 1
   Vector3 Barycentric = Vector3::Zero();
   Vector3 Position = Vector3::Zero();
   double SquareDistance = std::numeric_limits<double>::infinity();
 };
 
-/// Compute the point of the triangle a, b, c that is closest to x. Degenerate triangles count as
-/// segments or points. The member Triangle of the result is -1.
+/// Compute the point of the triangle a, b, c that is closest to x. The triangle may be degenerate,
+/// that is, a segment or a point. The member Triangle of the result is not set (-1).
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
 /// Tree that finds exact closest points of a mesh whose vertices may move.
 ///
-/// The cost of a query is about logarithmic in #F. Several threads may query concurrently.
+/// The cost of a query is about logarithmic in the number of triangles. Several threads may query
+/// concurrently.
 class TriangleTree
 {
 public:
@@ -40,16 +42,16 @@ public:
   /// @throws Aborted
   TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// Update the boxes after vertices moved, in O(#F) operations. The triangles must be the same as
-  /// before.
+  /// Update the bounding boxes after vertices moved, in O(#F) operations. Pass the triangles from
+  /// which the tree was built.
   void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// Find the point of the mesh closest to x. Of triangles at equal distance, the smallest id is
-  /// returned. The distance is exact up to rounding.
+  /// Find the point of the mesh closest to x. If several triangles have the minimum distance, the
+  /// one with the smallest id is returned. The distance is exact up to rounding.
   /// @param[in] x     query point
-  /// @param[in] hint  id of a triangle that may be close, or -1; a hint reduces the cost and never
-  ///   changes the result
-  /// @return closest point; its member Triangle is -1 if the mesh has no triangles
+  /// @param[in] hint  id of a triangle that may be close, or -1. A hint reduces the cost and does
+  ///   not change the result.
+  /// @return closest point. If the mesh has no triangles, its member Triangle is -1.
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 
 private:
@@ -57,13 +59,14 @@ private:
   {
     Vector3 A, B, C;
   };
-  // Four boxes that are tested together with SIMD instructions: the grandchildren of a node of the
-  // binary tree.
+  // Four boxes whose distances are computed together by SIMD instructions. The boxes are the
+  // grandchildren of a node of the binary tree.
   struct Quad
   {
     Doubles Lower[3], Upper[3];
-    int Next[DoubleLanes];  ///< index of the child quad; -1 for a leaf or an unused box
-    int First[DoubleLanes]; ///< position of a leaf's first triangle in Items
+    /// Index in Quads of the child of each box; -1 for a leaf or an unused box
+    int Next[DoubleLanes];
+    int First[DoubleLanes]; ///< position in Items of a leaf's first triangle
     int Count[DoubleLanes]; ///< number of triangles of a leaf; 0 otherwise
   };
   int addQuad(const BoxTree& tree, int node, const Run& run);
@@ -71,10 +74,10 @@ private:
   void update(FootPoint& best, const Vector3& x, int place) const;
   static void measure(const Quad& quad, const double* x, double* distances);
 
-  std::vector<int> Items;      ///< triangles in the order of the tree
-  std::vector<Quad> Quads;     ///< quads; each comes before its children
+  std::vector<int> Items;      ///< ids of triangles in the sequence of the tree
+  std::vector<Quad> Quads;     ///< nodes of the tree; a parent precedes its children
   std::vector<Corners> Placed; ///< corners of the triangles in Items
-  std::vector<int> PlaceOf;    ///< position of each triangle in Items
+  std::vector<int> PlaceOf;    ///< position in Items of each triangle
 };
 }
 

@@ -20,14 +20,17 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
-constexpr double MinimumRadius = 1e-7;   // of a triangle to be divided
-constexpr double MinimumDensity = 1e-9;  // relative to the mean, so that sizes are finite
-constexpr double SizeSpread = 3.0;       // of the random factor of areas
-constexpr double GoodAngle = 35.0;       // smoothing decreases no angle below it
-constexpr double SmoothingStep = 0.7;    // fraction of the way to the centroid
-constexpr int SmoothingTries = 3;        // each with half the step
-constexpr double LargeEdge = 0.01;       // above it the sphere is not locally flat
-constexpr double FlatSquaredSine = 1e-6; // of the minimum angle of triangles without a plane
+constexpr double MinimumRadius = 1e-7; // minimum circumradius of a triangle to divide
+// Minimum density, divided by the mean density, so that target sizes are finite
+constexpr double MinimumDensity = 1e-9;
+constexpr double SizeSpread = 3.0;    // maximum random factor of areas
+constexpr double GoodAngle = 35.0;    // smoothing makes no angle smaller than this [degrees]
+constexpr double SmoothingStep = 0.7; // length of a move, divided by the distance to the centroid
+constexpr int SmoothingTries = 3;     // number of tries, each with half the step of the one before
+// Maximum edge length for which a triangle and its neighbors are regarded as flat
+constexpr double LargeEdge = 0.01;
+// Squared sine of the minimum angle below which a triangle has no plane
+constexpr double FlatSquaredSine = 1e-6;
 constexpr double Rounding = 1e-9;
 constexpr int ReportEvery = 1024; // points
 
@@ -47,7 +50,8 @@ double side(const Vector3& a, const Vector3& b, const Vector3& p)
 /// Shape of a triangle.
 struct Shape
 {
-  double SquaredSine = 0.0; ///< of the minimum angle; 0 without area or if flipped
+  /// Squared sine of the minimum angle; 0 for a triangle without area and for a flipped triangle
+  double SquaredSine = 0.0;
   double SquaredRadius = 0.0;
   double Area = 0.0;
 
@@ -80,7 +84,8 @@ public:
     const double area = std::accumulate(density.Areas.begin(), density.Areas.end(), 0.0);
     this->Floor = MinimumDensity * all / area;
     this->AreaUnit = 4.0 * Pi / area;
-    const Index maximum = numberOfPoints + numberOfPoints / 50; // for which there may be no room
+    // Sizes up to 2 % above the target are accepted
+    const Index maximum = numberOfPoints + numberOfPoints / 50;
     this->Positions.reserve(maximum);
     this->Sizes.reserve(maximum);
     this->Items.reserve(2 * maximum);
@@ -109,7 +114,7 @@ public:
     }
   }
 
-  /// Add points up to the given number and until all angles are good.
+  /// Add points up to the given number. Then add points until no angle is below the bound.
   void refine(Index numberOfPoints, const Run& run)
   {
     const auto first = static_cast<double>(this->Positions.size());
@@ -138,7 +143,8 @@ public:
 
   Index size() const { return static_cast<Index>(this->Positions.size()); }
 
-  /// Last number of points with good angles below the target number.
+  /// Return the last number of points, below the target number, at which no angle was below the
+  /// bound.
   Index sizeBefore() const { return this->Before; }
 
   /// Move points towards the centroid of their triangles, then flip edges.
@@ -197,9 +203,9 @@ private:
   struct Item
   {
     std::array<int, 3> Ids{};
-    std::array<int, 3> Across{}; // triangle across the edge (k, k + 1 mod 3)
-    int FirstProbe = -1;         // of a list
-    int Version = 0;             // counts changes
+    std::array<int, 3> Across{}; // triangle across each edge (k, k + 1 mod 3)
+    int FirstProbe = -1; // first id in the list of sampled directions in this triangle, or -1
+    int Version = 0;     // number of changes of the triangle
   };
 
   /// Entry of the queue: triangle to divide, with its state when queued.
@@ -222,7 +228,7 @@ private:
     return { this->corner(t, 0), this->corner(t, 1), this->corner(t, 2) };
   }
 
-  /// Target edge length up to a factor.
+  /// Return the target edge length at a direction, up to a constant factor.
   double sizeAt(const Vector3& direction) const
   {
     return 1.0 / std::sqrt(std::max(this->Density.At(direction), this->Floor));
@@ -241,8 +247,8 @@ private:
     this->Items[t].FirstProbe = probe;
   }
 
-  /// Find the triangle that contains a direction by a walk from another triangle; a triangle nearby
-  /// if rounding leads in a circle.
+  /// Find the triangle that contains a direction by a walk from another triangle. If rounding leads
+  /// in a circle, a nearby triangle is returned.
   int find(const Vector3& direction, int from) const
   {
     int t = from;
@@ -317,8 +323,9 @@ private:
     return entry.Version != this->Items[entry.Triangle].Version;
   }
 
-  /// Find the next triangle to divide: first the one of minimum angle, if that is below the bound.
-  /// Then, on request, the largest triangle relative to its target size; -1 if there is none.
+  /// Find the next triangle to divide. Triangles with an angle below the bound come first, those
+  /// with the smallest circumradius before others. If there are none and `wantsPoints` is true,
+  /// find the triangle that is largest relative to its target size. If there is none, return -1.
   int worst(bool wantsPoints)
   {
     for (auto* queue : { &this->ByAngle, &this->BySize })
@@ -336,7 +343,8 @@ private:
     return -1;
   }
 
-  /// Add the center of the circumcircle of a triangle, wherever it lies.
+  /// Add a point at the center of the circumcircle of a triangle. The center may be in another
+  /// triangle.
   void divide(int t)
   {
     const Vector3 a = this->corner(t, 0), ab = this->corner(t, 1) - a, ac = this->corner(t, 2) - a;
@@ -398,7 +406,7 @@ private:
 
   /// Flip edges of triangles, and of triangles changed by flips, while the minimum angle of both
   /// triangles of an edge increases.
-  /// @param[in,out] triangles  each once; changed triangles are appended
+  /// @param[in,out] triangles  triangles, each once. Changed triangles are appended.
   void flipAround(std::vector<int>& triangles)
   {
     this->Seen.resize(this->Items.size(), 0);
@@ -437,7 +445,7 @@ private:
   }
 
   /// Flip the edge (k, k + 1) of a triangle if that increases the minimum angle of both triangles.
-  /// For large triangles the criterion is that the opposite point lies in the circumcircle.
+  /// For large triangles, the criterion is that the opposite point is in the circumcircle.
   bool flip(int t, int k)
   {
     const int other = this->Items[t].Across[k];
@@ -571,10 +579,10 @@ private:
   bool IsRefining = true;
   Index Before = 0;
   std::vector<Vector3> Positions;
-  std::vector<double> Sizes; // edge lengths up to a factor
+  std::vector<double> Sizes; // target edge lengths at the points, up to a constant factor
   std::vector<Item> Items;
   std::vector<double> ProbeDensities;
-  std::vector<int> NextProbe; // next in the list of a triangle
+  std::vector<int> NextProbe; // next id in the list of a triangle
   std::vector<char> Seen;     // visited triangles, while flipping
   std::vector<int> TriangleOf;
   std::priority_queue<Entry> BySize, ByAngle;
@@ -603,7 +611,8 @@ Mesh makeAdaptiveSphere(
   refinement->refine(options.NumberOfPoints, steps.next());
   if (static_cast<double>(refinement->size()) > (1.0 + Limits::Tolerance) * size)
   {
-    // The last point required many others for its angles. Build the mesh without it.
+    // Many points were added after the last one to enlarge angles. Build the mesh without the last
+    // point and these points.
     const Index fewer = refinement->sizeBefore();
     refinement.emplace(density, options.NumberOfPoints, run.unwatched());
     refinement->refine(fewer, {});

@@ -1,6 +1,7 @@
-/// Fit a Moebius transform of the sphere to pairs of positions. Own construction: weighted least
-/// squares by the method of Levenberg and Marquardt, because no formula gives the solution. It
-/// starts from the closest rotation.
+/// Fit a Moebius transform (conformal map of the sphere to itself) to pairs of positions. The
+/// method is our own construction, because no formula for the solution is known. The transform is
+/// computed by weighted least squares, with the method of Levenberg and Marquardt. The initial
+/// transform is the closest rotation.
 
 #ifndef ConformalClosestMoebiusTransform_h
 #define ConformalClosestMoebiusTransform_h
@@ -10,9 +11,9 @@
 
 namespace conformal
 {
-/// Find the Moebius transform that moves the positions `from` as close as possible to the positions
-/// `to`. It minimizes the weighted mean square distance of the pairs.
-/// @param[in] from, to  #P by 3 unit vectors, at least three of them different
+/// Find the Moebius transform that minimizes the weighted mean square distance of the transformed
+/// positions `from` to the positions `to`.
+/// @param[in] from, to  #P by 3 unit vectors, at least three different ones in each matrix
 /// @param[in] weights   #P weights of the pairs, >= 0
 MoebiusTransform closestMoebiusTransform(
   const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run = {});

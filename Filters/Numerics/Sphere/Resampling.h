@@ -1,5 +1,6 @@
-/// Resample values of a surface at given directions of its sphere map. Own construction:
-/// SphereLocator with linear interpolation, because it is exact for triangles of any size.
+/// Interpolate values of a surface at given directions of its sphere map. The method is our own
+/// construction. Interpolation is linear in the triangle found by SphereLocator, because
+/// SphereLocator is exact for triangles of any size.
 
 #ifndef ConformalResampling_h
 #define ConformalResampling_h
@@ -9,10 +10,10 @@
 
 namespace conformal
 {
-/// Interpolate values of a surface at given directions of the sphere. The interpolation is linear
-/// in the triangle that contains the direction.
-/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface. A mirrored map
-///   is first reflected at the plane x = 0.
+/// Interpolate values of a surface at given directions of its sphere map. The interpolation is
+/// linear in the triangle that contains the direction.
+/// @param[in] spherePositions  #V by 3 unit vectors, the sphere map of the surface. If the map
+///   reverses orientation, it is first reflected at the plane x = 0.
 /// @param[in] values           #V by 3 values at the vertices, for example positions
 /// @param[in] triangles        #F by 3 ids
 /// @param[in] directions       #N by 3 unit vectors

@@ -10,7 +10,7 @@ namespace
 {
 using Vector2 = Eigen::Vector2d;
 
-// Tangent plane of a position on the sphere, its third axis pointing outward.
+// Tangent plane of a position on the sphere. The third axis of its frame points outward.
 struct Frame
 {
   Vector3 X, Y, Z;
@@ -31,9 +31,9 @@ struct Frame
   }
 };
 
-// Determinant of (place, p, q) as a function of the step of the position in the tangent plane,
-// before projection: Constant + Slope . step. p and q are differences to the position, in its
-// frame.
+// Determinant of (place, p, q) as a linear function of a step of the position in the tangent plane:
+// Constant + Slope . step. The vectors p and q are differences from the position to its neighbors,
+// in the frame of the tangent plane.
 struct LinearDeterminant
 {
   double Constant;
@@ -97,7 +97,8 @@ double power(double base, int exponent)
   return result;
 }
 
-// (S/A)^AreaExponent and the term that bounds triangles of much too small area.
+// Terms of the energy that depend on areas: (S/A)^AreaExponent, and the term that penalizes much
+// too small areas.
 struct AreaTerms
 {
   double Main, Guard;
@@ -170,7 +171,8 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
   return sum;
 }
 
-// Newton step if the energy is convex, else a shorter step along the gradient.
+// Compute a Newton step if the energy is convex. Otherwise, compute a shorter step against the
+// gradient.
 Vector2 newtonStep(const Derivatives& at)
 {
   const double a = at.Hessian(0, 0), b = at.Hessian(0, 1), c = at.Hessian(1, 1);

@@ -1,6 +1,5 @@
-/// Areas and cotangents of the triangles of a surface, with bounds, for sphere maps. Own
-/// construction: bounds on both, because without them needles (very thin triangles) make sphere
-/// maps fail.
+/// Compute the areas and cotangents of triangles that sphere maps need, with bounds. The bounds are
+/// our own construction. Without bounds, needles (very thin triangles) make sphere maps fail.
 
 #ifndef ConformalBoundedTriangles_h
 #define ConformalBoundedTriangles_h
@@ -14,25 +13,28 @@
 namespace conformal
 {
 /// Compute areas and cotangents of triangles from their squared edge lengths. The lengths are
-/// slightly increased, so that triangles of zero area have an area and cotangents, too. Areas are
-/// scaled so that the whole surface has the area of the unit sphere.
+/// slightly increased, so that degenerate triangles also have a positive area and finite
+/// cotangents. Areas are scaled so that the whole surface has the area of the unit sphere.
 class BoundedTriangles
 {
 public:
   enum class Weight
   {
     Area,
-    /// Area, reduced for needles, because their angles would otherwise distort their neighbors
+    /// Area, reduced for needles. With the full area, the angles of a needle would distort its
+    /// neighbors.
     RegularArea
   };
 
-  /// @param[in] points  #V by 3 positions, of size about 1; must outlive this object
-  /// @param[in] weight  weight of a triangle in the energy
+  /// @param[in] points  #V by 3 positions with coordinates of magnitude about 1; must outlive this
+  ///   object
+  /// @param[in] weight  quantity returned as SourceTriangle::Area, the weight of a triangle in
+  ///   SphereEnergy
   BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
 
   SourceTriangle triangle(int a, int b, int c) const;
 
-  /// Append the triangles around a vertex to `corners`.
+  /// Append the triangles around a vertex v to `corners`, in the sequence of its ring of neighbors.
   void cornersOf(int v, const Ring& ring, std::vector<Corner>& corners) const;
 
 private:
@@ -41,9 +43,10 @@ private:
   double Scale = 1.0;
 };
 
-/// Move vertices serially, in several sweeps, each to a position of lower energy by relaxVertex().
+/// Move vertices one after another to positions of lower energy, by relaxVertex(). All given
+/// vertices are moved once per sweep.
 /// @param[in,out] positions  #V unit vectors, the sphere map
-/// @param[in] counted        function called after each vertex, for progress; may be empty
+/// @param[in] counted        function called after each move, to report progress; may be empty
 void relaxVertices(std::vector<Vector3>& positions, const std::vector<int>& vertices,
   const VertexRings& rings, const BoundedTriangles& shapes, const SphereEnergy& energy, int sweeps,
   const std::function<void()>& counted = {});

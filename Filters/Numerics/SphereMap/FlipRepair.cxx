@@ -16,10 +16,11 @@ constexpr int Rounds = 14;
 constexpr int KernelPasses = 5;
 constexpr int SweepsAfter = 15;
 
-// Rings for limb ends, tried after the smaller neighborhoods.
+// Numbers of rings of neighborhoods at limb ends, tried after smaller neighborhoods.
 constexpr int LimbRings[] = { 10, 20 };
 constexpr double Weakenings[] = { 0.25, 0.5, 1.0, 1.5 };
-// Rings for limbs with few vertices around, tried last, where weaker strings would underflow.
+// Numbers of rings for limbs with few vertices around their circumference. They are tried last,
+// where lower string constants would underflow.
 constexpr int InsertionRings[] = { 2, 4, 6, 8, 10 };
 constexpr std::size_t MaximumInserted = 300; // the cost grows with the square
 constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
@@ -89,7 +90,7 @@ public:
     return result;
   }
 
-  // Return whether the patch is good now; otherwise, it is unchanged.
+  // Return true if the patch has no bad triangles afterward. Otherwise, the patch does not change.
   bool layOut(const std::vector<int>& patch)
   {
     const std::vector<Vector3> before = this->placesOf(patch);
@@ -111,7 +112,7 @@ public:
     return false;
   }
 
-  // Lay out the patch as a membrane that is weaker the smaller its triangles are, so that they
+  // Lay out the patch as a membrane. Smaller triangles have lower string constants, so that they
   // shrink less toward a limb end. With a power p of their size, the exponent of shrinkage is
   // sqrt(1 + p^2 / 4) - p / 2 instead of 1.
   bool inflate(const std::vector<int>& patch, double weakening)
@@ -129,9 +130,9 @@ public:
     return false;
   }
 
-  // Remove the vertices of the patch and reinsert them one by one, each into the center of its
-  // ring, in an order that leaves area for all. This is for limbs with few vertices around, which
-  // strings cannot keep open.
+  // Remove the vertices of the patch and insert them again one by one, each into the center of its
+  // ring. The sequence of insertions leaves area for all vertices. This method is for limbs with
+  // few vertices around their circumference, which collapse as membranes.
   bool insertAnew(const std::vector<int>& patch)
   {
     const std::vector<Vector3> before = this->placesOf(patch);

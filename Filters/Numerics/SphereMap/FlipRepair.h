@@ -1,5 +1,5 @@
-/// Repair flipped triangles of a sphere map. Vertices around them get new positions by the planar
-/// layout of \cite Tutte1963.
+/// Repair flipped triangles of a sphere map. Vertices near flipped triangles get new positions by
+/// the planar layout of \cite Tutte1963.
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
@@ -14,33 +14,38 @@
 
 namespace conformal
 {
-/// Minimum determinant of a triangle's three unit vectors; triangles below it count as bad. Other
-/// programs may round unit vectors by 1e-16, which can flip smaller triangles.
+/// Minimum determinant of the three unit vectors of a triangle. Triangles with a lower determinant
+/// are bad. A triangle with a lower determinant might become flipped if another program rounds the
+/// unit vectors to 16 digits.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
-/// Sphere energy that depends on angles only, not on areas.
+/// Energy of a sphere map that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
 /// Return the ids of the bad triangles in ascending order. A triangle is bad if its determinant is
 /// below MinimumSafeDeterminant.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
-/// Repair each connected set of bad triangles by moving the vertices of a neighborhood. The
-/// neighborhood grows ring by ring until the repair succeeds.
+/// Repair each connected set of bad triangles by moving the vertices of a neighborhood. If the
+/// repair fails, the neighborhood is enlarged by rings of vertices, and the repair is repeated.
 ///
-/// The border of the neighborhood is fixed. Vertices inside get new positions by one of these
-/// methods:
-/// - Move each vertex into the kernel of the polygon of its neighbors.
-/// - Compute the equilibrium of a membrane of strings with positive constants, \cite Tutte1963. It
-///   is computed in the gnomonic plane, since gnomonic projection maps great circles to lines and
-///   preserves the orientation of triangles.
-/// - Near limb ends, where the triangles of every membrane are too small, weaken short strings so
-///   that triangles shrink less.
-/// - If only a few vertices lie around a limb, remove them and insert them again one by one.
+/// The border of the neighborhood is fixed. Vertices inside get new positions by the first of these
+/// methods that succeeds:
+/// - Move each vertex into the kernel of the polygon of its neighbors, see kernelCentroid().
+/// - Regard the edges as strings with positive string constants (weights), and compute their
+///   equilibrium, \cite Tutte1963. The equilibrium is computed in the plane of a gnomonic
+///   projection. This projection maps great circles to lines, and preserves the orientation of
+///   triangles.
+/// - Compute the equilibrium with lower constants for short strings, so that triangles shrink less.
+///   This method is necessary near the ends of limbs (thin parts of a shape), where triangles are
+///   otherwise too small.
+/// - Remove the vertices and insert them again one by one. This method is necessary on limbs that
+///   have only a few vertices around their circumference.
 ///
 /// @param[in] strings        result of cotangentWeights() for the surface
-/// @param[in,out] positions  #V unit vectors, the sphere map; no good triangle becomes bad
-/// @return true if no bad triangle is left
+/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
+///   become bad.
+/// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
   const Run& run = {});

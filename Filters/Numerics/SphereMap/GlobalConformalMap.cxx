@@ -34,9 +34,9 @@ void check(const GlobalConformalMapOptions& options)
   }
 }
 
-// Map progressively with the smallest balance of areas at which no triangle is too small.
-// Insertions that first relax their surroundings cost up to a second each, so few are allowed
-// before the last attempt.
+// Map progressively with the smallest balance of areas at which no triangle is too small. An
+// insertion before which vertices nearby are moved takes up to a second. Only a few of these
+// insertions are allowed before the last attempt.
 Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 {
   constexpr Index fewRelaxations = 10;

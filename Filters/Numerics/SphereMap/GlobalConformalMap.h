@@ -1,4 +1,5 @@
-/// Global conformal map of a closed surface to the sphere.
+/// Map a closed surface of genus zero to the sphere, conformally where possible, \cite Liou2008
+/// section 4.1.
 
 #ifndef ConformalGlobalConformalMap_h
 #define ConformalGlobalConformalMap_h
@@ -11,27 +12,30 @@ namespace conformal
 {
 enum class GlobalConformalMethod
 {
-  Robust, ///< default method: a one-to-one map for every surface tested, conformal where possible
-  GuYau   ///< method as published, which may fold
+  Robust, ///< default method: one-to-one for every surface tested, and conformal where possible
+  GuYau   ///< method of Gu and Yau as published; its maps may have folds
 };
 
 /// Step in which the method Robust succeeded.
 enum class GlobalConformalTier
 {
-  Harmonic, ///< one linear solve was sufficient
-  Repaired, ///< folds of the linear solution were repaired locally
-  /// The map was computed by mapToSphere(), because a conformal map would underflow or AreaBalance
-  /// is above 0
+  Harmonic, ///< the solution of linear equations had no folds
+  Repaired, ///< the solution of linear equations had folds, which were repaired locally
+  /// The map was computed by mapToSphere(). Either AreaBalance is above 0, or triangles of a
+  /// conformal map would be too small for double precision.
   Progressive
 };
 
 struct GlobalConformalMapOptions
 {
   GlobalConformalMethod Method = GlobalConformalMethod::Robust;
-  /// For Robust: 0 gives a conformal map, 1 a map that nearly preserves areas
+  /// For Robust: balance between angles and areas, in [0, 1]. The value 0 gives a conformal map, 1
+  /// a map that nearly preserves areas.
   double AreaBalance = 0.0;
-  int MaximumNumberOfIterations = 5000; ///< for GuYau: maximum for each of its two phases
-  double Tolerance = 1e-7; ///< for GuYau: relative change of the energy at which a phase ends
+  /// For GuYau: maximum number of steps in each of its two phases
+  int MaximumNumberOfIterations = 5000;
+  /// For GuYau: relative change of the energy per step at which a phase ends
+  double Tolerance = 1e-7;
 };
 
 struct GlobalConformalMapResult
@@ -40,10 +44,11 @@ struct GlobalConformalMapResult
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
   double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, larger for any other
   Index NumberOfIterations = 0; ///< for GuYau: number of steps; for Robust: number of linear solves
-  /// Whether no triangle is flipped. For GuYau, both phases must also have reached Tolerance, and
-  /// no string constant may be infinite.
+  /// Whether the map is valid: no triangle is flipped. For GuYau, two more conditions must hold.
+  /// Both phases have reached Tolerance, and no string constant (cotangent weight of an edge) is
+  /// infinite.
   bool Converged = false;
-  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, by exact arithmetic
+  Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, computed in exact arithmetic
   /// Number of edges whose opposite angles have a sum above pi
   Index NumberOfNegativeStringConstants = 0;
   Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
@@ -53,22 +58,26 @@ struct GlobalConformalMapResult
 /// counter-clockwise seen from outside, both on the surface and on the sphere.
 ///
 /// The method Robust has these steps:
-/// 1. Map by punctureToSphere(), and repair folds by repairFlips().
-/// 2. If the removed triangle (the puncture) lies on a limb, repeat step 1 with another triangle.
-/// 3. Move vertices of misshapen triangles to preserve angles better.
-/// 4. If a triangle is flipped or too small, use mapToSphere() instead, with the smallest
-///    sufficient AreaBalance. The last attempt uses ConnectivityFirst, which has succeeded on every
-///    surface tested.
+/// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
+///    repair folds by repairFlips().
+/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 with
+///    another triangle.
+/// 3. Move vertices of triangles whose angles are not preserved, to preserve angles better.
+/// 4. If a triangle is flipped or too small, use mapToSphere() instead. Several values of
+///    AreaBalance are tried in ascending order. The last attempt uses the option ConnectivityFirst.
+///    This attempt succeeded on every surface tested.
 ///
 /// If AreaBalance is above 0, only mapToSphere() is used.
 ///
-/// Conformal maps are unique up to a Moebius transform. The transform is chosen so that the mean of
-/// the sphere positions, weighted by areas of the surface, is the center of the sphere. Finally the
-/// sphere is rotated, so that positions agree best with directions from the center of the surface.
+/// Conformal maps are unique up to a Moebius transform (conformal map of the sphere to itself). For
+/// a conformal map, the area-weighted mean of the sphere positions is moved to the center of the
+/// sphere. Finally, the map of Robust is rotated. The sphere positions then agree best with the
+/// directions from the center of the surface to its vertices.
 ///
-/// @param[in] mesh  surface; finite, without unused positions; triangles may have zero area
-/// @throws std::invalid_argument if the surface is not closed, manifold and of genus zero, an
-///   option is out of range, or points are not finite
+/// @param[in] mesh  surface with finite positions, all of them used by triangles. Triangles may
+///   have zero area.
+/// @throws std::invalid_argument if the surface is not closed, manifold and of genus zero. Also
+///   thrown if an option is out of range, or a position is not finite.
 /// @throws NumericalFailure if no method finds a valid position for a vertex
 /// @post the result does not depend on the number of threads
 GlobalConformalMapResult globalConformalMap(

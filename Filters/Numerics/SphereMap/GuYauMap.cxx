@@ -14,9 +14,10 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 1 << 11;
-constexpr double ShortestStep = 1e-6; // relative to the first one
+constexpr double ShortestStep = 1e-6; // minimum time step, divided by the initial time step
 
-// Compute vertex normals; where undefined, the direction from the center of the surface.
+// Compute vertex normals. If a normal is undefined, use the direction from the center of the
+// surface to the vertex.
 Points gaussMap(const Points& points, const Triangles& triangles)
 {
   Points map = vertexNormals(points, triangles);
@@ -42,8 +43,8 @@ public:
   {
   }
 
-  // Return the completed fraction of the iterations, never decreasing. The logarithm of the changes
-  // is extrapolated from the second half of the iterations.
+  // Return the completed fraction of the iterations, which never decreases. The logarithm of the
+  // changes is extrapolated from the second half of the iterations.
   // @param[in] excess  ratio of a change to the tolerance
   double next(double excess)
   {
@@ -158,7 +159,7 @@ private:
   Points& Map;
   const Eigen::VectorXd& Areas;
   const GuYauOptions& Options;
-  const Run Threads; // without progress
+  const Run Threads; // threads without progress reports
 };
 }
 

@@ -1,4 +1,5 @@
-/// Global conformal map of Gu and Yau, as published.
+/// Map a closed surface of genus zero conformally to the sphere by the published method of Gu and
+/// Yau, \cite Gu2004.
 
 #ifndef ConformalGuYauMap_h
 #define ConformalGuYauMap_h
@@ -11,8 +12,9 @@ namespace conformal
 {
 struct GuYauOptions
 {
-  int MaximumNumberOfIterations = 5000; ///< maximum for each phase, at least 0
-  double Tolerance = 1e-7;              ///< relative change of the energy at which a phase ends
+  /// Maximum number of steps in each of the two phases, at least 0
+  int MaximumNumberOfIterations = 5000;
+  double Tolerance = 1e-7; ///< relative change of the energy per step at which a phase ends
 };
 
 struct GuYauResult
@@ -26,20 +28,22 @@ struct GuYauResult
   Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
 };
 
-/// Minimize the harmonic energy, starting from the Gauss map, \cite Gu2004, \cite Liou2008 section
-/// 4.1. Each edge is a string that pulls its vertices along the sphere; its weight is the string
-/// constant. The first phase uses equal constants, the second phase those of the harmonic energy.
-/// After each step, the sphere is transformed so that the weighted mean of the positions is its
-/// center.
+/// Minimize the harmonic energy of a map to the sphere, \cite Gu2004 and \cite Liou2008 section
+/// 4.1. The initial map is the Gauss map, which maps each vertex to its normal. The energy is the
+/// elastic energy of strings along the edges. The string constant is the weight of an edge. The
+/// first phase uses equal constants. The second phase uses cotangent weights, which define the
+/// harmonic energy. After each step, the area-weighted mean of the positions is subtracted, and the
+/// positions are normalized.
 ///
-/// Obtuse triangles can cause negative string constants, which may fold the map. Triangles of zero
-/// area cause infinite constants, which are ignored. Both kinds of edges are counted.
+/// Obtuse triangles can cause negative string constants, which may result in folds of the map.
+/// Triangles of zero area cause infinite constants, which are ignored. The result contains the
+/// numbers of edges with negative and with infinite constants.
 ///
-/// Implementation note: the time step is the longest that is stable for the largest sum of
-/// constants at a vertex. It is halved whenever the energy rises. \cite Liou2008 uses one time step
-/// for every mesh.
+/// Implementation note: the initial time step is the reciprocal of the largest sum of absolute
+/// constants at a vertex. A longer time step would be unstable. If the energy rises, the time step
+/// is halved. In contrast, \cite Liou2008 uses one time step for every mesh.
 ///
-/// @param[in] mesh  mesh of size about 1
+/// @param[in] mesh  closed mesh of genus zero, with coordinates of magnitude about 1
 /// @post the result does not depend on the number of threads
 GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options = {}, const Run& run = {});
 }

@@ -17,13 +17,16 @@ namespace conformal
 {
 namespace
 {
-constexpr Index SmallMesh = 20000; // vertices; all of these are relaxed
+constexpr Index SmallMesh = 20000; // number of vertices below which all vertices are moved
 constexpr int SweepsOfSmallMesh = 10;
 constexpr int SweepsOfMisshapen = 20;
-constexpr int RingsAround = 4;           // misshapen triangles
-constexpr double Misshapen = 1.5;        // Dirichlet energy over area, 1 being conformal
-constexpr double MaximumBadShare = 0.06; // of the triangles, to be repaired
-constexpr double LimbShare = 0.01;       // of the mean area ratio, around a bad puncture
+constexpr int RingsAround = 4; // number of rings around misshapen triangles that are also moved
+// Dirichlet energy divided by area, above which a triangle is misshapen; 1 if conformal
+constexpr double Misshapen = 1.5;
+// Maximum fraction of bad triangles for which a repair is tried
+constexpr double MaximumBadShare = 0.06;
+// Minimum area ratio around a puncture; a lower ratio means that the puncture is on a limb
+constexpr double LimbShare = 0.01;
 
 std::vector<Vector3> toVector(const Points& points)
 {
@@ -94,8 +97,7 @@ private:
       this->Triangles(r, 0), this->Triangles(r, 1), this->Triangles(r, 2));
   }
 
-  // Map with one puncture. The result has no positions if the equations have no floating-point
-  // solution.
+  // Map with one puncture. If the equations have no finite solution, the result has no positions.
   HarmonicSphereMap attempt(Index puncture, const Run& run) const
   {
     Steps steps(run, { 0.9, 0.02, 0.06, 0.02 }); // equations, center, repair, center
@@ -228,7 +230,7 @@ private:
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const Run Threads; // without progress
+  const Run Threads; // threads without progress reports
   BoundedTriangles Shapes, Angles;
   VertexRings Rings;
   Eigen::VectorXd Areas;

@@ -1,6 +1,6 @@
-/// Conformal map of a closed surface to the sphere, by linear solves and local repairs. Own
-/// construction: punctureToSphere() followed by repairFlips(), because the linear solution alone
-/// may fold.
+/// Map a closed surface of genus zero conformally to the sphere, by linear equations and local
+/// repairs. The combination of punctureToSphere() and repairFlips() is our own construction. The
+/// reason is that the solution of the linear equations may have folds.
 
 #ifndef ConformalHarmonicSphereMap_h
 #define ConformalHarmonicSphereMap_h
@@ -13,22 +13,25 @@ namespace conformal
 {
 struct HarmonicSphereMap
 {
-  Points Positions; ///< #V by 3 unit vectors; their area-weighted mean is 0
-  /// Whether badTriangles() finds no triangle; otherwise Positions are invalid
+  Points Positions; ///< #V by 3 unit vectors; the mean, weighted by areas of the surface, is 0
+  /// Whether the map has no flipped or too small triangles, see badTriangles(). If false, do not
+  /// use Positions.
   bool OneToOne = false;
-  bool Repaired = false;    ///< whether folds were repaired
-  Index NumberOfSolves = 0; ///< number of global linear solves
+  /// Whether the solution of the linear equations had folds that were repaired
+  bool Repaired = false;
+  Index NumberOfSolves = 0; ///< number of attempts (1 or 2), each with another removed triangle
 };
 
-/// Map a closed surface of genus zero conformally to the unit sphere.
+/// Map a closed surface of genus zero conformally to the unit sphere, in these steps:
 ///
-/// 1. Map by punctureToSphere(), and repair folds by repairFlips().
-/// 2. If the removed triangle (the puncture) lies on a limb, or repair fails, repeat step 1 once
-///    with another triangle.
-/// 3. Move the vertices of misshapen triangles to preserve angles better. On a small mesh, move all
-///    vertices.
+/// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
+///    repair folds by repairFlips().
+/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
+///    another triangle.
+/// 3. Move the vertices of triangles whose angles are not preserved, to preserve angles better. If
+///    the mesh has fewer than 20,000 vertices, move all vertices.
 ///
-/// @param[in] mesh  mesh of size about 1
+/// @param[in] mesh  closed mesh of genus zero, with coordinates of magnitude about 1
 /// @post the result does not depend on the number of threads
 HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run = {});
 }

@@ -18,7 +18,8 @@ namespace conformal
 namespace
 {
 
-constexpr double LevelGrowth = 1.3; // of the number of vertices between sweeps over all
+// Growth factor of the number of vertices between two sweeps over all vertices
+constexpr double LevelGrowth = 1.3;
 
 // Small meshes are swept often: an uneven distribution of few vertices is hard to correct later.
 int sweepsOfLevel(std::size_t numberOfVertices)
@@ -226,12 +227,12 @@ private:
   }
 
   const Points NoPlaces;        // all at one point: triangles without a shape count as equilateral
-  BoundedTriangles FinalShapes; // of the surface
-  BoundedTriangles Shapes;      // while vertices are reinserted
+  BoundedTriangles FinalShapes; // shapes of the triangles of the surface
+  BoundedTriangles Shapes;      // shapes used while vertices are inserted
   const ProgressiveSphereMapOptions& Options;
   SphereEnergy Energy;
   ProgressiveMesh Mesh;
-  std::vector<int> Active; // in order of insertion
+  std::vector<int> Active; // inserted vertices, in the sequence of insertion
   std::vector<Vector3> Positions;
   std::vector<Corner> Scratch;
   const Run Descent;

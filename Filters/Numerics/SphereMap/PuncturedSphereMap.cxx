@@ -24,13 +24,16 @@ using Plane = Eigen::VectorXcd;
 
 constexpr Index BlockSize = 1 << 12;
 constexpr int MaximumPowers = 5;
-constexpr double CapShare = 0.35;       // of the vertices, the outermost ones
-constexpr double MaximumSquared = 0.25; // Beltrami coefficients beyond are the mesh's own
-constexpr double Fit = 1.4;             // the powers are fitted up to here, the cap beginning at 1
+// Fraction of the vertices, the outermost ones, that belong to the cap around the puncture
+constexpr double CapShare = 0.35;
+// Maximum squared Beltrami coefficient caused by the puncture; larger ones are caused by the mesh
+constexpr double MaximumSquared = 0.25;
+// Maximum radius of the fit, divided by the radius of the border of the cap
+constexpr double Fit = 1.4;
 
 constexpr double WorstIrregularity = 1e6;
 
-// Compute the irregularity of a triangle; 0 for an equilateral one.
+// Compute the irregularity of a triangle. It is 0 if the triangle is equilateral.
 double irregularity(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
@@ -62,8 +65,8 @@ public:
     this->VertexAreas /= this->VertexAreas.sum();
   }
 
-  // Center at 0 and scale so that about half of the surface is mapped to each hemisphere: the mean
-  // of |z| on the sphere is then pi/2.
+  // Move the center of the map to 0, and scale the map so that about half of the surface is mapped
+  // to each hemisphere. The mean of |z| on the sphere is then pi/2.
   void normalize()
   {
     const Complex mean = this->Map.dot(this->VertexAreas.cast<Complex>());
@@ -149,9 +152,9 @@ public:
 private:
   struct Beltrami
   {
-    Complex Center; // of the triangle in the plane
-    double Area;    // approximate, on the sphere
-    Complex Wanted; // derivative by conj(z) of the required correction
+    Complex Center; // center of the triangle in the plane
+    double Area;    // approximate area of the triangle on the sphere
+    Complex Wanted; // derivative by conj(z) of the correction that makes the triangle conformal
   };
 
   // Compute the derivatives of z by the triangle's own plane and by its conjugate, up to a common
@@ -174,7 +177,7 @@ private:
 
   const Points& Places;
   const conformal::Triangles& Triangles;
-  const Run Threads; // without progress
+  const Run Threads; // threads without progress reports
   Plane& Map;
   Eigen::VectorXd VertexAreas;
 };
@@ -260,7 +263,7 @@ Index choosePuncture(
     const double irregular = irregularity(corner(points, 0), corner(points, 1), corner(points, 2));
     if (irregular == WorstIrregularity)
     {
-      continue; // of zero area
+      continue; // the triangle has no area
     }
     const double score =
       std::pow(1.0 + irregular, -4.0) * twiceArea(spherePositions) / twiceArea(points);

@@ -1,4 +1,5 @@
-/// Conformal map of a closed surface to the sphere by one linear solve.
+/// Map a closed surface of genus zero conformally to the sphere by linear equations,
+/// \cite Haker2000.
 
 #ifndef ConformalPuncturedSphereMap_h
 #define ConformalPuncturedSphereMap_h
@@ -9,37 +10,42 @@
 
 namespace conformal
 {
-/// Choose the triangle to remove (the puncture). It is nearly equilateral, as are the triangles
-/// around it, and does not lie at a limb end. A puncture at a limb end would make the map of the
-/// rest of the surface too small.
+/// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
+/// nearly equilateral, as are the triangles around it. The puncture is not at the end of a limb
+/// (long, thin part of a shape). A puncture there would make all other triangles on the sphere too
+/// small.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
-/// Choose another triangle to remove: nearly equilateral, and enlarged the most by a given sphere
-/// map.
+/// Choose another puncture, given a map of the surface to the sphere. The result is a nearly
+/// equilateral triangle whose area this map enlarges most.
 Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions);
 
 /// Map a closed surface to the sphere, as in \cite Haker2000 and \cite Choi2015. One triangle, the
-/// puncture, is removed and laid into a plane. All other vertices are mapped into this triangle.
-/// The plane is then projected to the sphere.
+/// puncture, is removed and mapped to a plane, where it keeps its shape. All other vertices are
+/// mapped to the inside of this triangle. Finally, the plane is mapped to the sphere by
+/// stereographic projection.
 ///
-/// The removed triangle keeps its shape in the plane. The edges pull on the other vertices as
-/// strings with the given weights, until every vertex is at equilibrium. The finite size of the
-/// triangle distorts the map. This distortion is corrected, and the map is solved again around the
-/// triangle.
+/// The positions in the plane are a harmonic map: each vertex is the weighted mean of its
+/// neighbors. Harmonic maps to the plane are nearly conformal. The finite size of the puncture
+/// distorts the map. This distortion is corrected. Positions near the puncture are then computed
+/// again by linear equations.
 ///
-/// Implementation note: \cite Choi2015 solves a second global system for this correction. Here the
-/// error is expanded. Far from the triangle, the discrete solution equals the exact one plus
-/// positive powers of z and of its conjugate. The smaller the triangle, the faster the coefficients
-/// decrease with the power. Only the powers of the conjugate are not conformal. Their coefficients
-/// are fitted to the Beltrami coefficients of the triangles by least squares, and these terms are
-/// subtracted. Around the triangle the expansion is not valid. There 1/z is made harmonic again,
-/// with fixed values at the border of this region.
+/// Implementation note: \cite Choi2015 solves a second global system for this correction. In this
+/// file, the error is written as a power series instead. Let z be the complex coordinate of the
+/// plane, with the puncture far from z = 0. Far from the puncture, the error of z is a sum of
+/// positive powers of z and of its conjugate. The smaller the puncture, the faster the coefficients
+/// decrease with the power. Only the powers of the conjugate are not conformal. The coefficients of
+/// these powers are fitted by least squares to the Beltrami coefficients (measures of
+/// non-conformality) of the triangles. The terms are then subtracted from z. The series is not
+/// valid near the puncture, where |z| is large. There, 1/z is computed again as a harmonic
+/// function. The values of 1/z at the border of this region are fixed.
 ///
-/// @param[in] points   #V by 3 positions, of size about 1
+/// @param[in] points   #V by 3 positions with coordinates of magnitude about 1
 /// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface
-/// @return #V by 3 unit vectors; they are not centered, and triangles may be flipped
-/// @throws NumericalFailure if the equations have no usable solution
+/// @return #V by 3 unit vectors. The mean of these vectors is in general not 0, and triangles may
+///   be flipped.
+/// @throws NumericalFailure if the equations have no finite solution
 Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run = {});
 }

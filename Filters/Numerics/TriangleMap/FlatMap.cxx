@@ -10,7 +10,8 @@ namespace conformal
 
 namespace
 {
-// Measured: a smaller limit bends more triangles, a larger one crowds corners
+// Dilatation above which the affine map is used. Measured: with a smaller limit, more triangles
+// bend; with a larger limit, points concentrate in corners.
 constexpr double MaximumDilatation = 1.5;
 constexpr Index BlockSize = 256;
 
@@ -50,7 +51,7 @@ std::array<long, 3> roundedLengths(const Points& points, const Triangles& triang
   return { std::lround(lengths[0]), std::lround(lengths[1]), std::lround(lengths[2]) };
 }
 
-/// Order edges by length, which depends neither on the first corner nor on the numbering of
+/// Sort edges by length. The result depends neither on the first corner nor on the numbering of
 /// vertices. Edges of equal length on the sphere and in the model are ordered by the id of the
 /// opposite corner.
 std::array<unsigned char, 3> orderOf(
@@ -67,7 +68,7 @@ std::array<unsigned char, 3> orderOf(
 }
 
 //------------------------------------------------------------------------------
-// Near an end both maps are powers of s in the half disk.
+// Near an end of the edge, both maps are powers of the coordinate s of the half disk.
 FlatMap::Edge FlatMap::own(int edge, TriangleMap& network, TriangleMap& model)
 {
   double power[2], factor[2];
@@ -237,7 +238,7 @@ FlatMap::Triangle::Slid FlatMap::Triangle::slid(
     place.Second + way * (h.Second - place.Second) };
   if (differentiate)
   {
-    // Logarithmic derivatives: of o(e(t)) / o(b') by b', of o(h) by b and by d.
+    // Logarithmic derivatives of o(e(t)) / o(b') by b', and of o(h) by b and by d.
     const double ofRatio =
       (of.AtFirst / t.Second + of.AtSecond / t.First) * ownRate - 1.0 / (at.First * at.Second);
     const double withPlace = 1.0 / (place.First * place.Second) + ofRatio / size;
@@ -304,7 +305,7 @@ void FlatMap::Triangle::slideBack(int edge, Vector3& barycentric)
     const double step = std::abs(better - guess);
     guess = better;
     place = guess > 0.0 ? sharesOf(std::exp(-guess), 1.0) : sharesOf(1.0, std::exp(guess));
-    if (step < 1e-8) // the remaining error is of the order of its square
+    if (step < 1e-8) // the remaining error is about the square of the step
     {
       break;
     }

@@ -1,5 +1,5 @@
-/// Maps between the flat triangles of the network and the model, \cite Liou2008. The network is the
-/// mesh on the sphere; the model is the mesh learned from the points.
+/// Map points between the flat triangles of two meshes with equal connectivity, \cite Liou2008. The
+/// network is the mesh on the sphere. The model is the mesh in space that was learned from points.
 
 #ifndef ConformalFlatMap_h
 #define ConformalFlatMap_h
@@ -18,39 +18,45 @@ namespace conformal
 /// Whether the maps of neighboring triangles agree on their common edge.
 enum class SeamMode
 {
-  PerTriangle, ///< as published: each triangle has its own map, and maps differ on common edges
-  /// The maps of both triangles agree on each edge: one continuous map of the whole surface
+  /// Conformal map of each triangle, as published; the maps of neighbors differ on their common
+  /// edge
+  PerTriangle,
+  /// Modified maps that agree on the common edge of two triangles, and form one continuous map of
+  /// the whole surface
   EdgeMatched
 };
 
-/// Map a point p' of a network triangle to a point q' of the model triangle, \cite Liou2008, Eq.
-/// 10. Points are in barycentric coordinates.
+/// Maps of all triangles of a surface, from the network to the model and back. A point p' of a
+/// network triangle is mapped to a point q' of the model triangle, \cite Liou2008 Eq. 10. Points
+/// are in barycentric coordinates.
 ///
-/// Implementation note: the Schwarz-Christoffel maps of two triangles move the points of their
-/// common edge differently. With EdgeMatched, each edge has one correspondence that both triangles
-/// use. It maps a point t, which divides the edge in the ratio t : 1 - t, to a point e(t). The
-/// point e(t) divides the edge in the ratio e^c t^p : (1 - t)^q. Near the ends of the edge, the
-/// conformal maps of both triangles have this form. The constants p, q and c are means over both
-/// triangles.
+/// Implementation note: the Schwarz-Christoffel maps of two neighboring triangles map points of
+/// their common edge differently. In mode EdgeMatched, each edge therefore has one correspondence
+/// e, which both triangles use. Let t in [0, 1] be the point that divides the edge in the ratio
+/// t : (1 - t). Its image e(t) divides the edge in the ratio exp(c) t^p : (1 - t)^q. Near the ends
+/// of the edge, a conformal map has this form, with constants p, q and c. The constants of the two
+/// triangles are averaged.
 ///
-/// Three slides, one for each edge, then adapt the conformal map of each triangle to these
-/// correspondences. Let i and j be the ends of an edge, and m the barycentric coordinates before
-/// the slide. Then S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position along
-/// the edge is b = m_j / S. With d = 1 - S, set b' = (b + d) / (1 + 2 d). Let t be the point of the
-/// edge that the map before the slides moves to b', and o(x) = x / (1 - x). The slide replaces b by
+/// The conformal map of each triangle is followed by three slides, one for each edge. A slide moves
+/// points parallel to its edge, so that the map agrees with the correspondence of the edge. Let i
+/// and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
+/// S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge
+/// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d). Let t be the point of the edge that
+/// the conformal map, without slides, maps to b'. Let o(x) = x / (1 - x). The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
-/// A slide does not move the points of the two other edges, and is smooth there because b' stays
-/// away from 0 and 1. The new position increases strictly with b, since o(e(t)) increases with b'.
-/// The slide is thus one-to-one on every line parallel to its edge. On the edge itself S = 1 and d
-/// = 0, so t is mapped to e(t). The composed map is a homeomorphism for triangles of any shape,
-/// without an iteration over the mesh. Its inverse needs the solution of three monotone equations
-/// in one unknown.
+/// A slide does not move the points of the two other edges. The slide is smooth there, because b'
+/// is neither 0 nor 1 inside these edges. The new position increases strictly with b, since o(e(t))
+/// increases with b'. The slide is thus one-to-one on every line parallel to its edge. On the edge,
+/// S = 1 and d = 0, so that t is mapped to e(t). The composition of the conformal map and the
+/// slides is a homeomorphism for triangles of any shape. No iteration over the mesh is necessary.
+/// The inverse needs the solution of three monotone equations in one unknown.
 ///
-/// Implementation note: conformal maps move most points of a needle into one corner. With
-/// EdgeMatched, a triangle whose affine map from network to model has a dilatation above 1.5 is
-/// therefore mapped affinely before the slides. In both modes, degenerate triangles are mapped
-/// affinely.
+/// Implementation note: conformal maps move most points of a needle (very thin triangle) into one
+/// corner. In mode EdgeMatched, a triangle may therefore have an affine map, followed by the
+/// slides, instead of the conformal map. The dilatation of an affine map is its largest singular
+/// value divided by its smallest. The affine map is used if its dilatation from network to model is
+/// above 1.5. In both modes, degenerate triangles are mapped affinely.
 class FlatMap
 {
 public:
@@ -75,7 +81,8 @@ public:
   class Triangle;
 
 private:
-  /// Correspondence e of an edge, which maps the ratio t : 1 - t to e^c t^p : (1 - t)^q.
+  /// Correspondence e of an edge. The correspondence maps the ratio t : (1 - t) to the ratio exp(c)
+  /// t^p : (1 - t)^q.
   struct Edge
   {
     double AtFirst = 1.0;    ///< exponent p
@@ -87,7 +94,7 @@ private:
   struct Edges
   {
     std::array<Edge, 3> Of; ///< edges of the triangle, each indexed by its opposite corner
-    bool Affine = true;     ///< whether the triangle is mapped affinely before the slides
+    bool Affine = true;     ///< whether the map before the slides is affine, not conformal
   };
   static Edge own(int edge, TriangleMap& network, TriangleMap& model);
 
@@ -95,10 +102,12 @@ private:
   NetworkShapes Network;
   std::vector<TriangleShape> Model;
   std::vector<Edges> All;
-  std::vector<std::array<unsigned char, 3>> Order; ///< order of the three slides of each triangle
+  /// Sequence of the three slides of each triangle
+  std::vector<std::array<unsigned char, 3>> Order;
 };
 
-/// Map of one triangle, prepared for many points. Only one thread at a time may use it.
+/// Map of one triangle that reuses computed coefficients for further points. Only one thread at a
+/// time may use this object.
 class FlatMap::Triangle
 {
 public:
@@ -110,21 +119,22 @@ public:
 
   Index id() const { return this->Id; }
 
-  /// Map a point from network to model.
+  /// Map a point from the network to the model.
   /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
-  /// @param[out] derivative   may be null. Column k is the partial derivative by coordinate k. It
-  ///   is valid only for changes whose coordinates have the sum 0. On an edge, the derivative is
-  ///   that of this triangle's map. At a corner there is no derivative; the result is the
-  ///   derivative at a point nearby.
-  /// @post with EdgeMatched, the maps of both triangles of an edge return the same bits for its
-  ///   points
+  /// @param[out] derivative   may be null. Column k is the partial derivative by barycentric
+  ///   coordinate k. Multiply the matrix only by changes of coordinates whose sum is 0. On an edge,
+  ///   the derivative of this triangle's map is returned. At a corner, where no derivative exists,
+  ///   the derivative at a nearby point is returned.
+  /// @post in mode EdgeMatched, the maps of both triangles of an edge return equal bits for points
+  ///   of the edge
   Vector3 toModel(const Vector3& barycentric, Eigen::Matrix3d* derivative = nullptr);
 
-  /// Map a point from model to network: the inverse of toModel().
+  /// Map a point from the model to the network: the inverse of toModel().
   Vector3 toNetwork(const Vector3& barycentric);
 
 private:
-  /// Result of a slide for a position b on a line parallel to the edge.
+  /// Result of a slide for a position b on a line parallel to the edge. The number S, see the
+  /// comment of FlatMap, identifies the line.
   struct Slid
   {
     EdgeShares Place;

@@ -1,6 +1,7 @@
-/// Power series at the corners of the half disk (SchwarzChristoffel.h), and complex functions that
-/// are exactly real on its border. Own construction: the integrand of \cite Liou2008 Eqs. 4 and 5
-/// as a power series on the half disk, because it converges for any triangle.
+/// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on a
+/// half disk, see the comment at the beginning of SchwarzChristoffel.h. The series is our own
+/// construction, because it converges for triangles of any shape. The integrand of \cite Liou2008
+/// Eqs. 4 and 5 is expanded at a corner of the half disk.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -23,8 +24,8 @@ constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
 constexpr double MaximumLogS = -1.09861; // |s| < 1/3, slightly above the maximum of 0.268
 constexpr int MaximumTerms = 36;         // even, sufficient for |s| = 1/3
 
-/// Compute the exponential function. The result is exactly real if the imaginary part is 0 or pi,
-/// as on the edges of the half disk.
+/// Compute the exponential function of a logarithm. If the imaginary part is 0 or pi, the result is
+/// exactly real. These imaginary parts occur at points on the straight edges of the half disk.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -58,8 +59,8 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Return the number of terms that a series with coefficients near 1 needs for full precision. The
-/// result is even.
+/// Return the number of terms that a power series in s needs for full precision, where logS = log
+/// |s|. The number is even. The coefficients of the series are assumed to be near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
@@ -113,9 +114,11 @@ inline constexpr auto Reciprocals = []()
   return result;
 }();
 
-/// Power series of the map at one corner of a triangle. Let a, b and c be the angles of this, the
-/// next and the previous corner, in units of pi. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n
-/// with d_0 = 1. Then the map is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+/// Power series of the conformal map at one corner of a triangle. Let a, b and c be the angles of
+/// this, the next and the previous corner, in units of pi. Let s be the coordinate of the half disk
+/// that is 0 at this corner. Let k be the constant in SchwarzChristoffel.h. Let f(s) = (1-s)^(2b-1)
+/// (1+s)^(2c-1) = sum d_n s^n with d_0 = 1. Then the map to the plane of the triangle is z = (k/a)
+/// (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
 {
 public:
@@ -126,7 +129,7 @@ public:
   {
   }
 
-  /// Compute more coefficients, until there are `terms` of each series.
+  /// Compute coefficients until each series has `terms` of them.
   void extend(int terms)
   {
     for (; this->Terms < terms; ++this->Terms)
@@ -142,9 +145,11 @@ public:
     }
   }
 
-  /// Approximate log s for given log W, where W = (1 + sum)^(1/a) s and `sum` is the series of the
-  /// map. The approximation W = s / (1 - g s + q s^2) is exact up to s^3. It is also exact for the
-  /// extremal univalent functions, so it is close for every triangle.
+  /// Approximate log s for given log W, as a starting value of Newton's method. Here W =
+  /// (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation is
+  /// W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that it is exact up to s^3.
+  /// The approximation is also exact for the extremal univalent functions. Therefore, the
+  /// approximation is accurate for triangles of any shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -154,7 +159,8 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for real W, positive or negative.
+  /// Approximate s for a given real number W, positive or negative, by the formula of the complex
+  /// function.
   double guess(double w)
   {
     const auto [g, q] = this->leading();

@@ -10,8 +10,8 @@ using namespace halfdisk;
 
 namespace
 {
-// Triangles are alike if their squared edges, as shares of the sum, are. Counted from the longest
-// edge, so that turned triangles have equal keys.
+// Key of a shape: the squared edge lengths, each divided by their sum. The first edge is the
+// longest one, so that the key does not depend on the first corner.
 struct Key
 {
   std::int64_t First, Second;
@@ -27,8 +27,8 @@ struct Hash
   }
 };
 
-// Key of a triangle. In flat triangles the edges determine the angles too badly: each has a key to
-// itself.
+// Compute the key of a triangle. Edge lengths of very thin triangles do not determine the angles
+// accurately. Each of these triangles has a unique key.
 Key keyOf(const Points& positions, const Triangles& triangles, Index r, int& longest)
 {
   constexpr double resolution = 1e12;
@@ -78,7 +78,7 @@ NetworkShapes::NetworkShapes(const Points& positions, const Triangles& triangles
     ++numberOfUses[entry->second];
   }
 
-  const int enoughUses = 8; // a table costs as much as mapping a few points without
+  const int enoughUses = 8; // a table costs as much as mapping a few points without a table
   this->Shapes.resize(firstUse.size());
   this->TableOfShape.assign(firstUse.size(), -1);
   int numberOfTables = 0;

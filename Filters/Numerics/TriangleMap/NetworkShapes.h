@@ -1,5 +1,6 @@
-/// Conformal maps of the triangles of a network, \cite Liou2008. The network is the mesh on the
-/// sphere, which does not change.
+/// Map points between triangles of the network and of the model conformally, \cite Liou2008. The
+/// network is a fixed mesh on the unit sphere. The model is a mesh in space with the same
+/// connectivity.
 
 #ifndef ConformalNetworkShapes_h
 #define ConformalNetworkShapes_h
@@ -13,11 +14,11 @@
 
 namespace conformal
 {
-/// Triangles of a network and their conformal maps. Triangles of the same shape share the tables of
-/// their map.
+/// Conformal maps of all triangles of a network. Triangles with equal angles have one shape, and
+/// share the precomputed tables of its map.
 ///
 /// A geodesic sphere of frequency 36 has 25,920 triangles but only 156 shapes (312 with mirror
-/// images). Tables are made only for shapes of many triangles, so that a mesh without symmetry
+/// images). Tables are made only for shapes that many triangles have. A mesh without symmetry thus
 /// needs little memory.
 class NetworkShapes
 {
@@ -36,8 +37,8 @@ public:
   /// affine: coordinates do not change.
   Vector3 toModel(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
-  /// Map a point of a model triangle to a point of a network triangle: the inverse of toModel(), z'
-  /// = f_2(f_1^-1(z)) below \cite Liou2008 Eq. 5.
+  /// Map a point of a model triangle to a point of a network triangle: the inverse of toModel().
+  /// The map is z' = f_2(f_1^-1(z)), the formula below Eq. 5 of \cite Liou2008.
   Vector3 toNetwork(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   bool degenerate(Index triangle) const
@@ -45,8 +46,8 @@ public:
     return this->Shapes[this->Uses[triangle].Shape].degenerate();
   }
 
-  /// Return the map of a network triangle. Its corners have the same order as the triangle's
-  /// vertices.
+  /// Return the map of a network triangle. The corners of the map have the same sequence as the
+  /// vertices of the triangle.
   /// @pre the triangle is not degenerate
   TriangleMap map(Index triangle) const;
 
@@ -54,7 +55,7 @@ private:
   struct Use
   {
     int Shape = 0;
-    int Rotation = 0; // corner k of the shape is corner k + Rotation of the triangle
+    int Rotation = 0; // corner k of the shape is corner k + Rotation (mod 3) of the triangle
   };
 
   TriangleShape shape(Index triangle) const;

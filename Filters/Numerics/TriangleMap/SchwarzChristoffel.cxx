@@ -13,7 +13,7 @@ using namespace halfdisk;
 
 namespace
 {
-// Radians; the shape of thinner needles is lost in double precision
+// Minimum angle of a triangle [radians]. Thinner needles have no shape in double precision.
 constexpr double MinimumAngle = 1e-9;
 
 /// Compute a^-1 b for an upper triangular a.
@@ -147,7 +147,8 @@ HalfDiskPoint TriangleShape::solve(
     logS = { logS.real(), std::min(Pi, std::max(0.0, logS.imag())) };
     if (logS.real() > MaximumLogS)
     {
-      // The point is too far for the series of this corner: continue from the neighbor on its side.
+      // The point is outside of the region of the series of this corner: continue at the corner
+      // that is nearer to the point.
       const Complex s = expOf({ std::min(logS.real(), -0.1), logS.imag() });
       const bool toNext = s.real() > 0.0;
       corner = toNext ? next(corner) : previous(corner);
@@ -176,7 +177,7 @@ HalfDiskPoint TriangleShape::solve(
     lastSize = size;
     step = -over(times(residual, map), slope);
     logS += step;
-    if (std::norm(step) < 1e-16) // the remaining error is of the order of its square
+    if (std::norm(step) < 1e-16) // the remaining error is about the square of the step
     {
       break;
     }

@@ -1,20 +1,23 @@
-/// Conformal maps between triangles that map corners to corners, \cite Liou2008 Eqs. 4 and 5.
+/// Map triangles conformally to other triangles, and corners to corners, \cite Liou2008 Eqs. 4 and
+/// 5.
 ///
-/// All triangles are mapped to the same half disk. A map between two triangles is the map of the
-/// first to the half disk, followed by the inverse map of the second. Input and output are
-/// barycentric coordinates, so that no plane has to be chosen.
+/// Every triangle has a conformal map to the same half disk. A map between two triangles consists
+/// of two maps. The first triangle is mapped to the half disk, then the half disk is mapped to the
+/// second triangle. Input and output are barycentric coordinates, so that no plane has to be
+/// chosen.
 ///
-/// Implementation note: \cite Liou2008 integrates over the whole unit disk. The images of the
-/// corners may lie anywhere on its border. The disk is therefore replaced by a conformal image of
-/// itself, the upper half of the unit disk: |s| <= 1, Im s >= 0. One corner of the triangle is at s
-/// = 0, the next corner at 1, the previous corner at -1. The edge opposite the first corner is the
-/// half circle. Let a, b and c be the angles of these corners in units of pi. Eqs. 4 and 5 then
-/// become
+/// Implementation note: \cite Liou2008 uses maps to the whole unit disk. The images of the corners
+/// on its border are arbitrary. This file therefore uses the upper half of the unit disk, to which
+/// the disk can be mapped conformally. Let s be the complex coordinate of the half disk: |s| <= 1,
+/// Im s >= 0. A corner of the triangle is at s = 0, the next corner at 1, the previous corner at
+/// -1. The edge opposite the corner at 0 is the half circle. Let a, b and c be the angles of these
+/// three corners, in units of pi. Let z be the complex coordinate in the plane of the triangle.
+/// Eqs. 4 and 5 then become
 ///     dz/ds = k 4^a s^(a-1) (1-s)^(2b-1) (1+s)^(2c-1),   k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
-/// where D is the diameter of the circumcircle. The factor 1 + s^2 cancels since a + b + c = 1. No
-/// parameters have to be solved for, and all coefficients are real. For every point, a corner can
-/// be chosen so that |s| <= 2 - sqrt(3). For such s, 30 terms of a power series give full double
-/// precision, whatever the shape of the triangle.
+/// where D is the diameter of the circumcircle. The formula has no factor 1 + s^2, since a + b + c
+/// = 1. No parameters have to be solved for, and all coefficients are real. For every point, a
+/// corner can be chosen so that |s| <= 2 - sqrt(3). Then 30 terms of a power series in s give full
+/// double precision for any shape of the triangle.
 
 #ifndef ConformalSchwarzChristoffel_h
 #define ConformalSchwarzChristoffel_h
@@ -26,7 +29,7 @@
 
 namespace conformal
 {
-/// Point of the half disk. Its coordinate s depends on which corner of the triangle is at s = 0.
+/// Point of the half disk. The coordinate s depends on the corner of the triangle that is at s = 0.
 struct HalfDiskPoint
 {
   int Corner = 0;         ///< corner at s = 0; the next corner is at 1, the previous corner at -1
@@ -34,18 +37,19 @@ struct HalfDiskPoint
   std::complex<double> LogS; ///< log s; its imaginary part is in [0, pi], exactly 0 or pi on edges
 };
 
-/// Shape of a triangle (its angles), and its conformal map to and from the half disk.
+/// Shape of a triangle, defined by its angles, and the conformal map between the triangle and the
+/// half disk.
 class TriangleShape
 {
 public:
-  /// Construct a degenerate triangle.
+  /// Construct the shape of a degenerate triangle.
   TriangleShape() = default;
 
-  /// Construct from three vertices, in any plane and any unit.
+  /// Construct the shape of a triangle from three vertices, in any plane and any unit.
   TriangleShape(const Vector3& p0, const Vector3& p1, const Vector3& p2);
 
-  /// Test whether the triangle has no conformal map: an angle is too small (under 1e-9), or a
-  /// coordinate is not finite.
+  /// Test whether the triangle has no conformal map. This is true if an angle is below 1e-9
+  /// radians, or a coordinate is not finite.
   bool degenerate() const { return this->Degenerate; }
 
   /// Return the interior angles in units of pi.
@@ -53,30 +57,31 @@ public:
 
   /// Map a point from the triangle to the half disk by Newton's method. One call needs about 0.4
   /// microseconds.
-  /// @param[in] barycentric  coordinates with the sum 1; negative values count as 0
+  /// @param[in] barycentric  coordinates with the sum 1; negative coordinates are replaced by 0
   /// @pre the triangle is not degenerate
   HalfDiskPoint toHalfDisk(const Vector3& barycentric) const;
 
   /// Map a point from the half disk to the triangle by a power series. One call needs about 0.1
   /// microseconds.
-  /// @return barycentric coordinates, >= 0; exactly 0 on an edge
+  /// @return barycentric coordinates, >= 0. If the point is on an edge, one coordinate is exactly
+  ///   0.
   /// @pre the triangle is not degenerate
   Vector3 fromHalfDisk(const HalfDiskPoint& point) const;
 
   /// Compute the derivative dz/ds of the map from the half disk to the plane of the triangle. In
-  /// this plane the corner `point.Corner` is at z = 0, and the next corner is on the positive real
-  /// axis. The unit of z is the diameter of the circumcircle. The derivative of a map between two
-  /// triangles is the quotient of their derivatives. The result is infinite at s = 0.
+  /// this plane, the corner `point.Corner` is at z = 0. The next corner is on the positive real
+  /// axis. The unit of z is the diameter of the circumcircle. The derivative of the map between two
+  /// triangles is the quotient of the two triangles' derivatives. At s = 0, the result is infinite.
   /// @pre the triangle is not degenerate
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
   /// Compute the derivative of the conformal map to another triangle, in barycentric coordinates.
-  /// The matrix is valid only for changes whose coordinates have the sum 0.
+  /// Multiply the matrix only by changes of coordinates whose sum is 0.
   /// @pre neither triangle is degenerate, and the point is not a corner
   Eigen::Matrix3d mapDerivative(const TriangleShape& to, const HalfDiskPoint& point) const;
 
-  /// Compute the dilatation of the affine map to another triangle: the maximum of its singular
-  /// values divided by the minimum.
+  /// Compute the dilatation of the affine map to another triangle. The dilatation is the largest
+  /// singular value of the map divided by the smallest.
   /// @pre neither triangle is degenerate
   double dilatation(const TriangleShape& to) const;
 
@@ -84,8 +89,8 @@ private:
   friend class NetworkShapes;
   friend class TriangleMap;
 
-  /// Return the matrix that multiplies the barycentric coordinates of the next and the previous
-  /// corner. Its product is the position in the plane of derivative().
+  /// Return a matrix M of the triangle's plane, as defined at derivative(). Multiply M by the
+  /// barycentric coordinates of the next and the previous corner to get the position in this plane.
   Eigen::Matrix2d plane(int corner) const;
 
   double leading(int corner) const { return this->Scale / this->Angles[corner]; }
@@ -96,8 +101,8 @@ private:
   Vector3 place(const HalfDiskPoint& point, std::complex<double> series) const;
 
   std::array<double, 3> Angles{}; // interior angles in units of pi
-  // Sines of the angles. They are also the lengths of the opposite edges if the circumcircle has
-  // diameter 1.
+  // Sines of the angles. In units of the diameter of the circumcircle, they are also the lengths of
+  // the opposite edges.
   std::array<double, 3> Sines{};
   std::array<double, 3> Cosines{};
   double Scale = 0.0; // constant k in the comment at the beginning of this file

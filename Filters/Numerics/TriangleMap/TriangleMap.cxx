@@ -187,11 +187,12 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
       const Sums at = this->sums(k, point.S, point.LogS);
       const double miss = point.LogS + std::log1p(at.Map) / a - logUniform;
       const double slope = at.Slope / (1.0 + at.Map);
-      const double bend = series.bend(point.S) - a * (slope - 1.0); // of the log slope
+      // Derivative of the logarithmic slope
+      const double bend = series.bend(point.S) - a * (slope - 1.0);
       const double newton = miss / slope;
       const double step = -newton / (1.0 - 0.5 * newton * bend);
       point.LogS += step;
-      const double enough = 1e-4; // the remaining error is less than its cube
+      const double enough = 1e-4; // the remaining error is less than the cube of the step
       if (std::abs(step) < enough)
       {
         point.S *= 1.0 + step * (1.0 + step * (0.5 + step / 6.0));
@@ -199,7 +200,7 @@ EdgePoint TriangleMap::toHalfDisk(int edge, const EdgeShares& shares)
       }
       point.S *= std::exp(step);
     }
-    // The other end is nearer.
+    // The point is nearer to the other end of the edge.
     point.AtSecond = !point.AtSecond;
     logUniform =
       this->logUniform(edge, point.AtSecond, point.AtSecond ? shares.First : shares.Second);
