@@ -32,7 +32,7 @@ struct Surfaces
   std::vector<vtkSmartPointer<vtkPolyData>> Held;
   /// Name of the block of each surface; "" if the surface is not a block or has no name.
   std::vector<std::string> Names;
-  /// Modification time of each surface. It changes whenever the data change.
+  /// Modification time of each surface. The time changes whenever the data change.
   std::vector<vtkMTimeType> Times;
 
   std::vector<vtkPolyData*> pointers() const;

@@ -28,7 +28,6 @@ namespace glue
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
-/// Return whether a surface has polygons or strips; false for null.
 /// Return whether a surface has polygons or strips. Return false for null.
 bool HasTriangles(vtkPolyData* surface);
 
@@ -40,7 +39,7 @@ bool HasCellIds(vtkPolyData* surface);
 /// triangle. All triangles have three distinct vertices, and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
-  /// For each vertex, the id of the point of the source surface from which it was made.
+  /// For each vertex, the id of the point of the source surface from which the vertex was made.
   std::vector<vtkIdType> PointIds;
   /// Whether triangles are clockwise seen from outside, as in the source surface. Outward()
   /// reverses these triangles.
@@ -56,8 +55,8 @@ struct ClosedMesh : conformal::Mesh
 /// - Isolated points are removed.
 ///
 /// @param[in] self   object that issues the warnings
-/// @param[in] frame  coordinate frame of the result. It is computed from the points of the surface,
-///   possibly together with other points.
+/// @param[in] frame  coordinate frame of the result. The frame is computed from the points of the
+///   surface, or also from other points.
 /// @throws std::invalid_argument if coordinates are not finite
 /// @throws std::invalid_argument if the repaired surface is open, not manifold, disconnected, or
 ///   not of genus zero. The message contains the number of defects.
