@@ -19,9 +19,9 @@ namespace conformal
 /// estimate is based on the typical square errors of two surfaces. The coarse surface has a quarter
 /// of the vertices of the fine surface.
 ///
-/// The square error due to detail is assumed to be six times smaller on the fine surface than on
-/// the coarse surface. This factor was measured on scans. For smooth objects and fine meshes, the
-/// factor would approach 16. The noise is the same for both surfaces.
+/// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
+/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. The noise
+/// is the same for both surfaces.
 /// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
 /// @return the ratio, in [0, 10]; 10 if the fine surface has no smaller error than the coarse one
 double noiseToDetail(double coarseError, double fineError);
