@@ -18,7 +18,7 @@ namespace glue
 ///
 /// Integer arrays of 1 component are labels. Each output point gets the label whose source points
 /// have the largest total weight. Other arrays are averaged by the weights. The mean has the type
-/// of the array; for integer types it is rounded. Colors can thus be blended.
+/// of the array; for integer types, the mean is rounded. Colors can thus be blended.
 ///
 /// Arrays that define positions or ids are skipped: "SpherePosition", active normals and texture
 /// coordinates, ghosts, global ids and pedigree ids.

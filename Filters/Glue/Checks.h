@@ -1,5 +1,5 @@
-// Check the inputs of filters and writers. Every filter and writer checks its inputs before it
-// reads them.
+// Check the inputs of filters and writers. Every filter and writer must call these checks before
+// reading its inputs.
 #ifndef GlueChecks_h
 #define GlueChecks_h
 
@@ -15,7 +15,7 @@ namespace glue
 /// function in RequestData. In earlier requests, the inputs may still contain data of the previous
 /// execution.
 /// @throws std::invalid_argument if data are inconsistent. The message contains the port, the
-///   inconsistency, and how to correct it.
+///   inconsistency, and how to correct the data.
 void RequireConsistentInputs(vtkAlgorithm* self);
 
 /// Check that points, cells and arrays are consistent, so that array tuples can be accessed by
@@ -25,13 +25,13 @@ void RequireConsistentInputs(vtkAlgorithm* self);
 /// - Ghost arrays are of type unsigned char with 1 component. Active normals and points have 3
 ///   components.
 /// - The cells of a vtkPolyData have valid offsets. The point ids in cells are not checked, since
-///   many filters read only points. RequireCellIds() checks them.
+///   many filters read only points. RequireCellIds() checks the point ids.
 ///
 /// In composite data, every block is checked. Null pointers, and data objects other than vtkDataSet
 /// and composite data, pass the check. The cost is one access to each array and each offset.
 /// @param[in] what  description of the data in the error message
 /// @throws std::invalid_argument if data are inconsistent. The message contains the inconsistency,
-///   and how to correct it.
+///   and how to correct the data.
 void RequireConsistentData(vtkDataObject* data, const std::string& what);
 
 /// Check that cells contain only valid point ids. Call this function before cells are read or

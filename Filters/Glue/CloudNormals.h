@@ -32,8 +32,8 @@ struct CloudNormals
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// Find the normals of a cloud, and pass them to the cloud's samples. This is done only if the hull
-/// method can use normals.
+/// If the hull method can use normals, find the normals of a cloud and pass them to the cloud's
+/// samples.
 /// @param[out] normals  memory for the normals; must outlive the samples
 /// @throws std::invalid_argument if the hull method is WindingNumbers and a cell contains an
 ///   invalid point id

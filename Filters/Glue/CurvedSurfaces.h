@@ -21,8 +21,8 @@ class Processes;
 struct CurvedSeamlessProperties
 {
   conformal::CurvedSeamlessSurfaceOptions Options; ///< all options; Options.VertexShift is ignored
-  /// Value of the property VertexShift. If it is negative, the mesh's field array "VertexShift" is
-  /// used instead.
+  /// Value of the property VertexShift. If the value is negative, the mesh's field array
+  /// "VertexShift" is used instead.
   double VertexShift = -1.0;
 };
 

@@ -39,7 +39,8 @@ struct Surfaces
   double numberOfPoints() const; ///< total over all surfaces
 };
 
-/// Set a block of the output, and give it the name of the surface from which it was computed.
+/// Set a block of the output, and give it the name of the surface from which the block was
+/// computed.
 /// @param[in] number  index of the block, and of the surface in `surfaces`
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);

@@ -22,7 +22,7 @@ namespace glue
 /// Return the triangles of a surface. Polygons and strips are triangulated. Lines, vertices and
 /// polygons of fewer than three points are skipped. In strips, triangles with a repeated point are
 /// also skipped.
-/// @param[out] cellIds  for each triangle, the id of the cell from which it was made
+/// @param[out] cellIds  for each triangle, the id of the cell from which the triangle was made
 /// @throws std::invalid_argument if a cell contains an invalid point id
 /// @throws std::length_error if ids exceed the range of int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);

@@ -39,8 +39,8 @@ conformal::CoordinateFrame FrameOf(
 conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame);
 
 /// Return a view of points that converts them to a frame. The view refers to the memory of the
-/// points if they are floats or doubles. Otherwise, the view refers to `copy`, which must outlive
-/// the view.
+/// points if their coordinates are floats or doubles. Otherwise, the view refers to `copy`, which
+/// must outlive the view.
 conformal::PointView ViewPoints(
   vtkPoints* points, const conformal::CoordinateFrame& frame, conformal::Points& copy);
 

@@ -63,7 +63,7 @@ bool HoldsWholeNumbers(vtkDataArray* array);
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
 /// Return a function that writes pixels of an image. The function interpolates `values` at the
-/// surface point that a pixel shows. Then it writes the result to `pixels`. If a pixel shows no
+/// surface point that a pixel shows, and writes the result to `pixels`. If a pixel shows no
 /// surface, the function writes 0 to `pixels` and sets the mark in `holes`. The three arrays must
 /// outlive the function.
 conformal::PixelSink PixelPainter(

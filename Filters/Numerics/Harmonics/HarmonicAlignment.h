@@ -1,6 +1,6 @@
 /// Rotate surfaces to a common orientation. Each surface is given by coefficients of spherical
-/// harmonics: its positions are functions on the unit sphere. Alignment by the ellipsoid of degree
-/// 1 follows \cite Brechbuehler1995.
+/// harmonics, which define its positions as functions on the unit sphere. Alignment by the
+/// ellipsoid of degree 1 follows \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicAlignment_h
 #define ConformalHarmonicAlignment_h

@@ -18,9 +18,9 @@ namespace conformal
 /// the sphere.
 ///
 /// The mesh is geodesic or adaptive (options.MeshType). A geodesic mesh has the triangles of a
-/// geodesic sphere. Its map consists of the network positions of its vertices (neurons) on this
-/// sphere. An adaptive mesh has triangles of about equal size all over the surface. Its map is
-/// computed as a conformal map (GlobalConformalMap.h).
+/// geodesic sphere (a subdivided icosahedron). Its map consists of the network positions of its
+/// vertices (neurons) on this sphere. An adaptive mesh has triangles of about equal size all over
+/// the surface. Its map is computed as a conformal map (GlobalConformalMap.h).
 ///
 /// Implementation note: samples are shifted to their centroid and scaled to a maximum radius of 1.
 /// The constants of \cite Liou2008 refer to these coordinates. A geodesic mesh starts from the unit

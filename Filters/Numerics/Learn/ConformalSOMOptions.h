@@ -33,7 +33,8 @@ enum class TrainingMode
 enum class MeshType
 {
   Automatic, ///< Adaptive in Batch mode; Geodesic in Online mode or if all points lie in a plane
-  /// The triangles of a geodesic sphere, as in \cite Liou2008. The mesh is learned from the sphere.
+  /// The triangles of a geodesic sphere (a subdivided icosahedron), as in \cite Liou2008. The mesh
+  /// is learned from the sphere.
   Geodesic,
   /// Triangles of about equal size all over the surface, including limbs. Only in Batch mode.
   Adaptive
@@ -42,8 +43,8 @@ enum class MeshType
 /// Surface from which an adaptive mesh is learned.
 enum class StartingShape
 {
-  /// The points' own mesh if one is given, else the sphere. If this result is bad or spans gaps
-  /// between limbs, a hull of the points is tried.
+  /// The points' own mesh if one is given, else the sphere. If the learned mesh has defects or
+  /// spans gaps between limbs, a hull of the points is tried.
   Automatic,
   Sphere, ///< always the unit sphere, as in \cite Liou2008
   Hull,   ///< a closed surface around the points (GenusZeroHull.h)

@@ -31,7 +31,8 @@ struct FirstSurface : AdaptiveStart
 /// least squares.
 /// @param[in] observer  function called after each network; may be empty
 /// @throws NumericalFailure if a network spans parts without samples, or has many obtuse triangles
-///   because it is stretched over limbs. If options.StartingShape is Sphere, this is not tested.
+///   because it is stretched over limbs. If options.StartingShape is Sphere, this exception is not
+///   thrown.
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});

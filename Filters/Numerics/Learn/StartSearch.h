@@ -25,9 +25,10 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 ///
 /// For StartingShape Automatic, start surfaces are tried in this order until a result is good.
 /// Other values of StartingShape restrict the start surfaces as stated:
-/// - Given mesh: if a start mesh with SpherePositions is given, it is the only start surface.
-/// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. It is the first
-///   start surface.
+/// - Given mesh: if a start mesh with SpherePositions is given, this mesh is the only start
+///   surface.
+/// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. This mesh is
+///   the first start surface.
 /// - Sphere: only for StartingShape Automatic or Sphere. A geodesic mesh has no other start
 ///   surface.
 /// - Hull: only for StartingShape Automatic or Hull. If an adaptive mesh is learned from points of

@@ -1,5 +1,6 @@
-/// Remesh several surfaces with the same triangles, so that points with equal ids correspond. Each
-/// surface has a map to the sphere, and equal directions on the sphere correspond.
+/// Replace the meshes of several surfaces by one common mesh, so that points with equal ids
+/// correspond. Each surface has a map to the sphere. The maps are registered: equal directions show
+/// corresponding points.
 ///
 /// Own construction, not from a publication: every surface is sampled in the directions of one
 /// common mesh of the sphere. This yields corresponding points without any further search.
@@ -18,7 +19,7 @@ namespace conformal
 /// Density of the points of the common mesh on the sphere.
 enum class RemeshMeshType
 {
-  Geodesic, ///< geodesic sphere: the density is equal all over the sphere
+  Geodesic, ///< geodesic sphere (a subdivided icosahedron), with equal density everywhere
   /// The points are spread evenly over the surfaces. Their density on the sphere is the mean over
   /// all surfaces.
   Adaptive

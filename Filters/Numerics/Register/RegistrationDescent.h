@@ -1,8 +1,8 @@
-/// Find a map between two surfaces with little stretch, under which features of both surfaces
-/// agree. Stretch is measured by the symmetric Dirichlet energy of \cite Smith2015.
+/// Find a map between two surfaces that has little stretch. Corresponding points shall also have
+/// similar features. Stretch is measured by the symmetric Dirichlet energy of \cite Smith2015.
 ///
-/// Each surface has a map to the unit sphere. A map between the surfaces is represented by a
-/// deformation of the sphere of one of them, the moving surface. The other surface is fixed.
+/// Each surface has a map to the unit sphere. One surface is called moving, the other one fixed.
+/// The map between the surfaces is represented by a deformation of the moving surface's sphere.
 
 #ifndef ConformalRegistrationDescent_h
 #define ConformalRegistrationDescent_h
@@ -73,8 +73,8 @@ struct DescentOptions
 /// moves are shortened until the energy decreases.
 ///
 /// The stretch is defined as follows. Let J be the linear map of a triangle from one surface to the
-/// other. The stretch is the mean of (|J|^2 + |J^-1|^2) / 4 over the areas of both surfaces. It is
-/// 1 for an isometric map, and above 1 for any other map. Before J is computed,
+/// other. The stretch is the mean of (|J|^2 + |J^-1|^2) / 4 over the areas of both surfaces. The
+/// stretch is 1 for an isometric map, and above 1 for any other map. Before J is computed,
 /// RegistrationWeights::Sphere times the metric of the sphere is added to the metric of each
 /// surface. Thus no triangle has zero area.
 /// @param[in] pairs       landmarks: corresponding directions on the spheres of both surfaces

@@ -35,8 +35,8 @@ struct GeodesicFeatureOptions
 /// surface area near the vertex. Here the area is weighted by a Gaussian function of the geodesic
 /// distance. The area features are small on thin limbs.
 ///
-/// Geodesic distances are lengths of paths along edges and straight across pairs of triangles. They
-/// are measured as multiples of the square root of the surface area.
+/// Geodesic distances are lengths of paths along edges and straight across pairs of triangles. The
+/// unit of these distances is the square root of the surface area.
 /// @return #V rows: one column for the mean distance, then one column for each radius
 Rows geodesicFeatures(
   const Mesh& surface, const GeodesicFeatureOptions& options = {}, const Run& run = {});

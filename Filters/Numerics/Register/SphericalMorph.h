@@ -40,10 +40,10 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 ///    into a rotation and a stretch (polar decomposition).
 /// 3. Average the triangles without their rotations. Average the logarithms of the rotations of
 ///    triangles and of whole shapes. Apply the mean rotations to the mean triangles.
-/// 4. Assemble the blended triangles by least squares, which is one linear system. Its cotangent
-///    weights are clamped to [MinimumCotangent, MaximumCotangent].
+/// 4. Assemble the blended triangles by least squares, which is one linear system. The cotangent
+///    weights of this system are clamped to [MinimumCotangent, MaximumCotangent].
 ///
-/// Logarithms are chosen so that they are continuous between neighboring triangles. A part may
+/// Logarithms of rotations are chosen to be continuous between neighboring triangles. A part may
 /// therefore rotate by more than 180 degrees, but not by 360 degrees. The area-weighted center of
 /// the shape moves on a straight line.
 ///

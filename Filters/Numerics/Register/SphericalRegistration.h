@@ -34,8 +34,8 @@ struct SphericalRegistrationOptions
   /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them.
   double ShapeWeight = 1.0;
   double StretchWeight = 1.0; ///< weight of the symmetric Dirichlet energy; above 0
-  /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8.
-  /// This sphere has 10 f^2 + 2 vertices.
+  /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8. A
+  /// geodesic sphere is a subdivided icosahedron with 10 f^2 + 2 vertices.
   int Frequency = 16;
 };
 
@@ -72,8 +72,8 @@ struct SphericalRegistrationResult
 /// 2. From each rotation, minimize the energy of stretch and features on a coarse sphere. Compute
 ///    the score of each result: the energy, plus 3 times the pose difference. Keep up to two
 ///    results with the lowest scores. The pose difference is 1 minus the correlation of
-///    corresponding positions, after the best rotation in space. It excludes results that match a
-///    head with a tail of similar features.
+///    corresponding positions, after the best rotation in space. The pose difference excludes
+///    results that match a head with a tail of similar features.
 /// 3. Continue the descent on finer spheres, and keep the result with the lowest score. The last
 ///    descent has less regularization.
 /// 4. Interpolate the deformation at the moving surface's vertices. Then move landmark vertices to
@@ -81,7 +81,7 @@ struct SphericalRegistrationResult
 ///
 /// If the deformation folds a triangle of the moving surface, a smaller fraction of the deformation
 /// is applied. For Rotation and Moebius, the transform is fitted to the landmarks by least squares.
-/// Without landmarks, it is fitted to the deformation of the coarse sphere.
+/// Without landmarks, the transform is fitted to the deformation of the coarse sphere.
 ///
 /// @param[in] landmarks       pairs of a vertex of the moving surface and a vertex of the fixed
 ///   surface. No vertex of the moving surface is repeated.

@@ -41,8 +41,8 @@ struct SphericalResampling
 /// AreaAdaptive (ADAP_BARY_AREA of Connectome Workbench):
 /// 1. Compute forward weights: the Barycentric weights of source points for each target point.
 ///    Compute reverse weights: the Barycentric weights of target points for each source point.
-/// 2. For each target point, use the reverse weights if they include source points without a
-///    forward weight. Otherwise, use the forward weights.
+/// 2. Select the weights of each target point. If the reverse weights include source points without
+///    a forward weight, select the reverse weights. Otherwise, select the forward weights.
 /// 3. Multiply the weights of each target point by the area of the target point.
 /// 4. Scale the weights of each source point so that their sum is the area of the source point.
 /// 5. Scale the weights of each target point to sum 1.

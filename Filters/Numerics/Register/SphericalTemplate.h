@@ -23,7 +23,8 @@ struct SphericalTemplateOptions
   SphericalRegistrationOptions Registration; ///< options of the registration of each surface
   /// Transform that aligns the shapes before their mean is computed.
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  /// Frequency f of the geodesic sphere of the mean, which has 10 f^2 + 2 points.
+  /// Frequency f of the mean's mesh, a geodesic sphere (subdivided icosahedron) with 10 f^2 + 2
+  /// points.
   int MeanFrequency = 45;
   /// Maximum number of rounds, at least 0. Each round registers all surfaces with the mean.
   int MaximumNumberOfRounds = 4;

@@ -15,7 +15,7 @@ namespace conformal
 /// the length of the angle in radians.
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
-/// Compute the rotation of a triangle's deformation. It is the orthogonal factor in the polar
+/// Compute the rotation of a triangle's deformation: the orthogonal factor in the polar
 /// decomposition of the deformation gradient. The gradient also maps the normal of the first
 /// triangle to that of the second triangle.
 /// @param[in] from, to   corners of the triangle before and after the deformation, one per column

@@ -10,8 +10,8 @@
 
 namespace conformal
 {
-/// Metric of a triangle with edge vectors p and q from the first corner. It consists of the dot
-/// products p.p, p.q and q.q.
+/// Metric of a triangle with edge vectors p and q from the first corner. The metric consists of the
+/// dot products p.p, p.q and q.q.
 using TriangleMetric = std::array<double, 3>;
 
 /// Compute the area of a triangle from its metric.
@@ -19,8 +19,8 @@ double areaOf(const TriangleMetric& metric);
 
 /// Compute the stretch of a triangle between its metric at rest and its present metric. Let J be
 /// the linear map between both shapes of the triangle, and a and b their areas. The stretch is
-/// (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. It is 0 for equal metrics, and infinite for a triangle of
-/// zero area.
+/// (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0 for equal metrics, and infinite for a
+/// triangle of zero area.
 double triangleStretch(const TriangleMetric& rest, const TriangleMetric& now);
 
 /// Quadratic model of an energy for a small change u of six unknowns. The energy changes by Slope^T

@@ -1,8 +1,9 @@
 /// Train a self-organizing map in batches, on finer and finer geodesic networks. The algorithm sums
 /// the updates of \cite Liou2008 over many samples. Training starts from the unit sphere.
 ///
-/// A network is a mesh on the unit sphere. Each of its vertices is a neuron, with a weight vector:
-/// its position in space. A sample that is used for training is called a pattern.
+/// A geodesic network is a subdivided icosahedron on the unit sphere. Each of its vertices is a
+/// neuron, with a weight vector: its position in space. A sample that is used for training is
+/// called a pattern.
 
 #ifndef ConformalBatchTraining_h
 #define ConformalBatchTraining_h

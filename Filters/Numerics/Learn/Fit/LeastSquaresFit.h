@@ -40,7 +40,7 @@ struct LeastSquaresFitOptions
   ///
   /// Without a Guide, this option also moves vertices that have no samples. In the second half of
   /// the iterations, these vertices are pulled along their normals toward their nearest samples.
-  /// Thus the surface moves into hollows that it covered before.
+  /// Thus a surface that covers a hollow moves into the hollow.
   bool AutomaticPriority = true;
 
   /// Surface that guides vertices between samples that are far apart, or null. Vertices without

@@ -48,8 +48,8 @@ struct ToleratedQuality
 ///   (WindingNumbers.h). The winding number decreases along a correct outward normal. The winding
 ///   number does not decrease if two sides of the surface share samples, or if the surface is
 ///   inside out.
-/// - UndersampledFraction: A sample is counted if it is more than 0.02 from the plane through its
-///   neighbors. Samples are too sparse there for the curvature of the surface.
+/// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
+///   is above 0.02. Samples are too sparse there for the curvature of the surface.
 /// - LayerDistance: A scan with registration errors may consist of two layers. The offset of a
 ///   sample is its signed distance from the surface. In two layers, offsets of neighboring samples
 ///   have two values. The kurtosis of such offsets is nearer to 1 than to 3, which is the kurtosis

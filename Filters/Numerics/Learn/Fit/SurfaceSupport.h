@@ -20,8 +20,8 @@ namespace conformal
 /// or on fillings of holes in the data.
 ///
 /// The number of patterns around a vertex is compared with the number expected for an area of this
-/// size. The neighborhood of the vertex is enlarged until about a hundred patterns are expected in
-/// it. If the neighborhood contains less than a quarter of the expected number, the vertex is
+/// size. The neighborhood of the vertex is enlarged until about a hundred patterns are expected
+/// there. If the neighborhood contains less than a quarter of the expected number, the vertex is
 /// unsupported.
 ///
 /// @param[in] positions  #V by 3

@@ -42,9 +42,9 @@ struct OnlineTrainingOptions : OnlineOptions
 /// whose vertices are the neurons. Each neuron has a weight vector, its position in space. Weight
 /// vectors are in the samples' unit (maximum radius 1).
 ///
-/// Implementation note: priorities of the samples are used only in the second half of the epochs,
-/// when the neighborhood is narrow. With priorities from the beginning, too few neurons would
-/// represent parts of low priority.
+/// Implementation note: samples may have priorities. In the second half of the epochs, when the
+/// neighborhood is narrow, samples are drawn in proportion to their priorities. With priorities
+/// from the beginning, too few neurons would represent parts of low priority.
 /// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
 /// @param[in] start    initial weight vectors w_i(0)
 /// @throws Aborted
