@@ -36,7 +36,7 @@ struct CloudInput
 ///   priority do not influence the search for far points.
 /// @param[in] surface     second data set, or null. Its points and the points of the cloud
 ///   determine the frame together.
-/// @param[in] reduce      sum over all ranks, each of which has a part of the points
+/// @param[in] reduce      sum over all ranks (processes), each of which has a part of the points
 /// @param[out] cloud      default-constructed object to fill. Do not move the object afterward,
 ///   since View and Skip may refer to Copy.
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,

@@ -23,7 +23,8 @@ struct CloudNormals
 
 /// Find the normals of a cloud. If most points belong to polygons, normals are computed from the
 /// polygons. For this purpose, the polygons are oriented consistently. Otherwise, the normals are
-/// the active normals of the points. All ranks with points must then have active normals.
+/// the active normals of the points. All ranks (processes) with points must then have active
+/// normals.
 /// @param[in] needed    whether to throw if a cell contains an invalid point id. If false, all
 ///   polygons are ignored in this case.
 /// @param[out] normals  object to fill. Do not move the object afterward, since View may refer to

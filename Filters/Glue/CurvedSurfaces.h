@@ -34,7 +34,8 @@ struct BuiltSurface
   conformal::CoordinateFrame Frame;
 };
 
-/// Build the same surface on all ranks, from the mesh of the first rank that has one.
+/// Build the same surface on all ranks (processes), from the mesh of the first rank that has a
+/// mesh.
 /// @param[in] self     object that issues warnings
 /// @param[in] surface  mesh of this rank, possibly empty
 /// @param[in] cloud    points on this rank, or null. Points are used only if the option DomeHeight

@@ -22,8 +22,8 @@ struct Harmonics
 };
 
 /// Convert coefficients to a table with one row for each spherical harmonic. The first columns are
-/// "Degree" and "Order" (int), and "X", "Y" and "Z" (double). The columns of further functions
-/// follow (double).
+/// "Degree" and "Order" (int), and "X", "Y" and "Z" (double). Then follow the columns of further
+/// functions (double).
 void ToTable(const Harmonics& harmonics, vtkTable* table);
 
 /// Convert a table to coefficients. The rows may have any order. Further columns are included if

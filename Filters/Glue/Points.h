@@ -30,7 +30,7 @@ inline const char* SpherePositionName()
 
 /// Compute a common coordinate frame for the points of several data sets. Null pointers are
 /// ignored.
-/// @param[in] reduce  sum over all ranks; needed if each rank has a part of the points
+/// @param[in] reduce  sum over all ranks (processes); needed if each rank has a part of the points
 conformal::CoordinateFrame FrameOf(
   const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce = {});
 

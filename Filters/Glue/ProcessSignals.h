@@ -31,8 +31,8 @@ public:
   /// are tested only every few milliseconds, so the function may be called often.
   bool heardStop();
 
-  /// Wait until all processes have called this function. While waiting, call `idle` repeatedly.
-  /// This argument must not throw exceptions.
+  /// Wait until all processes have called this function. While waiting, call `idle` repeatedly. The
+  /// function `idle` must not throw exceptions.
   void meet(const std::function<void()>& idle);
 
   /// Clear all signals to stop. After a signal, all processes must call this function at the same

@@ -22,8 +22,8 @@ namespace glue
 /// single process, or no controller.
 ///
 /// If one process has an error or is aborted, all processes stop. Before each sum over all
-/// processes, the processes exchange their states. Therefore, no process waits for another process
-/// that has stopped.
+/// processes, the processes exchange their states: running, aborted or failed. Therefore, no
+/// process waits for another process that has stopped.
 ///
 /// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
 /// The other processes exchange their states at their next progress report. While processes wait
@@ -38,7 +38,9 @@ public:
   Processes(const Processes&) = delete;
   void operator=(const Processes&) = delete;
 
+  /// Return the number of this process, counted from 0.
   int rank() const { return this->Rank; }
+  /// Return the number of processes.
   int size() const { return this->Size; }
   bool isFirst() const { return this->Rank == 0; }
 
@@ -78,7 +80,7 @@ private:
 };
 
 /// Implement RequestData of a filter on several processes. Call `core` on all processes, and return
-/// the same status on all. The function RunCore() in Run.h is for a single process.
+/// the same status on all processes. The function RunCore() in Run.h is for a single process.
 int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core);
 

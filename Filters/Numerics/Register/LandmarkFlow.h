@@ -45,9 +45,9 @@ struct LandmarkFlowResult
 /// landmarks. Each step rotates every vertex x by the rotation vector omega(x). The coefficients of
 /// the sum solve linear equations, so that every landmark moves straight toward its target.
 ///
-/// If a step would fold a triangle, the nearest landmark that has not reached its target is slowed
-/// down. The step of this landmark is halved, repeatedly if necessary and finally to zero. The
-/// steps of the other landmarks do not change.
+/// If a step would fold a triangle, a landmark near this triangle is slowed down. This is the
+/// nearest landmark that has not reached its target. The step of the landmark is halved, repeatedly
+/// if necessary and finally to zero. The steps of the other landmarks do not change.
 /// @param[in] triangles   #F by 3, triangles of a map to the sphere
 /// @param[in] ids         ids of the landmark vertices; no id is repeated
 /// @param[in] targets     target of each landmark: one unit vector per row

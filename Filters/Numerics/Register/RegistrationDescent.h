@@ -1,5 +1,6 @@
-/// Find a map between two surfaces that has little stretch. Corresponding points shall also have
-/// similar features. Stretch is measured by the symmetric Dirichlet energy of \cite Smith2015.
+/// Find a map between two surfaces that has little stretch and makes features agree. A feature is a
+/// number at each point of a surface, such as the curvature. Stretch is measured by the symmetric
+/// Dirichlet energy of \cite Smith2015.
 ///
 /// Each surface has a map to the unit sphere. One surface is called moving, the other one fixed.
 /// The map between the surfaces is represented by a deformation of the moving surface's sphere.
@@ -35,8 +36,8 @@ struct SpherePair
 struct RegistrationWeights
 {
   double Stretch = 1.0; ///< weight of the symmetric Dirichlet energy
-  /// Multiple of the metric of the sphere that is added to the metric of each surface in the
-  /// stretch.
+  /// Factor by which the metric of the sphere is multiplied. The product is added to the metric of
+  /// each surface before the stretch is computed.
   double Sphere = 0.1;
   /// Weight of the barrier: the symmetric Dirichlet energy of the deformation of the sphere. The
   /// barrier prevents folds, because this energy is infinite for a triangle of zero area.

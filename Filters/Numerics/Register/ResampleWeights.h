@@ -15,8 +15,8 @@
 namespace conformal
 {
 /// Sparse matrix of interpolation weights. Row i contains the weights of source points for target
-/// point i, one of #N target points. Row i has the entries from Offsets[i] up to, but not
-/// including, Offsets[i + 1].
+/// point i, one of #N target points. The entries of row i have the indices Offsets[i] to
+/// Offsets[i + 1] - 1.
 struct ResampleWeights
 {
   std::vector<Index> Offsets = { 0 }; ///< #N + 1, index of the first entry of each row

@@ -26,8 +26,8 @@ struct FoundRotation
 /// result is sorted by ascending difference. Any two of the rotations differ by more than 30
 /// degrees.
 ///
-/// Initially, 1,680 rotations are evaluated. Then the best 60 distinct ones are refined, each by at
-/// most eight Gauss-Newton steps.
+/// Initially, 1,680 rotations are evaluated. Then the 60 best distinct rotations are refined, each
+/// by at most eight Gauss-Newton steps.
 /// @param[in] weights  #K, weights of the features
 /// @param[in] count    maximum number of rotations to return
 std::vector<FoundRotation> searchRotations(const SampledSurface& moving,

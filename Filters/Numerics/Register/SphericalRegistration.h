@@ -69,13 +69,14 @@ struct SphericalRegistrationResult
 ///
 /// 1. Find the initial rotations of the moving surface's sphere. At least two landmarks determine
 ///    one rotation. Otherwise, up to eight rotations are found by the features (RotationSearch.h).
-/// 2. From each rotation, minimize the energy of stretch and features on a coarse sphere. Compute
-///    the score of each result: the energy, plus 3 times the pose difference. Keep up to two
-///    results with the lowest scores. The pose difference is 1 minus the correlation of
-///    corresponding positions, after the best rotation in space. The pose difference excludes
-///    results that match a head with a tail of similar features.
-/// 3. Continue the descent on finer spheres, and keep the result with the lowest score. The last
-///    descent has less regularization.
+/// 2. From each rotation, minimize an energy on a coarse sphere (RegistrationDescent.h). The energy
+///    is the stretch of the map, plus the weighted differences of features. Compute the score of
+///    each result: the energy, plus 3 times the pose difference. Keep up to two results with the
+///    lowest scores. The pose difference is 1 minus the correlation of corresponding positions,
+///    after the best rotation in space. The pose difference excludes results that match a head with
+///    a tail of similar features.
+/// 3. Continue the descent on finer spheres, and keep the result with the lowest score. In the last
+///    descent, the weights that prevent folds are smaller.
 /// 4. Interpolate the deformation at the moving surface's vertices. Then move landmark vertices to
 ///    their targets by a flow (LandmarkFlow.h).
 ///

@@ -41,8 +41,8 @@ struct MovingTriangle
 };
 
 /// Compute the quadratic model of triangleStretch() for edge vectors that are linear in the
-/// unknowns. Negative eigenvalues of the Hessian are removed. This is done separately for changes
-/// within the triangle's plane, and perpendicular to the plane.
+/// unknowns. Negative eigenvalues of the Hessian are removed. Changes within the triangle's plane
+/// and changes perpendicular to the plane are processed separately.
 TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangle& now);
 }
 

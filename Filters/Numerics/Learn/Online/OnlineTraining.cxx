@@ -17,8 +17,8 @@ namespace conformal
 {
 namespace
 {
-/// Step 2 of \cite Liou2008: draw patterns with equal probability. After drawByPriority(), the
-/// probability is proportional to the priority. All ranks draw the same patterns, although each
+/// Draw patterns, as in step 2 of \cite Liou2008, with equal probability. After drawByPriority(),
+/// the probability is proportional to the priority. All ranks draw the same patterns, although each
 /// pattern is stored on a single rank.
 class Sampler
 {
@@ -97,8 +97,8 @@ bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
   return sorted(triangle) < sorted(than);
 }
 
-/// Step 3 of \cite Liou2008: the projection of a pattern onto the model, and its image on the
-/// network. The model is the mesh of the weight vectors.
+/// Project a pattern onto the model, and find its image on the network, as in step 3 of
+/// \cite Liou2008. The model is the mesh of the weight vectors.
 class ImageOnNetwork
 {
 public:
