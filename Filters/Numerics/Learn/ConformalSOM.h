@@ -27,10 +27,11 @@ namespace conformal
 /// sphere, unless a start mesh is given. An adaptive mesh may start from other surfaces
 /// (StartSearch.h).
 ///
-/// Implementation note: in Online mode, each step moves neurons around a reference point r on the
-/// sphere. Neurons farther than 4 sigma from r are not moved, which reduces the cost. Here sigma is
-/// the neighborhood radius of Eq. 3 in \cite Liou2008. The factors of these neurons in Eq. 3 are
-/// below 3.4e-4. Documentation/Filters.md describes the effect on results.
+/// Implementation note: in Online mode (options.TrainingMode), each step moves neurons around a
+/// reference point r on the sphere. Neurons farther than 4 sigma from r are not moved, which
+/// reduces the cost. Here sigma is the neighborhood radius of Eq. 3 in \cite Liou2008. The factors
+/// of these neurons in Eq. 3 are below 3.4e-4. Documentation/Filters.md describes the effect on
+/// results.
 /// @param[in] samples  at least one sample
 /// @param[in] mesh     start mesh, or null: a closed mesh of genus zero in the coordinates of the
 ///   input points.

@@ -2,8 +2,8 @@
 /// have the meaning and names of \cite Liou2008.
 ///
 /// In this paper, a sample point is a pattern, and a vertex of the learned mesh is a neuron. The
-/// position of a neuron in space is its weight vector. Its position on the sphere is its network
-/// position.
+/// position of a neuron in space is its weight vector. The position of a neuron on the sphere is
+/// its network position.
 
 #ifndef ConformalConformalSOMOptions_h
 #define ConformalConformalSOMOptions_h

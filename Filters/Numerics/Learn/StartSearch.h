@@ -17,11 +17,12 @@ namespace conformal
 /// the training mode and the samples.
 MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& samples);
 
-/// Learn in Batch mode from one or more start surfaces, and return the best result.
+/// Learn in Batch mode (options.TrainingMode) from one or more start surfaces, and return the best
+/// result.
 ///
 /// Each learned mesh is evaluated (SurfaceQuality.h). A mesh is bad if a defect exceeds its
 /// tolerance. Webs are spurious membranes that span gaps between limbs. Only meshes learned from
-/// the sphere are tested for webs. A result is good if it is not bad and has no webs.
+/// the sphere are tested for webs. A result is good if the mesh is not bad and has no webs.
 ///
 /// For StartingShape Automatic, start surfaces are tried in this order until a result is good.
 /// Other values of StartingShape restrict the start surfaces as stated:
