@@ -104,7 +104,7 @@ void LengthsFromFrame(
 void AreasFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what)
 {
-  constexpr double minimum = 0x1p-960; // smaller areas beside would lose digits
+  constexpr double minimum = 0x1p-960; // below this unit of area, small areas would lose digits
   const double square = frame.Unit * frame.Unit;
   Require(square >= minimum, what);
   Eigen::Map<Eigen::VectorXd>(values, size) *= square;

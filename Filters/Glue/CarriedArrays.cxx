@@ -16,7 +16,7 @@
 
 namespace
 {
-using Arrays = std::vector<vtkDataArray*>; // of one name, one of each surface
+using Arrays = std::vector<vtkDataArray*>; // arrays of equal name, one of each surface
 
 bool IsCarried(vtkPointData* data, vtkDataArray* array)
 {
@@ -137,7 +137,7 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
 {
   std::string misfits;
   const std::vector<Arrays> common = CommonArrays(surfaces, misfits);
-  std::vector<double> shares; // by numbers of components
+  std::vector<double> shares; // progress: proportional to the numbers of components
   for (const Arrays& arrays : common)
   {
     shares.push_back(static_cast<double>(arrays.front()->GetNumberOfComponents()));

@@ -1,4 +1,4 @@
-// Interpolate point arrays of surfaces at the points of another surface.
+// Interpolate point arrays of one or more surfaces at the points of another surface.
 #ifndef GlueCarriedArrays_h
 #define GlueCarriedArrays_h
 
@@ -13,29 +13,36 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Interpolate every point array of numbers that all surfaces have, with equal name and equal
-/// number of components. Integer arrays of 1 component are labels: a point gets the label of the
-/// largest total weight. Any other array is averaged by the weights. The mean has the array's type
-/// and is rounded for integers, so that colors cross-fade. Arrays that define positions or ids are
-/// skipped: "SpherePosition", active normals and texture coordinates, ghosts, global and pedigree
-/// ids.
+/// Interpolate point arrays of several surfaces at the points of an output surface. An array is
+/// interpolated if every surface has an array of numbers with this name and number of components.
 ///
-/// Numbers that are not finite are ignored; points without finite numbers get 0. One warning
-/// reports these points. Another warning reports arrays of equal name that are incompatible.
-/// @param[in] weights  interpolation weights; points of all surfaces are numbered consecutively
-/// @param[in] output   receives the arrays; arrays of equal name are replaced
+/// Integer arrays of 1 component are labels. Each output point gets the label whose source points
+/// have the largest total weight. Other arrays are averaged by the weights. The mean has the type
+/// of the array; for integer types, the mean is rounded. Colors can thus be blended.
+///
+/// Arrays that define positions or ids are skipped: "SpherePosition", active normals and texture
+/// coordinates, ghosts, global ids and pedigree ids.
+///
+/// Numbers that are not finite are ignored. If all source numbers of an output point are ignored,
+/// the point gets 0. One warning gives the number of these points. Another warning lists arrays of
+/// equal name that have different numbers of components.
+/// @param[in] self     object that issues the warnings
+/// @param[in] weights  interpolation weights. Source points are numbered consecutively over all
+///   surfaces.
+/// @param[in] output   point data to which the arrays are added. Arrays of equal name are replaced.
 void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
   const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run = {});
 
 /// Blend the interpolation weights of several surfaces into weights over the points of all
 /// surfaces.
-/// @param[in] weights  #S, interpolation weights of the points of each surface
-/// @param[in] shares   #S, weight of each surface
+/// @param[in] weights  #S matrices, one for each surface: weights of the surface's points for each
+///   output point
+/// @param[in] shares   #S, weight of each surface; the sum of these weights is 1
 conformal::ResampleWeights BlendedWeights(const std::vector<conformal::ResampleWeights>& weights,
   const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares);
 
-/// Make a point array of the target its active scalars: the array with the name of the source's
-/// active scalars.
+/// Activate an array as scalars of the target: the array with the same name as the active scalars
+/// of the source.
 void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target);
 }
 

@@ -22,13 +22,13 @@
 
 namespace
 {
-// A number of things, in words.
+// Return a text with a number of things, such as "2 tuples".
 std::string Count(vtkIdType count, const std::string& thing)
 {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-// The arrays of the points or of the cells.
+// Check all arrays of points or cells.
 void RequireArrays(
   vtkDataSetAttributes* data, vtkIdType size, const std::string& thing, const std::string& what)
 {
@@ -61,7 +61,7 @@ void RequireArrays(
   }
 }
 
-// Before cells are counted.
+// Check the offsets of all cells. Call this function before cells are counted.
 void RequireOffsets(vtkPolyData* surface, const std::string& what)
 {
   const std::pair<vtkCellArray*, const char*> kinds[] = { { surface->GetVerts(), "vertices" },

@@ -1,5 +1,5 @@
-// Check the inputs of filters and writers. Every filter and writer calls these checks before it
-// reads inputs.
+// Check the inputs of filters and writers. Every filter and writer must call these checks before
+// reading its inputs.
 #ifndef GlueChecks_h
 #define GlueChecks_h
 
@@ -11,29 +11,33 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Check the data on every connection of every input port by RequireConsistentData(). Call it in
-/// RequestData; in earlier requests, inputs may be those of a previous run.
-/// @throws std::invalid_argument if data are inconsistent; the message contains the port, the
-///   inconsistency, and what to do
+/// Check the data on every connection of every input port by RequireConsistentData(). Call this
+/// function in RequestData. In earlier requests, the inputs may still contain data of the previous
+/// execution.
+/// @throws std::invalid_argument if data are inconsistent. The message contains the port, the
+///   inconsistency, and how to correct the data.
 void RequireConsistentInputs(vtkAlgorithm* self);
 
-/// Check that points, cells and arrays are consistent, so that ids of points and cells are valid
-/// ids of tuples:
-/// - Every array of point data and cell data, of any type, has one tuple for each point or cell.
+/// Check that points, cells and arrays are consistent, so that array tuples can be accessed by
+/// point and cell ids:
+/// - Every array of point data has one tuple for each point. Every array of cell data has one tuple
+///   for each cell.
 /// - Ghost arrays are of type unsigned char with 1 component. Active normals and points have 3
 ///   components.
-/// - Cells of a vtkPolyData have valid offsets. The point ids in cells are not checked, since
-///   filters of points read no cells; RequireCellIds() checks them.
+/// - The cells of a vtkPolyData have valid offsets. The point ids in cells are not checked, since
+///   many filters read only points. RequireCellIds() checks the point ids.
 ///
-/// In composite data, every block that is not null is checked. Null passes the check, and so do
-/// other data objects that are no vtkDataSet. The cost is one access to each array and offset.
-/// @param[in] what  description of the data for the user, used in the message
-/// @throws std::invalid_argument if data are inconsistent; the message contains the reason, and
-///   what to do
+/// In composite data, every block is checked. Null pointers, and data objects other than vtkDataSet
+/// and composite data, pass the check. The cost is one access to each array and each offset.
+/// @param[in] what  description of the data in the error message
+/// @throws std::invalid_argument if data are inconsistent. The message contains the inconsistency,
+///   and how to correct the data.
 void RequireConsistentData(vtkDataObject* data, const std::string& what);
 
-/// Check that cells contain valid point ids only. Call it before cells are read or passed on.
-/// @throws std::invalid_argument if a cell is invalid; the message contains the first invalid cell
+/// Check that cells contain only valid point ids. Call this function before cells are read or
+/// copied to an output.
+/// @throws std::invalid_argument if a cell contains an invalid point id. The message contains the
+///   first invalid cell.
 void RequireCellIds(vtkPolyData* surface);
 }
 

@@ -16,7 +16,7 @@ namespace glue
 {
 namespace
 {
-// Whether polygons of the input, on any process, use one of the points.
+// Return whether polygons of the input, on any process, use a far point.
 bool PolygonsUse(vtkPointSet* input, const conformal::PointView& points,
   const conformal::FarPoints& far, const conformal::Reduce& reduce)
 {
@@ -69,7 +69,7 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
     cloud.Frame = conformal::frameOf(
       { ViewPoints(surface ? surface->GetPoints() : nullptr, {}, copy), corner }, reduce, SMPRun());
   }
-  // Where the points are copied it is the copy that the test above reads, and it stays in place.
+  // If the points are copied, Skip reads the copy. Therefore, the copy must not be moved.
   cloud.View = ViewPoints(input->GetPoints(), cloud.Frame, cloud.Copy);
 }
 

@@ -1,4 +1,5 @@
-// Read the points of a cloud for the numerical core. Points far from all others are left out.
+// Read a point cloud for the numerical core (Filters/Numerics). Points far from all others, such as
+// markers of invalid points, are detected and skipped.
 #ifndef GlueCloudInput_h
 #define GlueCloudInput_h
 
@@ -14,32 +15,34 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Points of a cloud, and the coordinate frame in which they are given. The frame is computed
-/// without far points. Coordinates of far points are invalid in the frame, so these points must be
-/// skipped.
+/// Points of a cloud in a coordinate frame: coordinates are divided by the unit of the frame. The
+/// unit is computed without far points, so coordinates of far points are invalid. All users must
+/// skip far points.
 struct CloudInput
 {
   conformal::CoordinateFrame Frame;
-  /// Points in coordinates of the frame; refers to the input's own array or to Copy.
+  /// Points in coordinates of the frame. The view refers to the array of the input, or to Copy.
   conformal::PointView View;
-  conformal::FarPoints Far;
-  std::function<bool(conformal::Index)> Skip; ///< test for ghosts and far points; may be empty
-  conformal::Points Copy;
+  conformal::FarPoints Far; ///< points far from all others
+  /// Function that returns whether to skip a point: a ghost or a far point. May be empty.
+  std::function<bool(conformal::Index)> Skip;
+  conformal::Points Copy; ///< copy of the points, if the input has neither floats nor doubles
 };
 
-/// Read a cloud. If a polygon uses a far point, the data are regarded as a surface and no point is
-/// treated as far.
+/// Read a cloud. If a polygon of the input uses a far point, the input is regarded as a surface.
+/// Then no point is treated as far.
 /// @param[in] input       points to read; must outlive cloud.View
-/// @param[in] priorities  one number for each point, or empty. The search for far points ignores
-///   points whose priority is not positive and finite.
-/// @param[in] surface     surface whose points determine the frame together with the cloud, or null
-/// @param[in] reduce      sum over the ranks that hold parts of the points
-/// @param[out] cloud      default-constructed object to fill. Do not move it afterward, since View
-///   and Skip may refer to Copy.
+/// @param[in] priorities  one number for each point, or empty. Points without a positive and finite
+///   priority do not influence the search for far points.
+/// @param[in] surface     second data set, or null. Its points and the points of the cloud
+///   determine the frame together.
+/// @param[in] reduce      sum over all ranks (processes), each of which has a part of the points
+/// @param[out] cloud      default-constructed object to fill. Do not move the object afterward,
+///   since View and Skip may refer to Copy.
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,
   const conformal::Reduce& reduce, CloudInput& cloud);
 
-/// Issue a warning if there are far points.
+/// If there are far points, issue a warning.
 void WarnOfFarPoints(vtkObject* self, const conformal::FarPoints& far);
 }
 

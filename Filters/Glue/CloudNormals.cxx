@@ -57,7 +57,8 @@ void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   }
   conformal::orientConsistently(triangles);
   conformal::Points points = ToPoints(input->GetPoints(), frame);
-  // One that is not finite is left out later; it must not spoil the others' unit.
+  // Replace coordinates that are not finite by 0, so that they do not affect normals of other
+  // points. Points with such coordinates are left out later.
   points = points.array().isFinite().select(points, 0.0);
   normals.Copy = conformal::vertexNormals(points, triangles);
   normals.View = normals.Copy;

@@ -1,4 +1,5 @@
-// Issue warnings that several filters of points share.
+// Issue warnings about a point cloud that are the same in several filters. The calling filter
+// decides whether a warning is needed.
 #ifndef GlueCloudWarnings_h
 #define GlueCloudWarnings_h
 
@@ -8,13 +9,16 @@ class vtkObject;
 
 namespace glue
 {
-/// Issue a warning about non-finite points, cut handles, unused normals, points apart from the
-/// surface, or points inside of it. Each function issues one warning; the calling filter decides
-/// whether to call it.
+/// Warn that some points are not finite.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
+/// Warn that handles of the hull were cut open.
+/// @param[in] cutFraction  fraction of the hull's area on the cuts
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
+/// Warn that the normals of the points contradict each other and are not used.
 void WarnOfUnusedNormals(vtkObject* self);
+/// Warn that some points are apart from the object.
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
+/// Warn that some points are inside the hull, apart from its surface.
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }
 

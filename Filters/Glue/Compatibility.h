@@ -1,4 +1,4 @@
-// Wrap functions that differ between versions of VTK.
+// Wrap VTK functions that differ between versions of VTK.
 #ifndef GlueCompatibility_h
 #define GlueCompatibility_h
 
@@ -9,9 +9,9 @@
 
 namespace glue
 {
-/// Return whether the algorithm must abort. This is the case if its AbortExecute is set or, since
-/// VTK 9.3, if that of an upstream algorithm is set. An upstream abort also marks the outputs as
-/// aborted.
+/// Return whether an algorithm must abort. The algorithm must abort if its AbortExecute is set.
+/// Since VTK 9.3, an algorithm must also abort if AbortExecute of an upstream algorithm is set. In
+/// this case, the outputs are marked as aborted.
 inline bool IsAbortWanted(vtkAlgorithm* self)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111) // what ParaView 5.11 has
@@ -21,8 +21,8 @@ inline bool IsAbortWanted(vtkAlgorithm* self)
 #endif
 }
 
-/// Triangulate a polygon. The resulting ids are positions in the polygon's own list of points.
-/// Return 0 on failure.
+/// Triangulate a polygon. The resulting ids are indices into the polygon's list of points. Return 0
+/// on failure.
 inline int Triangulate(vtkPolygon* polygon, vtkIdList* triangles)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // what ParaView 5.13 has

@@ -22,8 +22,8 @@
 
 namespace
 {
-// The property, or the field array of the mesh. Warn where neither is there, and the mesh is likely
-// to have been fitted.
+// Return VertexShift: the property or, if it is negative, the field array of the mesh. If both are
+// missing and the mesh was probably fitted by vtkConformalSOM, issue a warning.
 double VertexShiftOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
   vtkPolyData* surface, const glue::ClosedMesh& mesh)
 {
@@ -71,13 +71,13 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
   return positions;
 }
 
-// What a map is built of.
+// Mesh and options from which a curved seamless surface is built.
 struct Model : conformal::MappedMesh
 {
   conformal::CurvedSeamlessSurfaceOptions Options;
 };
 
-// That of the first process that has a surface, on all of them.
+// Return on all processes the model of the first process that has a surface.
 Model ModelOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, glue::Processes& processes,
   const conformal::Run& run)
@@ -138,7 +138,7 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   }
   const conformal::CoordinateFrame frame =
     fits ? points.Frame : FrameOf({ surface }, processes.reduce());
-  conformal::Steps steps(run, { 0.12, 0.03, 0.85 }); // mesh, cloud, surface
+  conformal::Steps steps(run, { 0.12, 0.03, 0.85 }); // progress: mesh, cloud, surface
   const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
   const conformal::Run reading = steps.next();
   const conformal::TrainingSamples samples = fits

@@ -1,5 +1,6 @@
-/// Build curved seamless surfaces from meshes, for vtkCurvedSeamlessMap and for the filter
-/// vtkCurvedSeamlessSurface, which samples the map.
+/// Build a curved seamless surface from a triangle mesh with a map to the sphere. Such a surface
+/// replaces each flat triangle by a curved patch, called a dome. Curved seamless surfaces are used
+/// by vtkCurvedSeamlessMap and by the filter vtkCurvedSeamlessSurface.
 #ifndef GlueCurvedSurfaces_h
 #define GlueCurvedSurfaces_h
 
@@ -16,25 +17,30 @@ namespace glue
 {
 class Processes;
 
-/// Properties of vtkCurvedSeamlessSurface that determine the surface, with their defaults.
+/// Properties of vtkCurvedSeamlessSurface that determine the shape of the surface.
 struct CurvedSeamlessProperties
 {
   conformal::CurvedSeamlessSurfaceOptions Options; ///< all options; Options.VertexShift is ignored
-  /// Value of the property; negative to use the mesh's field array "VertexShift".
+  /// Value of the property VertexShift. If the value is negative, the mesh's field array
+  /// "VertexShift" is used instead.
   double VertexShift = -1.0;
 };
 
-/// Curved seamless surface, and the coordinate frame of its points.
+/// Curved seamless surface, and the coordinate frame of its points. Coordinates in the frame are
+/// divided by the unit of the frame.
 struct BuiltSurface
 {
   conformal::CurvedSeamlessSurface Surface;
   conformal::CoordinateFrame Frame;
 };
 
-/// Build the same surface on all ranks, from the mesh of the first rank that has one. `self` issues
-/// the warnings.
-/// @param[in] cloud  points of this rank's part of the cloud, or null; used only for Fitted domes
-/// @throws std::invalid_argument if no rank has a valid surface
+/// Build the same surface on all ranks (processes), from the mesh of the first rank that has a
+/// mesh.
+/// @param[in] self     object that issues warnings
+/// @param[in] surface  mesh of this rank, possibly empty
+/// @param[in] cloud    points on this rank, or null. Points are used only if the option DomeHeight
+///   is Fitted: domes are then fitted to the points.
+/// @throws std::invalid_argument if no rank has a valid mesh
 /// @throws conformal::Aborted
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,
   vtkObject* self, vtkPolyData* surface, vtkPointSet* cloud, const conformal::Run& run,

@@ -30,7 +30,7 @@ vtkDataArray* RequiredColumn(vtkTable* table, const char* name)
   return column;
 }
 
-// Return the columns after those of positions.
+// Return the named columns of numbers that are neither degree nor order nor positions.
 std::vector<vtkDataArray*> OtherColumns(vtkTable* table)
 {
   std::vector<vtkDataArray*> others;
@@ -48,8 +48,8 @@ std::vector<vtkDataArray*> OtherColumns(vtkTable* table)
   return others;
 }
 
-// Return the most frequent length of the columns; of equally frequent ones, the smallest. A column
-// of another length is invalid.
+// Return the most frequent length of the columns. If several lengths are equally frequent, return
+// the smallest of them. A column of another length is invalid.
 vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
 {
   std::map<vtkIdType, int> counts;
@@ -62,7 +62,7 @@ vtkIdType NumberOfRows(const std::vector<vtkDataArray*>& columns)
     ->first;
 }
 
-// Compute the row of a harmonic.
+// Return the row of coefficients that belongs to a harmonic.
 conformal::Index PlaceOf(double degree, double order, int maximum)
 {
   const bool isHarmonic = degree >= 0.0 && degree <= maximum && degree == std::floor(degree) &&

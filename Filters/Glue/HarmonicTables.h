@@ -1,4 +1,5 @@
-// Convert coefficients of spherical harmonics to tables and back, for filters, sources and writers.
+// Convert coefficients of spherical harmonics to tables of VTK and back, for filters, sources and
+// writers.
 #ifndef GlueHarmonicTables_h
 #define GlueHarmonicTables_h
 
@@ -11,23 +12,25 @@ class vtkTable;
 
 namespace glue
 {
-/// Coefficients of functions on the sphere. There is one row for each harmonic, in the order of
-/// harmonicIndex() in Harmonics/SphericalHarmonics.h.
+/// Coefficients of functions on the sphere. Each row belongs to one spherical harmonic. The rows
+/// are in the order of harmonicIndex() in Harmonics/SphericalHarmonics.h.
 struct Harmonics
 {
-  conformal::Columns Coefficients; ///< first the three columns of positions, then further columns
-  std::vector<std::string> Names;  ///< names of the columns after the first three
+  /// Three columns of coefficients of positions (x, y, z), then columns of further functions.
+  conformal::Columns Coefficients;
+  std::vector<std::string> Names; ///< names of the columns after the first three
 };
 
-/// Convert coefficients to a table with one row for each harmonic. Its columns are "Degree" and
-/// "Order" (int), then "X", "Y", "Z" and the further columns with their names (double).
+/// Convert coefficients to a table with one row for each spherical harmonic. The first columns are
+/// "Degree" and "Order" (int), and "X", "Y" and "Z" (double). Then follow the columns of further
+/// functions (double).
 void ToTable(const Harmonics& harmonics, vtkTable* table);
 
-/// Convert a table to coefficients. Rows may have any order. Further named columns of numbers with
-/// 1 component are included; all other columns are skipped.
-/// @throws std::invalid_argument if a column or row is missing, repeated or not finite; the message
-///   contains the column or row
-/// @throws std::invalid_argument if the degree is above conformal::MaximumHarmonicDegree
+/// Convert a table to coefficients. The rows may have any order. Further columns are included if
+/// they have a name and contain numbers of 1 component. All other columns are skipped.
+/// @throws std::invalid_argument if a column or row is missing, repeated or not finite. The message
+///   contains the column or row.
+/// @throws std::invalid_argument if the maximum degree is above conformal::MaximumHarmonicDegree
 Harmonics FromTable(vtkTable* table);
 }
 

@@ -24,7 +24,7 @@ namespace glue
 void AcceptSurfaces(vtkInformation* portInformation)
 {
   portInformation->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  // The composite type first, else the executive hands blocks over one by one.
+  // The composite type must be first. Otherwise, the executive would pass blocks one by one.
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   portInformation->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
 }

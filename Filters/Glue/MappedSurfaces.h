@@ -1,4 +1,4 @@
-// Read several surfaces with maps to the sphere from the inputs of a filter.
+// Read several surfaces with maps to the sphere from an input port of a filter.
 #ifndef GlueMappedSurfaces_h
 #define GlueMappedSurfaces_h
 
@@ -22,36 +22,42 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Set up an input port to accept vtkPolyData and composite data.
+/// Set up an input port to accept vtkPolyData and composite data of vtkPolyData.
 void AcceptSurfaces(vtkInformation* portInformation);
 
-/// Surfaces of an input port. The name of a surface is the name of its block, or "".
+/// Surfaces of an input port.
 struct Surfaces
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> Held; ///< shallow copies by Held()
+  /// Shallow copies of the surfaces, made by Held() of Run.h.
+  std::vector<vtkSmartPointer<vtkPolyData>> Held;
+  /// Name of the block of each surface; "" if the surface is not a block or has no name.
   std::vector<std::string> Names;
-  /// Modification time of each surface, unique for each state of the data.
+  /// Modification time of each surface. The time changes whenever the data change.
   std::vector<vtkMTimeType> Times;
 
   std::vector<vtkPolyData*> pointers() const;
   double numberOfPoints() const; ///< total over all surfaces
 };
 
-/// Set a block of the output, and name it as its source surface.
+/// Set a block of the output, and give it the name of the surface from which the block was
+/// computed.
+/// @param[in] number  index of the block, and of the surface in `surfaces`
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// Append all surfaces on all connections of a port. Blocks keep their order; empty blocks are
-/// skipped.
-/// @throws std::invalid_argument if a block is no vtkPolyData
+/// Append the surfaces of all connections of a port. Blocks of composite data are appended in their
+/// order, without empty blocks.
+/// @throws std::invalid_argument if a data object or block is not a vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 
-/// Return whether there is no surface, or a surface without points. Issue a warning in both cases.
+/// Return whether there is no surface, or a surface without points. If so, issue a warning.
 bool HasEmpty(vtkObject* self, const Surfaces& surfaces);
 
-/// Convert the surfaces and their maps to meshes in a common frame.
-/// @throws std::invalid_argument if a surface has no triangles, no map, or a point that is not
-///   finite; the message contains the number of the surface
+/// Convert the surfaces and their maps to meshes in a common coordinate frame. Coordinates in the
+/// frame are divided by the unit of the frame.
+/// @param[out] frame  the common frame
+/// @throws std::invalid_argument if a surface has no triangles, no map to the sphere, or a point
+///   that is not finite. The message contains the number of the surface.
 /// @throws std::length_error if the total number of points exceeds the range of int
 std::vector<conformal::MappedMesh> ToMappedMeshes(
   const Surfaces& surfaces, conformal::CoordinateFrame& frame, const conformal::Run& run = {});

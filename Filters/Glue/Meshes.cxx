@@ -77,8 +77,9 @@ public:
   }
 
 private:
-  // Triangulate a polygon by ear clipping. If that fails, as on self-intersecting or flat polygons,
-  // use a fan, which has an equal border and keeps a closed surface closed.
+  // Triangulate a polygon by ear clipping. If this fails, as for self-intersecting or flat
+  // polygons, use a fan of triangles. A fan has the same border, so that a closed surface remains
+  // closed.
   void AddPolygon(vtkIdType size, const vtkIdType* ids, vtkIdType cellId)
   {
     const conformal::Triangles ears = size > ManyCorners
@@ -97,7 +98,8 @@ private:
     }
   }
 
-  // Triangulate by VTK, which selects well-shaped ears at a cost that grows with the square.
+  // Triangulate by vtkPolygon, which selects well-shaped ears. The cost grows with the square of
+  // the number of corners.
   conformal::Triangles EarsOfFew(vtkIdType size, const vtkIdType* ids)
   {
     this->Polygon->Initialize(static_cast<int>(size), ids, this->Points);
@@ -157,7 +159,8 @@ struct Repairs
   conformal::Index Merged = 0, Repeated = 0, Turned = 0, Isolated = 0;
 };
 
-// Make lossless repairs; the rest of the mesh is made only if it then has genus zero.
+// Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh
+// has genus zero.
 Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   conformal::GenusZeroReport& report, const conformal::Run& run = {})
 {
@@ -189,7 +192,7 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   {
     mesh.Positions.row(v) = points.row(kept[v]);
   }
-  // Merged points belong to no triangle either, but are already counted.
+  // Merged points also belong to no triangle, but they are counted as merged points.
   done.Isolated = points.rows() - mesh.Positions.rows() - done.Merged;
   return done;
 }

@@ -1,5 +1,8 @@
 // Convert vtkPolyData to conformal::Mesh, the triangle mesh of the numerical core
 // (Filters/Numerics).
+//
+// The numerical core computes in a coordinate frame: coordinates are divided by the unit of the
+// frame. The unit is a power of two.
 #ifndef GlueMeshes_h
 #define GlueMeshes_h
 
@@ -17,68 +20,74 @@ class vtkPolyData;
 namespace glue
 {
 /// Return the triangles of a surface. Polygons and strips are triangulated. Lines, vertices and
-/// polygons of fewer than three points are skipped. Triangles of strips with repeated points, which
-/// join strips, are skipped, too.
-/// @param[out] cellIds  source cell of each triangle
+/// polygons of fewer than three points are skipped. In strips, triangles with a repeated point are
+/// also skipped.
+/// @param[out] cellIds  for each triangle, the id of the cell from which the triangle was made
 /// @throws std::invalid_argument if a cell contains an invalid point id
 /// @throws std::length_error if ids exceed the range of int
 conformal::Triangles ToTriangles(vtkPolyData* surface, std::vector<vtkIdType>& cellIds);
 conformal::Triangles ToTriangles(vtkPolyData* surface);
 
-/// Return whether a surface has polygons or strips; false for null.
+/// Return whether a surface has polygons or strips. Return false for null.
 bool HasTriangles(vtkPolyData* surface);
 
-/// Return whether all cells contain valid point ids only.
+/// Return whether all cells contain only valid point ids.
 bool HasCellIds(vtkPolyData* surface);
 
-/// Closed surface of genus zero, valid for the numerical core. Positions are finite, in coordinates
-/// of the frame given to ToClosedMesh(). Each vertex belongs to a triangle. Triangles have three
-/// distinct vertices and consistent orientation.
+/// Closed surface of genus zero that satisfies the requirements of the numerical core. Positions
+/// are finite, in coordinates of the frame passed to ToClosedMesh(). Each vertex belongs to a
+/// triangle. All triangles have three distinct vertices, and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
-  std::vector<vtkIdType> PointIds; ///< point of the source surface for each vertex
-  /// Whether triangles are clockwise seen from outside. They are stored like that; Outward()
-  /// reverses them.
+  /// For each vertex, the id of the point of the source surface from which the vertex was made.
+  std::vector<vtkIdType> PointIds;
+  /// Whether triangles are clockwise seen from outside, as in the source surface. Outward()
+  /// reverses these triangles.
   bool InsideOut = false;
 };
 
-/// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired.
-/// `self` issues one warning for each kind of repair:
-/// - Coincident points of open edges (polygon soups) are merged.
+/// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
+/// warning is issued for each kind of repair:
+/// - Coincident points of open edges are merged, as in polygon soups (polygons that share no
+///   points).
 /// - Triangles with a repeated point are removed.
 /// - Triangles are oriented consistently with the majority.
 /// - Isolated points are removed.
 ///
-/// @param[in] frame  coordinate frame of the result, computed from the surface or from it and other
-///   data
-/// @throws std::invalid_argument if coordinates are not finite, or if the surface is open, not
-///   manifold, disconnected, or not of genus zero; the message contains the number of defects
+/// @param[in] self   object that issues the warnings
+/// @param[in] frame  coordinate frame of the result. The frame is computed from the points of the
+///   surface, or also from other points.
+/// @throws std::invalid_argument if coordinates are not finite
+/// @throws std::invalid_argument if the repaired surface is open, not manifold, disconnected, or
+///   not of genus zero. The message contains the number of defects.
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
-/// Return a closed mesh as a mesh whose triangles are counter-clockwise seen from outside.
+/// Return a copy of a closed mesh whose triangles are counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);
 
-/// Set the output to the source surface of a closed mesh. If the surface was repaired, set the
-/// output to the repaired mesh instead, with the point data of the remaining points.
+/// Set an output to the surface of a closed mesh. If the surface was not repaired, the output is a
+/// shallow copy of the source surface. Otherwise, the output is the repaired mesh, with the point
+/// data of the remaining points.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 
-/// Return a surface as a mesh, counter-clockwise seen from outside. If ToClosedMesh() would throw,
-/// or if the surface has isolated points or invalid point ids, return an empty mesh. No warnings
-/// are issued.
+/// Convert a surface to a mesh whose triangles are counter-clockwise seen from outside. No warnings
+/// are issued. The result is empty in three cases: ToClosedMesh() would throw an exception, the
+/// surface has isolated points, or a cell contains an invalid point id.
 conformal::Mesh ToMeshIfClosed(
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
-/// Copy a surface's triangles, its points converted to a frame, and its map to the sphere. The mesh
-/// is not checked.
-/// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws it
+/// Copy the triangles, points and sphere positions of a surface to a mesh. Points are converted to
+/// a frame. The mesh is not checked.
+/// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws this exception
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
-/// Convert a surface to a closed mesh, counter-clockwise seen from outside, with the map to the
-/// sphere in its point array "SpherePosition".
+/// Convert a surface with a map to the sphere to a closed mesh whose triangles are
+/// counter-clockwise seen from outside. The map is the point array "SpherePosition".
+/// @param[in] self   object that issues warnings
 /// @param[in] frame  coordinate frame of the result
-/// @throws std::invalid_argument if ToClosedMesh() or ToSpherePositions() throws it
+/// @throws std::invalid_argument if ToClosedMesh() or ToSpherePositions() throws this exception
 conformal::MappedMesh ToMappedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 }

@@ -17,7 +17,8 @@
 
 namespace
 {
-// Copy the vectors of the array; there is one for each point, since the inputs were checked.
+// Copy the vectors of the array. The array has one vector for each point, since the inputs were
+// checked.
 void ReadSpherePositions(vtkDataArray* array, conformal::Points& positions)
 {
   if (!glue::ToVectors(array, positions))

@@ -1,4 +1,9 @@
-/// Convert coordinates, vectors and numbers of VTK to the types that the numerical core reads.
+/// Convert coordinates, vectors and numbers of VTK to types of the numerical core
+/// (Filters/Numerics).
+///
+/// The numerical core computes in a coordinate frame: coordinates are divided by the unit of the
+/// frame. A view gives access to an array without a copy, and converts each element when it is
+/// read.
 #ifndef GluePoints_h
 #define GluePoints_h
 
@@ -16,8 +21,8 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Return the name of the point array with a map to the sphere. The array has unit vectors of 3
-/// doubles.
+/// Return the name of the point array that contains a map to the sphere. The array has a unit
+/// vector of 3 doubles for each point.
 inline const char* SpherePositionName()
 {
   return "SpherePosition";
@@ -25,44 +30,51 @@ inline const char* SpherePositionName()
 
 /// Compute a common coordinate frame for the points of several data sets. Null pointers are
 /// ignored.
-/// @param[in] reduce  sum over all ranks, if each rank holds a part of the points
+/// @param[in] reduce  sum over all ranks (processes); needed if each rank has a part of the points
 conformal::CoordinateFrame FrameOf(
   const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce = {});
 
-/// Copy points, converted to a frame, as #P by 3 matrix. Return an empty matrix for null.
+/// Copy points to a #P by 3 matrix, converted to a frame. If `points` is null, return an empty
+/// matrix.
 conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame);
 
-/// Return a view of points that converts them to a frame. It refers to the points themselves, or to
-/// `copy` if their type is neither float nor double. `copy` must outlive the view.
+/// Return a view of points that converts them to a frame. The view refers to the memory of the
+/// points if their coordinates are floats or doubles. Otherwise, the view refers to `copy`, which
+/// must outlive the view.
 conformal::PointView ViewPoints(
   vtkPoints* points, const conformal::CoordinateFrame& frame, conformal::Points& copy);
 
-/// Return a view of the numbers of an array with 1 component. It refers to the array itself, or to
-/// `copy` if its type is neither float nor double. `copy` must outlive the view.
+/// Return a view of the numbers of an array with 1 component. The view refers to the memory of the
+/// array if it contains floats or doubles. Otherwise, the view refers to `copy`, which must outlive
+/// the view.
 conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy);
 
-/// Return a function that returns whether a point is a ghost: hidden, or part of another piece. The
-/// returned function is empty if there are no ghosts.
+/// Return a function that returns whether a point is a ghost: hidden, or owned by another piece of
+/// the data. If there are no ghosts, the returned function is empty.
 std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 
-/// Return a view of the vectors of an array with 3 components. It refers to the array itself, or to
-/// `copy` if its type is neither float nor double. `copy` must outlive the view.
-/// @param[in] what  name of the array in the error message
+/// Return a view of the vectors of an array with 3 components. The view refers to the memory of the
+/// array if it contains floats or doubles. Otherwise, the view refers to `copy`, which must outlive
+/// the view.
+/// @param[in] what   description of the array in the error message
+/// @param[in] frame  frame to which the vectors are converted
 /// @throws std::invalid_argument if the array is null or does not have 3 components
 conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy,
   const conformal::CoordinateFrame& frame = {});
 
-/// Copy the vectors of an array with 3 components. Return false if the array is null or has another
-/// number of components.
+/// Copy the vectors of an array with 3 components. If the array is null or does not have 3
+/// components, return false.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
-/// Copy a surface's map to the sphere, the point array "SpherePosition", normalized to unit length.
-/// @throws std::invalid_argument if the point array "SpherePosition" is missing, does not have 3
-///   components, or has a vector that is zero or not finite
+/// Copy the map of a surface to the sphere: the point array "SpherePosition". The copied vectors
+/// are normalized to unit length.
+/// @throws std::invalid_argument if the point array "SpherePosition" is missing, or does not have 3
+///   components
+/// @throws std::invalid_argument if a vector is zero or not finite
 conformal::Points ToSpherePositions(vtkPolyData* surface);
 
-/// Copy the point array "SpherePosition" without normalizing it. Return false if the array is
-/// missing.
+/// Copy the point array "SpherePosition" without normalizing its vectors. If the array is missing,
+/// return false.
 /// @throws std::invalid_argument if the array does not have 3 components
 bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions);
 }

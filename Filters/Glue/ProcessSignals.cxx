@@ -1,4 +1,4 @@
-// Implementation with MPI; ProcessSignalsWithoutMPI.cxx is the alternative.
+// Implement signals between processes with MPI. ProcessSignalsWithoutMPI.cxx is used without MPI.
 #include "Glue/ProcessSignals.h"
 
 #include "vtkCommunicator.h"
@@ -14,7 +14,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// Of the messages; below what MPI guarantees, 32767, and above what VTK uses.
+// Tags of messages: below the range that MPI guarantees, 32767, and above the tags of VTK.
 enum Tags
 {
   STOP = 24001,
@@ -35,7 +35,7 @@ struct ProcessSignals::Messages
   {
   }
 
-  // Receive a message with a tag. Return the rank of its sender, or -1 if there is none.
+  // Receive a message with a tag. Return the rank of its sender, or -1 if there is no message.
   int take(int from, int tag)
   {
     int found = 0, source = -1;
@@ -51,7 +51,7 @@ struct ProcessSignals::Messages
 
   void await(int from, int tag, const std::function<void()>& idle)
   {
-    // Most messages arrive soon. While waiting for the others, do not occupy a processor.
+    // Most messages arrive soon. If a message does not, sleep between tests to free the processor.
     constexpr std::chrono::milliseconds soon(1);
     constexpr std::chrono::microseconds nap(200);
     const Clock::time_point start = Clock::now();
@@ -75,7 +75,7 @@ struct ProcessSignals::Messages
   const int Rank, Size;
   const int Word = 1; ///< content of all messages; only the tag matters
   bool Asked = false;
-  std::vector<bool> Heard; ///< by rank of the sender
+  std::vector<bool> Heard; ///< whether a stop was received, by rank of the sender
   std::vector<vtkMPICommunicator::Request> Requests;
   Clock::time_point LastLook;
 };
@@ -141,7 +141,8 @@ bool ProcessSignals::heardStop()
 //------------------------------------------------------------------------------
 void ProcessSignals::meet(const std::function<void()>& idle)
 {
-  // Messages move up a binary tree when all children have arrived, and down again from the root.
+  // Messages move up a binary tree of processes when all children have arrived. Then messages move
+  // down from the root.
   Messages& link = *this->Link;
   const int parent = (link.Rank - 1) / 2;
   const int first = 2 * link.Rank + 1;
@@ -163,8 +164,8 @@ void ProcessSignals::meet(const std::function<void()>& idle)
 //------------------------------------------------------------------------------
 void ProcessSignals::settle()
 {
-  // A rank that did not test for the message in time must receive it now, or it would interfere
-  // with the next run.
+  // If a rank has not received a stop message yet, it must receive the message now. Otherwise, the
+  // message would stop the next run.
   Messages& link = *this->Link;
   std::vector<int> own(link.Size, 0), asked(link.Size, 0);
   own[link.Rank] = link.Asked;

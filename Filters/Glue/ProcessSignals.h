@@ -1,4 +1,4 @@
-// Send non-blocking messages between the processes of a filter.
+// Send messages between the processes that run a filter together, without blocking a process.
 #ifndef GlueProcessSignals_h
 #define GlueProcessSignals_h
 
@@ -9,9 +9,10 @@ class vtkMultiProcessController;
 
 namespace glue
 {
-/// Signals by which a process informs the others that it stops, while they compute or wait. Only
-/// MPI can test for a message without blocking. With other controllers, and if VTK is built without
-/// MPI, available() is false and no other function may be called.
+/// Signals by which a process informs all other processes that they must stop. The other processes
+/// may be computing or waiting. Signals require MPI, since only MPI can test for a message without
+/// blocking. With other controllers, and if VTK is built without MPI, available() is false. Then no
+/// other function may be called.
 class ProcessSignals
 {
 public:
@@ -20,17 +21,18 @@ public:
   ProcessSignals(const ProcessSignals&) = delete;
   void operator=(const ProcessSignals&) = delete;
 
+  /// Return whether signals can be sent.
   bool available() const { return this->Link != nullptr; }
 
-  /// Signal all other processes to stop, unless a process already did. Return immediately.
+  /// Signal all other processes to stop, unless a stop was already signaled. Return immediately.
   void askToStop();
 
-  /// Return immediately whether another process signaled to stop. Calls are cheap, since messages
-  /// are tested only every few milliseconds.
+  /// Return whether another process signaled to stop. The function returns immediately. Messages
+  /// are tested only every few milliseconds, so the function may be called often.
   bool heardStop();
 
-  /// Wait until all processes have called this function. Meanwhile, call `idle` repeatedly, which
-  /// must not throw.
+  /// Wait until all processes have called this function. While waiting, call `idle` repeatedly. The
+  /// function `idle` must not throw exceptions.
   void meet(const std::function<void()>& idle);
 
   /// Clear all signals to stop. After a signal, all processes must call this function at the same

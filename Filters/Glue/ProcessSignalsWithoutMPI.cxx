@@ -1,4 +1,4 @@
-// Where VTK is built without MPI no signals are available.
+// Implement ProcessSignals for VTK without MPI: no signals are available.
 #include "Glue/ProcessSignals.h"
 
 namespace glue

@@ -51,7 +51,7 @@ void Require(int success)
   }
 }
 
-// Broadcast a text of one rank to all ranks.
+// Broadcast the text of one rank to all ranks.
 std::string Broadcast(vtkMultiProcessController* controller, std::string text, int from)
 {
   vtkMultiProcessStream stream;
@@ -70,7 +70,7 @@ vtkNew<vtkIdTypeArray> IdsFrom(vtkIdType begin, vtkIdType end, const char* name)
   return ids;
 }
 
-// Keep the triangles [begin, end) with their points; remove the rest of the surface.
+// Keep the triangles [begin, end) and their points, and remove all other triangles and points.
 void KeepTriangles(vtkPolyData* surface, vtkIdType begin, vtkIdType end)
 {
   constexpr vtkIdType unused = -1;
@@ -128,7 +128,7 @@ conformal::Reduce Processes::reduce()
   {
     reduce.Sum = [this](std::int64_t* values, conformal::Index count)
     {
-      // Sum in pieces: MPI counts in ints, and the sums need a buffer.
+      // Sum in pieces, since MPI counts elements in int and the sums need a buffer.
       constexpr conformal::Index pieceSize = 1 << 17;
       this->agree();
       std::vector<std::int64_t> sums(std::min(count, pieceSize));
@@ -180,7 +180,7 @@ void Processes::call()
 //------------------------------------------------------------------------------
 std::string Processes::meet()
 {
-  // Call observers as often as during the work of the filter.
+  // While waiting, call observers at the same rate as during the work of the filter.
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds interval(50);
   Clock::time_point last = Clock::now();
@@ -238,7 +238,8 @@ void Processes::agree(const std::string* error)
     observersError = this->meet();
     error = error || observersError.empty() ? error : &observersError;
   }
-  // The first rank with an error, or the number of ranks; then whether all continue.
+  // Reduce two numbers to their minima. The first is the lowest rank with an error, or the number
+  // of ranks. The second is 0 if a process stops, else 1.
   const std::int64_t own[] = { error ? this->Rank : this->Size, this->StopWanted ? 0 : 1 };
   std::int64_t all[2];
   Require(this->Controller->AllReduce(own, all, 2, vtkCommunicator::MIN_OP));

@@ -1,4 +1,4 @@
-// Adapt vtkMultiProcessController to the numerical core, which runs on several processes.
+// Run the numerical core (Filters/Numerics) on several processes, by a vtkMultiProcessController.
 #ifndef GlueProcesses_h
 #define GlueProcesses_h
 
@@ -21,42 +21,51 @@ namespace glue
 /// Processes that run a filter together. Each process has a part of the points. Usually there is a
 /// single process, or no controller.
 ///
-/// An error or an abort of one process stops all of them. Before each sum over all processes, they
-/// exchange their states. No process therefore waits for one that has stopped. A process that stops
-/// between sums signals this to the others, which join the exchange at their next progress report.
-/// Observers are also called while processes wait for each other. Without MPI there are no signals,
-/// and all processes continue to the next sum.
+/// If one process has an error or is aborted, all processes stop. Before each sum over all
+/// processes, the processes exchange their states: running, aborted or failed. Therefore, no
+/// process waits for another process that has stopped.
+///
+/// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
+/// The other processes exchange their states at their next progress report. While processes wait
+/// for each other, progress observers are called. Without MPI there are no signals, and all
+/// processes continue to the next sum.
 class Processes
 {
 public:
+  /// @param[in] self        filter that the processes run
+  /// @param[in] controller  controller of the processes, or null for a single process
   explicit Processes(vtkAlgorithm* self = nullptr, vtkMultiProcessController* controller = nullptr);
   Processes(const Processes&) = delete;
   void operator=(const Processes&) = delete;
 
+  /// Return the number of this process, counted from 0.
   int rank() const { return this->Rank; }
+  /// Return the number of processes.
   int size() const { return this->Size; }
   bool isFirst() const { return this->Rank == 0; }
 
-  /// Return an object that sums over all processes. It must not outlive this object.
+  /// Return an object that sums over all processes. The returned object must not outlive this
+  /// Processes object.
   conformal::Reduce reduce();
 
-  /// Return the lowest rank on which the condition holds, or -1 if there is none.
+  /// Return the lowest rank on which the condition is true, or -1 if it is false on all ranks.
   int firstWith(bool condition);
 
-  /// Return the text of one rank on all ranks.
+  /// Return on all ranks the text that one rank passes. The texts of other ranks are ignored.
   std::string textOf(int rank, const std::string& text);
 
-  /// Return a run like that of RunOf(), which also stops when another process stops.
+  /// Return an execution context like that of RunOf() in Run.h. In addition, the computation stops
+  /// when another process stops.
   conformal::Run run();
 
   /// Exchange the states of all processes. If several processes have errors, the error of the
   /// lowest rank is reported.
   /// @param[in] error  error message of this process, or null
-  /// @throws SharedError if a process has an error
+  /// @throws std::runtime_error if a process has an error
   /// @throws conformal::Aborted if a process was aborted
   void agree(const std::string* error = nullptr);
 
-  /// Signal the other processes to call agree().
+  /// Signal the other processes to stop and to call agree().
   void call();
 
 private:
@@ -70,27 +79,28 @@ private:
   ProcessSignals Signals;
 };
 
-/// Implement RequestData on several processes: call `core` on all of them, and return the same
-/// status on all. RunCore() in Run.h is the function for a single process.
+/// Implement RequestData of a filter on several processes. Call `core` on all processes, and return
+/// the same status on all processes. The function RunCore() in Run.h is for a single process.
 int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core);
 
-/// Implement RequestUpdateExtent for several processes: each process requests its own piece of all
-/// inputs, for any requested piece of the output.
+/// Implement RequestUpdateExtent of a filter on several processes. Each process requests its own
+/// piece of all inputs, whichever piece of the output is requested.
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
 
-/// Copy a mesh that one rank has to all ranks. The mesh is empty on the other ranks.
+/// Return on all ranks the mesh that one rank has. The argument must be empty on the other ranks.
 conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
 
-/// Return the same mesh with a map to the sphere on all ranks, converted from the surface of the
-/// first rank that has points. The frame must be equal on all ranks.
+/// Return on all ranks the mesh of the first rank whose surface has points. The mesh includes the
+/// map of the surface to the sphere. The frame must be equal on all ranks.
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes);
 
-/// Distribute a surface that all ranks have. If `inPieces` is false, rank 0 keeps the surface, and
-/// the other ranks keep its arrays without values. If it is true, each rank keeps a contiguous
-/// range of triangles with their points, and gets global ids.
+/// Distribute a surface that is complete on all ranks.
+/// @param[in] inPieces  whether each rank keeps a part of the surface. If true, each rank keeps a
+///   contiguous range of triangles with their points, and global ids are added. If false, rank 0
+///   keeps the whole surface. The other ranks then keep only the arrays, without values.
 void KeepOwnShare(vtkPolyData* surface, bool inPieces, const Processes& processes);
 }
 

@@ -40,7 +40,7 @@ conformal::Rows FeaturesOf(
     {
       throw std::invalid_argument("some values of the feature \"" + name + "\" are not finite");
     }
-    // Squares of what is left must not overflow.
+    // Divide the feature by its maximum, so that squares do not overflow.
     const double maximum = result.col(k).cwiseAbs().maxCoeff();
     if (maximum > 0.0)
     {

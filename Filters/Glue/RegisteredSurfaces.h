@@ -1,4 +1,5 @@
-// Convert surfaces for registration, and convert the results of registration.
+// Convert surfaces of VTK for registration, and write the results of registration to surfaces.
+// Registration deforms a map to the sphere until it corresponds to the map of another surface.
 #ifndef GlueRegisteredSurfaces_h
 #define GlueRegisteredSurfaces_h
 
@@ -17,38 +18,41 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Names of point arrays that registration matches (features), and their weights.
+/// Names and weights of features: point arrays by which registration matches both surfaces.
 using FeatureList = std::vector<std::pair<std::string, double>>;
 
-/// Surface in the form that the numerical core reads, with the source point of each vertex.
+/// Surface in the form that the numerical core (Filters/Numerics) reads. Each vertex was made from
+/// one point of the source surface.
 struct SurfaceToRegister
 {
   conformal::RegisteredSurface Core;
-  std::vector<vtkIdType> PointIds; ///< source point of each vertex
-  conformal::Points Map;           ///< sphere position of each point
+  std::vector<vtkIdType> PointIds; ///< for each vertex, the id of its source point
+  conformal::Points Map;           ///< sphere position of each source point
 
-  /// Return the vertex of each source point, or -1 for points without a vertex.
+  /// Return the vertex of each source point, or -1 if the point has no vertex.
   std::vector<int> vertices() const;
 };
 
 /// Convert a surface for registration.
-/// @throws std::invalid_argument if ToClosedMesh() or ToSpherePositions() throws it, or if a
-///   feature is missing or not finite; the message contains its name
+/// @throws std::invalid_argument if ToClosedMesh() or ToSpherePositions() throws this exception
+/// @throws std::invalid_argument if a feature is missing or not finite. The message contains the
+///   name of the feature.
 SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
   const FeatureList& features, const conformal::CoordinateFrame& frame,
   const conformal::Run& run = {});
 
 /// Return the weights of features.
-/// @throws std::invalid_argument if a weight is below 0 or not finite; the message contains the
-///   name of the feature
+/// @throws std::invalid_argument if a weight is below 0 or not finite. The message contains the
+///   name of the feature.
 std::vector<double> WeightsOf(const FeatureList& features);
 
-/// Compute the sphere positions of all points after registration. Points without triangles move
-/// with the triangle of the sphere that contains them.
-/// @param[in] moved  sphere positions of the vertices after registration
+/// Compute the sphere positions of all source points after registration. A point without a vertex
+/// moves with the sphere triangle that contains the point.
+/// @param[in] moved  sphere positions of all vertices after registration
 conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::Points& moved);
 
-/// Set the map of a surface to the sphere, and add measures of its registration as field data.
+/// Set the map of a surface to the sphere, and add measures of the registration as field data.
+/// @param[in] places  sphere position of each point
 void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
   const conformal::SphericalRegistrationResult& result);
 }

@@ -52,8 +52,9 @@ conformal::Run SMPRun()
 //------------------------------------------------------------------------------
 conformal::Progress ProgressOf(vtkAlgorithm* self)
 {
-  // Observers may render, and may abort. They are called for every visible step. During a slow run,
-  // they are called every 50 ms or every thousandth of the elapsed time, which bounds their number.
+  // Observers may render and may abort. Call them after each visible step of progress. During slow
+  // runs, also call them at intervals: 50 ms, or a thousandth of the elapsed time if this is
+  // longer. The intervals limit the number of calls.
   constexpr double minimumStep = 0.002;
   using Clock = std::chrono::steady_clock;
   struct State
@@ -61,7 +62,7 @@ conformal::Progress ProgressOf(vtkAlgorithm* self)
     Clock::time_point Start = Clock::now(), Last = Start;
     double Reached = 0.0, Next = 0.0;
   };
-  // State shared by all copies of the callback, which parts of the progress store.
+  // All copies of the callback share this state.
   const auto state = std::make_shared<State>();
   return [=](double reached)
   {

@@ -1,5 +1,5 @@
-/// Run the numerical core in a filter: with threads, progress, reports of errors, and inputs that
-/// stay unchanged.
+/// Run the numerical core (Filters/Numerics) in a filter. The functions below provide threads,
+/// progress and error reports, and protect inputs against changes during a run.
 #ifndef GlueRun_h
 #define GlueRun_h
 
@@ -17,11 +17,11 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Return a shallow copy of a data object, or null for null. The copy keeps its arrays while a run
-/// reads them, even if a progress observer empties the object or replaces its arrays.
+/// Return a shallow copy of a data object, or null for null. The copy keeps its arrays during a
+/// run, even if a progress observer empties the object or replaces its arrays.
 ///
-/// Outputs are built in objects that observers cannot access, and are copied to the output when
-/// they are complete.
+/// Outputs also need protection against observers. Build them in local objects, and copy complete
+/// results to the output of the filter.
 template <typename Data>
 vtkSmartPointer<Data> Held(Data* data)
 {
@@ -34,39 +34,41 @@ vtkSmartPointer<Data> Held(Data* data)
   return held;
 }
 
-/// Return an execution context (conformal::Run) with the threads of vtkSMPTools and without
-/// progress.
+/// Return an execution context (conformal::Run) with the threads of vtkSMPTools. The context
+/// reports no progress.
 conformal::Run SMPRun();
 
-/// Return a progress callback that invokes the filter's progress events and stops the run when the
-/// filter's abort flag is set.
+/// Return a progress callback of a filter. The callback invokes progress events of the filter. If
+/// the abort flag of the filter is set, the callback stops the run.
 conformal::Progress ProgressOf(vtkAlgorithm* self);
 
-/// Return an execution context (conformal::Run) with the threads of vtkSMPTools and the progress of
-/// a filter.
+/// Return an execution context (conformal::Run) with the threads of vtkSMPTools and the progress
+/// callback of a filter.
 conformal::Run RunOf(vtkAlgorithm* self);
 
-/// Return the text of an error message for an exception of the core.
+/// Return the text of the error message for an exception.
 std::string MessageOf(const std::exception& error);
 
-/// Call `core`. Report an exception as an error of the object and return false.
+/// Call `core`. If `core` throws an exception, report the exception as an error of `self` and
+/// return false.
 bool ReportErrors(vtkObject* self, const std::function<void()>& core);
 
-/// Implement RequestData: check the inputs (Checks.h), then call `core`. Report an exception as an
-/// error of the filter; an abort is not an error. After an error or an abort, empty the outputs, so
-/// that no partial result looks complete.
-/// @return 0 after an error, otherwise 1: the value that RequestData must return
+/// Implement RequestData of a filter. Check the inputs (Checks.h), then call `core`. If `core`
+/// throws an exception, report the exception as an error of the filter. An abort is not reported as
+/// an error. After an error or an abort, empty the outputs, so that no partial result appears to be
+/// complete.
+/// @return the value that RequestData must return: 0 after an error, otherwise 1
 int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
 
-/// Implement a request that precedes RequestData. Call `request` like RunCore() calls `core`, but
-/// do not check the inputs.
+/// Implement a request that precedes RequestData. Call `request` as RunCore() calls `core`, without
+/// a check of the inputs.
 int RunRequest(vtkAlgorithm* self, const std::function<void()>& request);
 
-/// Warn of an empty input. Of several processes, only the first warns: it gets the complete
-/// surface, and an empty input is normal on the others.
+/// Warn that an input is empty. If there are several processes, only the first one warns. The first
+/// process gets the complete surface; on other processes, an empty input is normal.
 void WarnOfEmptyInput(vtkObject* self, const char* message);
 
-/// Return whether an input has no points. If so, call WarnOfEmptyInput().
+/// Return whether an input has no points. If it has no points, call WarnOfEmptyInput().
 bool IsEmptyInput(vtkObject* self, vtkPointSet* input, const char* message);
 }
 

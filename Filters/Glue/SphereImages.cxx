@@ -41,8 +41,8 @@ const double* NumbersOf(vtkFieldData* data, const char* name, int components)
   return numbers;
 }
 
-// Of unit length and at right angles, as far as that survives single precision or six digits. Maps
-// that mirror the sphere have left-handed axes.
+// Check that the axes are orthogonal unit vectors, up to rounding to single precision or six
+// digits. The axes may be left-handed, since maps may mirror the sphere.
 void CheckAxes(const conformal::SphereView& view)
 {
   constexpr double tolerance = 1e-5;

@@ -1,5 +1,5 @@
-// Images of the sphere: store the parameters of the projection in field data, and read and write
-// pixels.
+// Read and write images of the sphere. The parameters of the projection from the sphere to the
+// image are stored in field data.
 #ifndef GlueSphereImages_h
 #define GlueSphereImages_h
 
@@ -24,42 +24,48 @@ namespace glue
 /// "SphereRight", "TextureProjection", "TextureFieldOfView", "TextureScale" and "TextureMargin".
 void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 
-/// Read the parameters of an image's projection from field data.
-/// @throws std::invalid_argument if an array of AddSphereImage() is missing or invalid
+/// Read the parameters of an image's projection from field data that AddSphereImage() wrote.
+/// @throws std::invalid_argument if an array is missing or invalid
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
 
 /// Set the extent, origin and spacing of an image in the pipeline information. The position of each
-/// pixel is the texture coordinate (s, t) of its center.
-/// @throws std::invalid_argument if the image has no pixels, or more than an int can count
+/// pixel is the texture coordinate (s, t) of the pixel's center.
+/// @param[in] size  width and height in pixels
+/// @throws std::invalid_argument if the image has no pixels, or more than 2147483647
 void SetImageInformation(vtkInformation* info, const int size[2]);
 
 /// Set the extent, origin and spacing of an image in the pipeline information. The pixels fill a
-/// rectangle with lower left corner (x, y).
+/// rectangle with lower left corner (x, y), and the given width and height.
+/// @param[in] size  width and height in pixels
+/// @throws std::invalid_argument if the image has no pixels, or more than 2147483647
 void SetImageInformation(
   vtkInformation* info, const int size[2], double x, double y, double width, double height);
 
-/// Allocate an image by the pipeline information of SetImageInformation(). Its pixels get the name,
-/// type and number of components of the array `like`.
+/// Allocate an image with the extent, origin and spacing of the pipeline information
+/// (SetImageInformation()). The pixels get the name, type and number of components of the array
+/// `like`.
+/// @return the array of pixels
 vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataArray* like);
 
-/// Copy the pixels of an image that has one slice.
-/// @param[in] pixels  point array of the image
+/// Copy the pixels of an image with a single slice.
+/// @param[in] pixels  point array of the image: the pixels to copy
 conformal::Picture ToPicture(vtkImageData* image, vtkDataArray* pixels);
 
-/// Allocate the array "OutsideSurface" for an image, with one mark for each pixel. PixelPainter()
-/// sets the marks.
+/// Allocate the array "OutsideSurface" of an image: one mark for each pixel. The function that
+/// PixelPainter() returns sets the marks.
 vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 
-/// Return whether values written to an array must be rounded to integers.
+/// Return whether an array contains integers, so that values written to it must be rounded.
 bool HoldsWholeNumbers(vtkDataArray* array);
 
-/// Return a point array by its name, or the active scalars if the name is empty.
+/// Return the point array with the given name. If the name is empty, return the active scalars.
 /// @throws std::invalid_argument if the array does not exist
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
-/// Return a function that writes the interpolated value of each pixel to `pixels`. Where a pixel
-/// shows no surface, it writes 0 and sets the mark in `holes`. All three arrays must outlive the
-/// function.
+/// Return a function that writes pixels of an image. The function interpolates `values` at the
+/// surface point that a pixel shows, and writes the result to `pixels`. If a pixel shows no
+/// surface, the function writes 0 to `pixels` and sets the mark in `holes`. The three arrays must
+/// outlive the function.
 conformal::PixelSink PixelPainter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes);
 }

@@ -14,7 +14,7 @@ struct LegendreValue
   double Slope = 0.0;
 };
 
-// Evaluate the Legendre polynomial of a degree inside (-1, 1).
+// Evaluate the Legendre polynomial of a degree at x in (-1, 1), and its derivative.
 LegendreValue legendrePolynomial(int degree, double x)
 {
   double before = 0.0, value = 1.0;
@@ -36,7 +36,8 @@ GaussLegendre makeGaussLegendre(int count)
   rule.Weights.assign(count, 0.0);
   for (int i = 0; 2 * i < count; ++i)
   {
-    // Newton's iteration from Tricomi's estimate converges to the last digit in three steps.
+    // Newton's iteration starts at Tricomi's estimate, and converges to the last digit in three
+    // steps.
     const bool isMiddle = 2 * i + 1 == count;
     const double n = count, angle = Pi * (i + 0.75) / (n + 0.5);
     double x = isMiddle ? 0.0 : (1.0 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(angle);

@@ -18,7 +18,8 @@ using Eigen::Matrix3d;
 
 constexpr int ComparedDegree = 12;
 
-// Return coefficients up to a degree, or all, without degree 0.
+// Return the coefficients up to a degree, or all coefficients if there are fewer degrees. The row
+// of degree 0 is set to 0.
 Columns shapeOf(const Columns& coefficients, int degree)
 {
   Columns shape = coefficients.topRows(std::min(coefficients.rows(), numberOfHarmonics(degree)));
@@ -26,10 +27,11 @@ Columns shapeOf(const Columns& coefficients, int degree)
   return shape;
 }
 
-// Axes of the ellipsoid by descending length, on the sphere and in space, right-handed.
+// Axes of the ellipsoid by descending length. The axes on the sphere and the axes in space form
+// right-handed frames, one axis per column.
 struct EllipsoidAxes
 {
-  Matrix3d OnSphere = Matrix3d::Identity(); ///< columns
+  Matrix3d OnSphere = Matrix3d::Identity();
   Matrix3d InSpace = Matrix3d::Identity();
   Vector3 Lengths = Vector3::Zero();
 };
@@ -78,7 +80,8 @@ Matrix3d turn(double angle, int axis)
   return AngleAxisd(angle, Vector3::Unit(axis)).toRotationMatrix();
 }
 
-// Return the axes about which rotations are undetermined by the lengths.
+// Return the axes about which the lengths do not determine a rotation, since the other two axes are
+// similar.
 std::vector<int> openAxes(const Vector3& lengths)
 {
   constexpr double alike = 0.9;
@@ -90,13 +93,14 @@ std::vector<int> openAxes(const Vector3& lengths)
   return first ? std::vector<int>{ 2 } : last ? std::vector<int>{ 0 } : std::vector<int>{};
 }
 
-// Return candidates close enough together for a local search of decreasing angles.
+// Return candidates that are close enough together for a local search. The search then reduces its
+// angles step by step.
 std::vector<Matrix3d> candidateTurns(const std::vector<int>& open)
 {
   std::vector<Matrix3d> turns;
   if (open.size() == 3)
   {
-    constexpr int steps = 24; // of 15 degrees
+    constexpr int steps = 24; // a step is 15 degrees
     for (int i = 0; i < steps; ++i)
     {
       for (int j = 0; j < steps / 2; ++j)
@@ -110,7 +114,7 @@ std::vector<Matrix3d> candidateTurns(const std::vector<int>& open)
     }
     return turns;
   }
-  constexpr int steps = 72; // of 5 degrees
+  constexpr int steps = 72; // a step is 5 degrees
   for (int flip = 0; flip < 4; ++flip)
   {
     const Matrix3d flipped =
@@ -124,7 +128,7 @@ std::vector<Matrix3d> candidateTurns(const std::vector<int>& open)
   return turns;
 }
 
-// Correlation of surfaces on a grid.
+// Correlation between a moving and a fixed surface, computed on a grid.
 class Correlation
 {
 public:

@@ -1,5 +1,6 @@
-/// Rotate surfaces, given by coefficients of spherical harmonics, to a common orientation.
-/// Alignment to the first-degree ellipsoid follows \cite Brechbuehler1995.
+/// Rotate surfaces to a common orientation. Each surface is given by coefficients of spherical
+/// harmonics, which define its positions as functions on the unit sphere. Alignment by the
+/// ellipsoid of degree 1 follows \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicAlignment_h
 #define ConformalHarmonicAlignment_h
@@ -9,14 +10,17 @@
 
 namespace conformal
 {
-/// Rotate functions on the sphere by a rotation R: the new value at R p is the old value at p.
-/// @param[in] coefficients  (L + 1)^2 by #C
+/// Rotate functions on the sphere by a rotation R. The value of a rotated function at R p is the
+/// value of the original function at p.
+/// @param[in] coefficients  (L + 1)^2 by #C, coefficients of #C functions up to degree L
 /// @param[in] rotation      the rotation R
+/// @return (L + 1)^2 by #C coefficients of the rotated functions
 Columns rotateHarmonics(
   const Columns& coefficients, const Eigen::Matrix3d& rotation, const Run& run = {});
 
-/// Rigid motion of a surface, and rotation of its map to the sphere. A surface point s that is
-/// mapped to p is moved to SurfaceRotation (s - Center), and is then mapped to MapRotation p.
+/// Rigid motion of a surface, and rotation of the surface's map to the sphere. Let s be a surface
+/// point that is mapped to the sphere point p. Alignment moves s to SurfaceRotation (s - Center).
+/// The moved point is mapped to MapRotation p.
 struct HarmonicAlignment
 {
   Eigen::Matrix3d MapRotation = Eigen::Matrix3d::Identity();
@@ -24,28 +28,32 @@ struct HarmonicAlignment
   Vector3 Center = Vector3::Zero();
 };
 
-/// Align a surface to the axes of the ellipsoid that its harmonics of degree 1 define, as in
-/// \cite Brechbuehler1995 and in SPHARM-PDM.
+/// Align a surface with the coordinate axes by its ellipsoid, as in \cite Brechbuehler1995 and in
+/// the software SPHARM-PDM. The ellipsoid is the surface that the harmonics of degree 1 define.
 ///
-/// The center moves to the origin. The longest, middle and shortest axis become the x, y and z
-/// axis. The sphere positions of the ends of these axes also become x, y and z.
+/// The center moves to the origin. In space, the longest, middle and shortest axis of the ellipsoid
+/// become the x, y and z axis. On the sphere, the ends of these axes are also mapped to x, y and z.
 ///
-/// On the longest and on the middle axis, the positive end is the one to which the surface extends
-/// farther, by the third moment over the sphere. If the third moment is zero, the largest
-/// coordinate of the positive end on the sphere is positive. The order of axes of equal length is
-/// arbitrary.
+/// Each axis has two ends. On the longest and the middle axis, the positive end is the one to which
+/// the surface extends farther. This is determined by the third moment: the integral over the
+/// sphere of the cubed coordinate along the axis. If the third moment is zero, the positive end is
+/// chosen by its position on the sphere. The coordinate of largest magnitude of this position is
+/// positive. If two axes have equal lengths, their order is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
-/// Align the ellipsoid axes of a surface with those of a reference. Both may have any orientation.
+/// Align a surface with a reference surface by the axes of their ellipsoids. Both surfaces may have
+/// any orientation.
 ///
-/// Candidates are the four proper rotations that align the axes, and permutations of axes whose
-/// lengths differ by less than a tenth. The selected candidate has the maximum correlation between
-/// the surfaces, computed with harmonics up to degree 12.
-/// @param[in] coefficients, reference  (L + 1)^2 by 3 coefficients of positions; the degrees may
-///   differ
-/// @param[in] movesSurface             whether to move the surface as well as its map; if false,
-///   surfaces are correlated at their present positions
+/// Candidates are the four rotations that align the axes of both ellipsoids. Two axes are similar
+/// if their lengths differ by less than a tenth. If two axes of the surface are similar, rotations
+/// about the third axis are also candidates. If all three axes are similar, all rotations are
+/// candidates. The candidate with the maximum correlation between the surfaces is selected and
+/// refined. Correlations are computed with harmonics up to degree 12.
+/// @param[in] coefficients  (L + 1)^2 by 3 coefficients of the positions of the surface
+/// @param[in] reference     coefficients of the reference; its degree L may be different
+/// @param[in] movesSurface  whether to move the surface as well as its map. If false, only the map
+///   is rotated, and surfaces are correlated at their present positions.
 HarmonicAlignment alignToReference(
   const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run = {});
 }

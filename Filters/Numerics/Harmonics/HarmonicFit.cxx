@@ -21,7 +21,7 @@ namespace conformal
 {
 namespace
 {
-// Return the triangles counter-clockwise on the sphere seen from outside.
+// Return the triangles of a mesh, oriented counter-clockwise on the sphere seen from outside.
 Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
 {
   Triangles triangles = mesh.Triangles;
@@ -47,13 +47,14 @@ Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
   return triangles;
 }
 
-// Area of the surface, at vertices of small triangles and on the grid.
+// Samples of the surface and its area: small triangles at their vertices, large triangles on the
+// grid.
 struct SurfaceSamples
 {
   Eigen::VectorXd VertexAreas;
-  Columns Values;          ///< on the grid, linear in the triangles
-  Eigen::VectorXd Density; ///< on the grid, area of the surface per area of the sphere
-  Eigen::VectorXd Counted; ///< density in large triangles, 0 in small ones
+  Columns Values;          ///< values at the grid nodes, linear in each triangle
+  Eigen::VectorXd Density; ///< area of the surface per area of the sphere, at the grid nodes
+  Eigen::VectorXd Counted; ///< Density in large triangles, 0 in small triangles
 };
 
 double longestSide(const Points& positions, const Triangles& triangles, Index triangle)
@@ -90,7 +91,7 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const Columns& values, const HarmonicGrid& grid, double longest, const Run& run)
 {
   constexpr Index blockSize = 512;
-  Steps steps(run, { 0.1, 0.8, 0.1 }); // small triangles, locator, samples
+  Steps steps(run, { 0.1, 0.8, 0.1 }); // progress: small triangles, locator, samples
   steps.next();
   SurfaceSamples samples;
   const std::vector<char> isSmall =
@@ -125,8 +126,8 @@ SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   return samples;
 }
 
-// Three columns, padded with zeros, each divided by a power of two so that their magnitudes are
-// similar.
+// Group of three columns, padded with columns of zeros. Each column is divided by a power of two,
+// so that the columns have similar magnitudes.
 struct ColumnGroup
 {
   Points Values;
@@ -146,10 +147,10 @@ struct ColumnGroup
 };
 
 constexpr int MaximumNumberOfSteps = 200;
-constexpr double WantedAccuracy = 1e-28; // of the square of the residual
+constexpr double WantedAccuracy = 1e-28; // square of the relative residual at which to stop
 constexpr double MaximumResidual = 1e-8;
 
-// Progress of the residual, which decreases by a nearly constant factor per step.
+// Progress reports by the residual, which decreases by a nearly constant factor per step.
 class Descent
 {
 public:
@@ -177,9 +178,10 @@ private:
 //------------------------------------------------------------------------------
 Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, const Run& run)
 {
-  const HarmonicGrid grid(4 * degree); // exact for a harmonic times a density times a harmonic
+  // The grid is exact for products of a harmonic, a density of degree 2 L, and a harmonic.
+  const HarmonicGrid grid(4 * degree);
   const Index groups = (values.cols() + 2) / 3;
-  // Triangles, samples, density, moments, and the equations of each group.
+  // Progress: triangles, samples, density, moments, and the equations of each group of columns.
   std::vector<double> shares = { 0.05, 0.2, 0.45, 0.2 };
   shares.insert(shares.end(), groups, 0.1 / static_cast<double>(groups));
   Steps steps(run, shares);
@@ -196,7 +198,7 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
   {
     throw std::invalid_argument("the surface has no area");
   }
-  // Where the surface is almost collapsed, limit the preconditioner.
+  // Where the surface is almost collapsed, limit the preconditioner by a minimum density.
   const double minimumDensity = 1e-3 * area / (4.0 * Pi);
   const Eigen::VectorXd inverse = samples.Density.cwiseMax(minimumDensity).cwiseInverse();
   const auto timesDensity = [&](const Eigen::VectorXd& factor, const Points& coefficients)

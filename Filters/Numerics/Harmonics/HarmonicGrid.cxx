@@ -14,8 +14,8 @@ namespace conformal
 {
 namespace
 {
-// Return the smallest number of at least the minimum with small prime factors, for fast Fourier
-// transforms.
+// Return the smallest number that is at least `minimum` and has only small prime factors. Fourier
+// transforms of this length are fast.
 Index smoothNumber(Index minimum)
 {
   for (Index number = (minimum + 3) / 4 * 4;; number += 4)
@@ -35,7 +35,7 @@ Index smoothNumber(Index minimum)
   }
 }
 
-// Block of 64 parallels; an incomplete block repeats the last one.
+// Block of up to 64 parallels. An incomplete block is padded with copies of its last parallel.
 struct ParallelBlock
 {
   LegendreLane Heights, LogRadii;
@@ -64,7 +64,8 @@ std::vector<ParallelBlock> blocksOf(const std::vector<double>& nodes)
   return blocks;
 }
 
-// Fourier coefficients of each parallel and column up to a degree, of cos and of sin.
+// Fourier coefficients (cosines and sines) of each column of values on each parallel, up to a
+// degree.
 class Spectra
 {
 public:

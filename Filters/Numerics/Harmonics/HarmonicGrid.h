@@ -1,5 +1,5 @@
-/// Fast transforms between coefficients of spherical harmonics and values on a grid of the sphere,
-/// by separation of variables as in \cite Schaeffer2013.
+/// Convert coefficients of spherical harmonics to values on a grid of the sphere, and back. These
+/// fast transforms separate longitude and latitude, as in \cite Schaeffer2013.
 
 #ifndef ConformalHarmonicGrid_h
 #define ConformalHarmonicGrid_h
@@ -10,31 +10,35 @@
 
 namespace conformal
 {
-/// Grid of directions. The heights of its parallels are Gauss-Legendre nodes; longitudes are evenly
-/// spaced. A transform consists of a Fourier transform along each parallel and a sum over
-/// parallels. The cost is O(L^3) for about L^2 directions.
+/// Grid of directions on the sphere, arranged on parallels (circles of equal latitude). The heights
+/// z of the parallels are Gauss-Legendre nodes, and longitudes are evenly spaced. A transform
+/// consists of a Fourier transform along each parallel, and a sum over parallels. The cost is
+/// O(L^3) for about L^2 directions, where L is the degree of the harmonics.
 class HarmonicGrid
 {
 public:
-  /// Make the smallest grid that integrates functions up to the given degree exactly.
+  /// Make a grid by which functions up to the given degree are integrated exactly. A function has
+  /// degree D if it is a sum of spherical harmonics up to degree D.
   explicit HarmonicGrid(int degree);
 
+  /// Return the number of directions.
   Index size() const { return this->numberOfParallels() * this->NumberOfLongitudes; }
   Index numberOfParallels() const { return static_cast<Index>(this->Parallels.Nodes.size()); }
 
-  /// Return the directions, parallel by parallel, beginning with the northernmost parallel.
+  /// Return all directions, one parallel after the other, from the north pole to the south pole.
   Points directions() const;
 
-  /// Evaluate functions, given by coefficients, in the directions of the grid.
-  /// @param[in] coefficients  (L + 1)^2 by #C; L is at most half of the number of longitudes
-  /// @return size() by #C
+  /// Evaluate functions in the directions of the grid.
+  /// @param[in] coefficients  (L + 1)^2 by #C, coefficients of #C functions. The degree L is at
+  ///   most half of the number of longitudes.
+  /// @return size() by #C values
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
-  /// Integrate values times harmonics over the sphere. The result is exact for functions whose
-  /// degree plus L is at most the degree of the grid.
-  /// @param[in] values  size() by #C
-  /// @param[in] degree  degree L
-  /// @return (L + 1)^2 by #C
+  /// Integrate values times harmonics over the sphere. For a function of degree D, the result is
+  /// exact if D + L is at most the degree of the grid.
+  /// @param[in] values  size() by #C values in the directions of the grid
+  /// @param[in] degree  maximum degree L of the harmonics
+  /// @return (L + 1)^2 by #C integrals: the coefficients of the functions
   Columns analyze(const Columns& values, int degree, const Run& run = {}) const;
 
 private:

@@ -10,8 +10,8 @@ namespace conformal
 {
 namespace
 {
-// Compute six times the enclosed volume; positive if triangles are counter-clockwise seen from
-// outside.
+// Compute three times the enclosed volume. The result is positive if triangles are
+// counter-clockwise seen from outside.
 double enclosedVolume(const Points& positions, const Triangles& triangles)
 {
   double volume = 0.0;
@@ -27,7 +27,7 @@ double enclosedVolume(const Points& positions, const Triangles& triangles)
 //------------------------------------------------------------------------------
 HarmonicSurface makeHarmonicSurface(const Columns& coefficients, int frequency, const Run& run)
 {
-  Steps steps(run, { 0.05, 0.95 }); // sphere, harmonics
+  Steps steps(run, { 0.05, 0.95 }); // progress: sphere, harmonics
   HarmonicSurface surface;
   Mesh sphere = makeGeodesicSphere(frequency, steps.next());
   const Columns values = evaluateHarmonics(coefficients, sphere.Positions, steps.next());

@@ -1,5 +1,5 @@
-/// Reconstruct surfaces from coefficients of spherical harmonics, the representation of
-/// \cite Brechbuehler1995.
+/// Reconstruct surfaces from coefficients of spherical harmonics. This representation of surfaces
+/// is that of \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicSurface_h
 #define ConformalHarmonicSurface_h
@@ -10,19 +10,22 @@
 
 namespace conformal
 {
+/// Surface with a map to the sphere, and further values at its vertices.
 struct HarmonicSurface : MappedMesh
 {
-  Columns Values; ///< #V rows, with one column for each column of coefficients after the positions
+  Columns Values; ///< #V rows; one column for each column of coefficients after the positions
 };
 
 /// Make a surface by evaluating its coefficients in the directions of a geodesic sphere. The
-/// triangles of the surface are counter-clockwise seen from outside.
-/// @param[in] coefficients  (L + 1)^2 by three or more columns: positions, then other values
+/// triangles are counter-clockwise seen from outside.
+/// @param[in] coefficients  (L + 1)^2 rows. The first three columns are coefficients of the
+///   positions; further columns are coefficients of other values.
 /// @param[in] frequency     frequency of the geodesic sphere, see makeGeodesicSphere()
 HarmonicSurface makeHarmonicSurface(
   const Columns& coefficients, int frequency, const Run& run = {});
 
-/// Return the rows of coefficients up to a degree, or all rows if there are fewer degrees.
+/// Return the rows of coefficients up to a degree. If there are fewer degrees, all rows are
+/// returned.
 Columns upToDegree(const Columns& coefficients, int degree);
 }
 

@@ -7,11 +7,12 @@ namespace conformal
 {
 namespace
 {
-// Values below 2^Tiny are stored multiplied by 2^Step, repeatedly until they are above it.
+// Values below 2^Tiny are multiplied by 2^Step, repeatedly until they are above 2^Tiny.
 constexpr double Tiny = -900.0;
 constexpr double Step = 512.0;
 
-// P_mm at the heights of a block, and the number of multiplications by 2^Step for each.
+// Values P_mm at the heights of a block, and the number of multiplications by 2^Step for each
+// height.
 struct Sector
 {
   LegendreLane Values;
@@ -34,7 +35,7 @@ struct Sector
   }
 };
 
-// Undo one multiplication where values have grown.
+// Where scaled values have become large, undo one multiplication by 2^Step.
 void rescale(Sector& sector, LegendreLane& before)
 {
   static const double large = std::exp2(Tiny + Step + 88.0), back = std::exp2(-Step);
@@ -55,7 +56,7 @@ void rescale(Sector& sector, LegendreLane& before)
 //------------------------------------------------------------------------------
 LegendreFunctions::LegendreFunctions(int degree)
 {
-  double product = 1.0; // (2 m - 1)!! / (2 m)!!
+  double product = 1.0; // (2 m - 1)!! / (2 m)!!, by which P_mm is normalized
   for (int m = 0; m <= degree; ++m)
   {
     product *= m == 0 ? 1.0 : 1.0 - 0.5 / m;
@@ -93,7 +94,8 @@ void LegendreFunctions::evaluate(
     rescale(current, before);
     for (int i = 0; i < LegendreLanes; ++i)
     {
-      column[i] = current.Scales[i] > 0 ? 0.0 : current.Values[i]; // or below 2^-812
+      // Values that are still scaled are below 2^-812, and are set to 0.
+      column[i] = current.Scales[i] > 0 ? 0.0 : current.Values[i];
     }
   }
 }

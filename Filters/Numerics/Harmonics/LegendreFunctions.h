@@ -1,5 +1,5 @@
-/// Evaluate normalized associated Legendre functions of high degree, with extended exponents as in
-/// \cite Fukushima2012.
+/// Evaluate normalized associated Legendre functions of high degree. Small values are represented
+/// with extended exponents, as in \cite Fukushima2012.
 
 #ifndef ConformalLegendreFunctions_h
 #define ConformalLegendreFunctions_h
@@ -10,19 +10,23 @@
 
 namespace conformal
 {
-/// Number of heights evaluated together, for vectorization.
+/// Number of heights at which functions are evaluated together, for vectorization. A height is the
+/// z coordinate of a point on the unit sphere.
 constexpr int LegendreLanes = 64;
+/// One number for each of the heights.
 using LegendreLane = Eigen::Array<double, LegendreLanes, 1>;
 
-/// Values of the functions of one order m at one block of heights. Column l - m has degree l.
+/// Values of the functions of one order m at LegendreLanes heights. Column l - m has degree l.
 using LegendreBlock = Eigen::Matrix<double, LegendreLanes, Eigen::Dynamic>;
 
-/// Associated Legendre functions without the Condon-Shortley phase, normalized so that P_l0(z),
-/// P_lm(z) cos(m phi) and P_lm(z) sin(m phi) are orthonormal on the unit sphere.
+/// Associated Legendre functions P_lm of degree l and order m, without the Condon-Shortley phase.
+/// Let z be the height of a point on the unit sphere, and phi its longitude. The functions are
+/// normalized so that P_l0(z), P_lm(z) cos(m phi) and P_lm(z) sin(m phi) are orthonormal on the
+/// sphere.
 ///
 /// For each order m, a recursion computes functions of ascending degree, beginning with P_mm. The
-/// recursion is stable. Near the poles, P_mm underflows, but functions of higher degree do not.
-/// There, values are scaled by a power of two until they are large enough.
+/// recursion is stable. Near the poles, P_mm can be too small for doubles even if functions of
+/// higher degree are not. There, values are scaled by a power of two until they are large enough.
 class LegendreFunctions
 {
 public:
@@ -31,17 +35,18 @@ public:
 
   int degree() const { return static_cast<int>(this->LogSectors.size()) - 1; }
 
-  /// Evaluate the functions of one order, for all degrees from `order` to degree(). Each degree has
-  /// one column.
+  /// Evaluate the functions of one order at given heights, for all degrees from `order` to
+  /// degree().
+  /// @param[in] order      order m of the functions
   /// @param[in] heights    heights z in [-1, 1]
   /// @param[in] logRadii   logarithms to base 2 of sqrt(1 - z^2); minus infinity at the poles
-  /// @param[out] values    values of the functions; has at least one column for each degree.
-  ///   Further columns do not change.
+  /// @param[out] values    one column of values for each degree. The matrix has at least this
+  ///   number of columns; further columns do not change.
   void evaluate(int order, const LegendreLane& heights, const LegendreLane& logRadii,
     LegendreBlock& values) const;
 
 private:
-  std::vector<double> LogSectors; ///< for each m, log2 of P_mm at z = 0
+  std::vector<double> LogSectors; ///< for each order m, log2 of P_mm at z = 0
 };
 }
 

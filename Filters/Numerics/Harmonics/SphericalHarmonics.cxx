@@ -14,11 +14,12 @@ namespace
 {
 using Waves = Eigen::Array<double, LegendreLanes, 2>; // cos and sin of a multiple of the longitude
 
-// Directions evaluated together. An incomplete block repeats the last one.
+// Block of directions that are evaluated together. An incomplete block is padded with copies of its
+// last direction.
 struct Block
 {
   LegendreLane Heights, LogRadii;
-  Waves First; // of the longitude itself
+  Waves First; // cosine and sine of the longitude
 
   Block(const Points& directions, Index begin, Index end)
   {
@@ -33,8 +34,8 @@ struct Block
     }
   }
 
-  // Evaluate a multiple by the power of a complex number; the error is about m units of the last
-  // digit.
+  // Compute the cosine and sine of m times the longitude, as power m of a complex number. The error
+  // is about m units of the last digit.
   Waves wavesOf(int order) const
   {
     Waves waves;
@@ -61,7 +62,8 @@ struct Block
   }
 };
 
-// Return the coefficients of one order, a row for each degree: those of cos, then those of sin.
+// Return the coefficients of one order, with one row for each degree. The first columns belong to
+// the cosines, the other columns to the sines.
 Columns coefficientsOfOrder(const Columns& coefficients, int degree, int order)
 {
   const Index columns = coefficients.cols();
@@ -96,7 +98,7 @@ void evaluateBlock(const LegendreFunctions& functions, const std::vector<Columns
   values.middleRows(begin, end - begin) = sum.topRows(end - begin);
 }
 
-// Add the moments of one order over some directions.
+// Add the moments of one order over the directions [begin, end).
 void addMoments(const LegendreFunctions& functions, int order, const std::vector<Block>& blocks,
   const Columns& values, Index begin, Index end, Columns& moments)
 {
@@ -167,7 +169,7 @@ Columns evaluateHarmonics(const Columns& coefficients, const Points& directions,
 //------------------------------------------------------------------------------
 Columns harmonicMoments(const Points& directions, const Columns& values, int degree, const Run& run)
 {
-  // Each order is summed separately over consecutive chunks of directions, so that the order of
+  // Each order is summed separately, over consecutive chunks of directions. Thus the order of
   // summation does not depend on the number of threads.
   constexpr Index chunkSize = Index(32) * LegendreLanes;
   const LegendreFunctions functions(degree);

@@ -83,7 +83,8 @@ void checkStart(const ConformalSOMOptions& options, const MappedMesh* mesh)
     "the starting mesh is two triangles back to back, which enclose nothing");
 }
 
-/// Weights to start from: the network positions, or a mesh resampled at these.
+/// Return the initial weights. Without a given mesh, they are the network positions. Otherwise,
+/// they are the points of the mesh in the directions of the network positions.
 Points firstWeights(
   const TrainingSamples& samples, const Points& network, const MappedMesh* mesh, const Run& run)
 {
@@ -100,7 +101,7 @@ Points firstWeights(
   return weights;
 }
 
-/// Hand a surface in the samples' unit to options.Observer, not evaluated.
+/// Pass a surface in the samples' unit to options.Observer, without evaluating its quality.
 void observe(const TrainingSamples& samples, const ConformalSOMOptions& options,
   const std::string& start, const std::string& name, const Mesh& surface)
 {
@@ -124,7 +125,7 @@ ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSO
   online.Frequency = geodesicFrequencyFor(options.NumberOfNeurons);
   online.ReferencePoint = options.ReferencePoint;
   online.RandomSeed = options.RandomSeed;
-  Steps steps(run, { 0.02, 0.96, 0.02 }); // first weights, learning, support
+  Steps steps(run, { 0.02, 0.96, 0.02 }); // progress: first weights, learning, support
   const Mesh network = makeGeodesicSphere(online.Frequency, run.unwatched());
   const Points weights = firstWeights(samples, network.Positions, mesh, steps.next());
   const std::string start = mesh ? "given mesh" : "sphere";
@@ -146,7 +147,8 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   checkStart(options, mesh);
   run.report(0.0);
   const bool isGeodesic = meshTypeFor(options, samples) == MeshType::Geodesic;
-  Steps steps(run, { isGeodesic ? 1.0 : 0.8, isGeodesic ? 0.0 : 0.2 }); // learning, map
+  // Progress: learning, conformal map.
+  Steps steps(run, { isGeodesic ? 1.0 : 0.8, isGeodesic ? 0.0 : 0.2 });
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
     ? learnOnline(samples, options, mesh, steps.next())
     : learnFromBestStart(samples, options, mesh, steps.next());
@@ -164,7 +166,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ConformalSOMOptions& options, const Run& run)
 {
-  Steps steps(run, { 0.1, 0.9 }); // tree, foot points
+  Steps steps(run, { 0.1, 0.9 }); // progress: tree, foot points
   Points weights = result.Positions;
   for (Index i = 0; i < weights.rows(); ++i)
   {

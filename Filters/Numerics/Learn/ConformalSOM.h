@@ -1,5 +1,5 @@
-/// Conformal self-organizing map (CSM): learn a closed mesh from scattered points, and map it to
-/// the sphere.
+/// Learn a closed triangle mesh from scattered points, and map the mesh to the unit sphere. The
+/// method is the conformal self-organizing map (CSM) of \cite Liou2008.
 
 #ifndef ConformalConformalSOM_h
 #define ConformalConformalSOM_h
@@ -14,41 +14,54 @@
 
 namespace conformal
 {
-/// Learn a closed surface through the samples, \cite Liou2008 section 2, and map it to the sphere.
-/// The map of a geodesic mesh is given by the network positions of its neurons. An adaptive mesh is
-/// mapped conformally (GlobalConformalMap.h).
+/// Learn a closed triangle mesh through the samples, \cite Liou2008 section 2, and map the mesh to
+/// the sphere.
+///
+/// The mesh is geodesic or adaptive (options.MeshType). A geodesic mesh has the triangles of a
+/// geodesic sphere (a subdivided icosahedron). Its map consists of the network positions of its
+/// vertices (neurons) on this sphere. An adaptive mesh has triangles of about equal size all over
+/// the surface. Its map is computed as a conformal map (GlobalConformalMap.h).
 ///
 /// Implementation note: samples are shifted to their centroid and scaled to a maximum radius of 1.
-/// The constants of \cite Liou2008 refer to these coordinates. The initial weights are the unit
-/// sphere. An adaptive mesh may start from other surfaces (StartSearch.h).
+/// The constants of \cite Liou2008 refer to these coordinates. A geodesic mesh starts from the unit
+/// sphere, unless a start mesh is given. An adaptive mesh may start from other surfaces
+/// (StartSearch.h).
 ///
-/// Implementation note: in Online mode, neurons farther than 4 sigma from the reference point r are
-/// not moved, which reduces the cost. Their factor in Eq. 3 is below 3.4e-4.
-/// Documentation/Filters.md describes the effect on results.
-///
+/// Implementation note: in Online mode (options.TrainingMode), each step moves neurons around a
+/// reference point r on the sphere. Neurons farther than 4 sigma from r are not moved, which
+/// reduces the cost. Here sigma is the neighborhood radius of Eq. 3 in \cite Liou2008. The factors
+/// of these neurons in Eq. 3 are below 3.4e-4. Documentation/Filters.md describes the effect on
+/// results.
 /// @param[in] samples  at least one sample
-/// @param[in] mesh     closed mesh of genus zero to start from, or null. In Batch mode, a start
-///   mesh requires that the learned mesh is adaptive. In Online mode, the start mesh must have
-///   SpherePositions, and gives the initial weights. A start mesh with SpherePositions may be any
-///   mesh near the samples; only its surface is used. A start mesh without SpherePositions is the
-///   samples' own mesh: its vertices are the samples, and its triangles are counter-clockwise seen
-///   from outside. The start mesh is ignored for samples in a plane if MeshType is Automatic.
+/// @param[in] mesh     start mesh, or null: a closed mesh of genus zero in the coordinates of the
+///   input points.
+///
+///   - If the start mesh has SpherePositions, only its surface is used. The vertices may be at any
+///     positions near the samples. In Online mode, the start mesh gives the initial positions of
+///     the neurons.
+///   - If the start mesh has no SpherePositions, its vertices must be the samples. Its triangles
+///     must be counter-clockwise seen from outside. Online mode requires SpherePositions.
+///   - In Batch mode, a start mesh requires an adaptive mesh. If MeshType is Automatic and the
+///     samples lie in a plane, the start mesh is ignored.
 /// @throws std::invalid_argument if there are no samples, or an option is out of range
-/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or if a geodesic mesh
-///   is requested with a start other than the sphere
+/// @throws std::invalid_argument if the start mesh is not closed and of genus zero
+/// @throws std::invalid_argument if a geodesic mesh is requested with a start other than the sphere
 /// @throws Aborted
-/// @post the result depends only on the arguments: equal input gives equal bits for any number of
-///   threads. If points are scaled by a power of two, the resulting weights are scaled by the same
-///   factor, bit by bit.
+/// @post The result depends only on the arguments, bit by bit, not on the number of threads. If the
+///   points are scaled by a power of two, the resulting positions are scaled by this factor, bit by
+///   bit.
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const ConformalSOMOptions& options = {}, const MappedMesh* mesh = nullptr, const Run& run = {});
 
-/// Compute the root mean square distance between each neuron and its patterns, in the unit of the
-/// input points. Each pattern is assigned to one corner of the triangle that contains its
-/// projection: the corner of maximum barycentric weight. Neurons without patterns get 0. At most
-/// options.Batch.SamplesPerNeuron patterns per neuron are used, so that large clouds take no
-/// longer.
-/// @return #N values
+/// Compute the root mean square distance between each vertex (neuron) and its samples, in the unit
+/// of the input points.
+///
+/// Each sample is projected to the closest point of the mesh, in some triangle. The sample belongs
+/// to the corner of this triangle with the largest barycentric weight at the projection. A vertex
+/// without samples gets 0. At most options.Batch.SamplesPerNeuron samples per vertex are used, so
+/// that the cost does not grow with the cloud.
+/// @param[in] result  learned mesh with #N vertices
+/// @return #N distances
 std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ConformalSOMOptions& options = {}, const Run& run = {});
 }

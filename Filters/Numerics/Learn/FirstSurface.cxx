@@ -15,29 +15,34 @@ namespace conformal
 {
 namespace
 {
-// Measured on scans, 12,962 neurons: more turns increase the cost without a gain. A surface learned
-// from the sphere already fits the samples.
+// Numbers of turns of the fit. Measured on scans with 12,962 neurons: more turns increase the cost
+// without improving the result. A surface learned from the sphere needs one turn, since it already
+// fits the samples.
 constexpr int TurnsFromSphere = 1, TurnsFromHull = 3, TurnsFromOwnMesh = 1;
 constexpr int IterationsFromSphere = 4, IterationsFromHull = 2;
 
-// Limb ends are far from a surface that has not reached them. Near samples left out by the hull,
-// there are other outliers. A surface learned from the sphere has reached all limb ends.
+// Distance from the surface at which a sample is an outlier, relative to the usual distance nearby.
+// The limit is high for a hull that may not reach limb ends. If the hull left out many samples
+// (strays), further outliers are nearby, and the limit is low. A surface learned from the sphere
+// has reached all limb ends, so its limit is also low.
 constexpr double OutlierRatio = 10.0, OutlierRatioAmongStrays = 4.0, ManyStrays = 0.001;
 
-// Tolerances for a coarse level, which has most of the webs and stretched triangles of the fitted
-// mesh. A start from a hull costs more than smaller defects. The tolerances are fractions of the
-// area, and of the triangles that are obtuse. The fit adds a quarter to the obtuse ones (measured).
+// Tolerances for a coarse network: fraction of unsupported area, and fraction of obtuse triangles.
+// The coarse network already has most of the webs and stretched triangles of the fitted mesh.
+// Smaller defects are tolerated, since a start from a hull has a higher cost. The fit increases the
+// number of obtuse triangles by a quarter (measured).
 constexpr double ToleratedArea = 0.001, ToleratedTriangles = 0.2, ObtuseByFit = 1.25;
 
-constexpr Index Coarser = 4;        // fewer neurons while learning from the sphere
-constexpr int MinimumFrequency = 4; // of that network
+constexpr Index Coarser = 4;        // factor of fewer neurons while learning from the sphere
+constexpr int MinimumFrequency = 4; // minimum frequency of the network with fewer neurons
 
-// Finer than the hull's default: pockets such as the hollow of an ear fold less often when the
-// surface is pulled into them. Measured: 0.016 is faster by a third, 0.010 no better.
+// Finest spacing of the hull's grid, below the default spacing of hulls. With this spacing, pockets
+// such as the hollow of an ear fold less often when the surface is pulled into them. Measured: with
+// 0.016 learning is faster by a third; with 0.010 the result is no better.
 constexpr double FinestSpacing = 0.012;
 
-// Area of an object of maximum radius 1. Sparse samples would have gaps on a finer grid. The
-// minimum spacing is half an edge of the mesh.
+// The spacing is chosen for an object of this area, with a maximum radius of 1. Sparse samples
+// would have gaps on a finer grid. The spacing is at least half an edge of the mesh.
 constexpr double TypicalArea = 5.0, SpacingForEdge = 0.5;
 
 bool spansGapsOrLimbs(
@@ -52,8 +57,8 @@ double edgeFor(double area, Index vertices)
   return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
 }
 
-/// Compute the spacing of the hull's grid, in units of the maximum radius. For winding numbers, the
-/// grid may be finer than the samples are dense.
+/// Compute the spacing of the hull's grid, in units of the maximum radius. If the hull is made by
+/// winding numbers, the grid may be finer than the spacing of the samples.
 double hullSpacing(const TrainingSamples& samples, Index neurons, HullMethod method)
 {
   constexpr double coarsest = GenusZeroHullLimits::MaximumSpacing;
@@ -174,7 +179,7 @@ Points withPointsBetween(const Mesh& surface, Index wanted)
     const Vector3 a = surface.Positions.row(surface.Triangles(r, 0)),
                   ab = Vector3(surface.Positions.row(surface.Triangles(r, 1))) - a,
                   ac = Vector3(surface.Positions.row(surface.Triangles(r, 2))) - a;
-    // Divide into n^2 equal triangles, each with a point at its center.
+    // Divide the triangle into n^2 equal triangles, and add the center of each.
     const int n = static_cast<int>(std::sqrt(0.5 * ab.cross(ac).norm() / share));
     const auto add = [&](double u, double v)
     {

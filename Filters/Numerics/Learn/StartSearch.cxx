@@ -47,9 +47,9 @@ std::string nameOf(Start start)
   return {};
 }
 
-constexpr double ToleratedWebs = 0.001; // share of the area
+constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 
-/// Shares of the time of one start, measured on scans: first surface, fit, quality.
+/// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.72, ShareOfQuality = 0.08;
 
 /// Convert points from one normalized frame to another.
@@ -58,14 +58,14 @@ Points moved(Points points, const TrainingSamples& from, const TrainingSamples& 
   return to.normalizeAll(from.restoreAll(std::move(points)));
 }
 
-/// Return whether this rank has the first of the samples.
+/// Return whether this rank has the first one of all samples.
 bool isFirst(const TrainingSamples& samples)
 {
   return samples.size() > 0 && samples.firstOfTotal() == 0;
 }
 
 /// Evaluate a surface, in the samples' unit, by the vertices and normals of the samples' own mesh.
-/// The samples may be corners of a polygon soup, many at one place.
+/// The samples themselves may be corners of separate polygons, so that many samples coincide.
 SurfaceQuality evaluateByMesh(const ConformalSOMResult& result, const TrainingSamples& samples,
   const MappedMesh& mesh, const Run& run)
 {
@@ -93,7 +93,8 @@ public:
 
   ConformalSOMResult run(const Run& run)
   {
-    constexpr double share = 0.95; // of the rest of the progress; further starts are rare
+    // Fraction of the remaining progress for each start, since further starts are rare.
+    constexpr double share = 0.95;
     double done = 0.0;
     int tried = 0;
     for (const Start start :
@@ -157,7 +158,7 @@ private:
 
   bool isGiven() const { return this->Mesh && this->Mesh->SpherePositions.rows() > 0; }
 
-  /// Whether there is no result yet, or one that another start may improve.
+  /// Return whether there is no result yet, or the best result may be improved by another start.
   bool mayImprove() const
   {
     const bool mayRetry =
@@ -165,7 +166,7 @@ private:
     return !this->Best || (mayRetry && (this->hasWebs() || this->isBad()));
   }
 
-  /// Whether the best result was learned from the sphere, and spans gaps between limbs.
+  /// Return whether the best result was learned from the sphere and spans gaps between limbs.
   bool hasWebs() const
   {
     return !this->Best->FromHull && !this->Best->FromMesh &&
@@ -188,8 +189,9 @@ private:
     }
   }
 
-  /// Observer of meshes in the unit of the samples, which evaluates them for options.Observer.
-  /// @param[in] samples  must outlive the observer
+  /// Return an observer of meshes in the samples' unit. The observer evaluates each mesh and passes
+  /// the result to options.Observer.
+  /// @param[in] samples  samples by which meshes are evaluated; must outlive the observer
   MeshObserver observerFor(const TrainingSamples& samples, const Run& run) const
   {
     if (!this->Options.Observer)
@@ -254,7 +256,7 @@ private:
     return result;
   }
 
-  /// Return nothing if the sphere is not suitable as a start.
+  /// Learn from the sphere. If the sphere is not suitable as a start surface, return nothing.
   std::optional<ConformalSOMResult> learnFromSphere(const Run& first, const Run& rest) const
   {
     FirstSurface surface;
@@ -278,8 +280,8 @@ private:
     return this->finish(this->Samples, hull, run.part(ShareOfFirst, 1.0));
   }
 
-  /// Learn from the mesh that has the samples as its vertices. Where the samples are sparse, the
-  /// triangles define what lies between them, so points on the triangles are learned from too.
+  /// Learn from the mesh whose vertices are the samples. Between sparse samples, the triangles
+  /// define the surface. Therefore, points on the triangles are used as additional samples.
   ConformalSOMResult learnFromOwnMesh(const Run& run) const
   {
     const Run first = run.part(0.0, ShareOfFirst), rest = run.part(ShareOfFirst, 1.0);
@@ -312,7 +314,7 @@ private:
     return result;
   }
 
-  /// Fit an adaptive mesh from a first surface, and evaluate it.
+  /// Fit an adaptive mesh to the samples, starting from a first surface. Evaluate the result.
   ConformalSOMResult finish(
     const TrainingSamples& samples, const FirstSurface& first, const Run& run) const
   {
@@ -341,7 +343,7 @@ private:
   const MappedMesh* const Mesh;
   const bool IsGeodesic, IsSolid;
   std::optional<ConformalSOMResult> Best;
-  int StartNumber = 0; ///< of the start that is tried, counted from 1
+  int StartNumber = 0; ///< number of the current start, counted from 1
   std::string StartName;
   std::pair<int, std::string> BestStart;       ///< number and name of the start that led to Best
   HullMethod LastHull = HullMethod::Automatic; ///< method of the last hull tried
@@ -354,7 +356,7 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
   {
     return options.MeshType;
   }
-  // Points in a plane have no surface that triangles could follow.
+  // Triangles of equal size need a surface, but points in a plane do not define a closed surface.
   return options.TrainingMode == TrainingMode::Batch && samples.dimension() == 3
     ? MeshType::Adaptive
     : MeshType::Geodesic;

@@ -1,5 +1,7 @@
-/// Choose the initial surface of learning. Own construction: several surfaces are tried and the
-/// best result is kept, because no initial surface suits all shapes.
+/// Learn a mesh from several start surfaces, and select the best result.
+///
+/// Own construction, not from a publication: a start surface is a closed surface from which
+/// learning begins. Several start surfaces are tried, because no single one suits all shapes.
 
 #ifndef ConformalStartSearch_h
 #define ConformalStartSearch_h
@@ -11,34 +13,42 @@
 
 namespace conformal
 {
-/// Return the type of the learned mesh: options.MeshType, or the type that is selected if the
-/// option is Automatic.
+/// Return the type of the mesh to learn. If options.MeshType is Automatic, the type is selected by
+/// the training mode and the samples.
 MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& samples);
 
-/// Learn in Batch mode from several starts and return the best result.
+/// Learn in Batch mode (options.TrainingMode) from one or more start surfaces, and return the best
+/// result.
 ///
-/// Starts are tried in this order, each only if its condition holds:
-/// - If a mesh with SpherePositions is given, it is the only start.
-/// - If a mesh without SpherePositions (the samples' own mesh) is given, it is the first start.
-/// - The sphere is tried for StartingShape Sphere, or for Automatic if no result is good yet. For a
-///   geodesic mesh, the sphere is the only start.
-/// - A hull is tried for StartingShape Hull, or for Automatic if no result is good yet. For points
-///   of affine rank below 3 with an adaptive mesh, it replaces the sphere.
-/// - The hull of the other method is tried for HullMethod Automatic, if a hull was tried and the
-///   best result is bad.
+/// Each learned mesh is evaluated (SurfaceQuality.h). A mesh is bad if a defect exceeds its
+/// tolerance. Webs are spurious membranes that span gaps between limbs. Only meshes learned from
+/// the sphere are tested for webs. A result is good if the mesh is not bad and has no webs.
 ///
-/// A result is bad if a defect exceeds its tolerance (SurfaceQuality.h). A result of the sphere is
-/// also not good if it has webs (spurious membranes). Of two results, the one with the lower
-/// defectScore() is better, but a result without webs is better than any with webs. For points of
-/// affine rank below 3, results cannot be evaluated and the first one is returned.
+/// For StartingShape Automatic, start surfaces are tried in this order until a result is good.
+/// Other values of StartingShape restrict the start surfaces as stated:
+/// - Given mesh: if a start mesh with SpherePositions is given, this mesh is the only start
+///   surface.
+/// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. This mesh is
+///   the first start surface.
+/// - Sphere: only for StartingShape Automatic or Sphere. A geodesic mesh has no other start
+///   surface.
+/// - Hull: only for StartingShape Automatic or Hull. If an adaptive mesh is learned from points of
+///   affine rank below 3, the hull replaces the sphere. The affine rank is 2 for points in a plane,
+///   and 1 for points on a line.
+/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad. The
+///   hull is made by the method that was not used before.
 ///
-/// For HullMethod Automatic, the hull is made by chooseHull() of GenusZeroHull.h.
+/// Of two results, the better one has the lower defectScore(). However, any later result replaces a
+/// result with webs. If the affine rank is below 3, results cannot be evaluated, and the first one
+/// is returned.
 ///
-/// @param[in] mesh  start mesh or null; see trainConformalSOM()
-/// @return the best result, with positions in the samples' unit. It has SpherePositions only if it
-///   is a geodesic mesh.
-/// @throws std::invalid_argument if the mesh is not closed and of genus zero, or far from the
-///   samples
+/// If HullMethod is Automatic, the hull is made by chooseHull() of GenusZeroHull.h.
+///
+/// @param[in] mesh  start mesh or null, see trainConformalSOM()
+/// @return the best result, with positions in the samples' unit (maximum radius 1). Only a geodesic
+///   mesh has SpherePositions.
+/// @throws std::invalid_argument if the start mesh is not closed and of genus zero, or has vertices
+///   far from the samples
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
 ConformalSOMResult learnFromBestStart(const TrainingSamples& samples,

@@ -22,7 +22,8 @@ constexpr Index BlockSize = 512;
 struct Placed
 {
   conformal::Triangles Triangles; // counter-clockwise on the sphere seen from outside
-  bool IsMirrored = false;        // the surface seen from outside is the sphere seen from inside
+  // Whether the map is mirrored: Triangles are then clockwise on the surface seen from outside.
+  bool IsMirrored = false;
 };
 
 Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
@@ -50,7 +51,7 @@ Mesh commonSphere(
   }
   AdaptiveSphereOptions sphere;
   sphere.NumberOfPoints = options.NumberOfPoints;
-  // A density of each surface, that of all, the sphere.
+  // Progress: the density of each surface, then the mean density, then the sphere mesh.
   std::vector<double> shares(surfaces.size(), 0.2 / static_cast<double>(surfaces.size()));
   shares.insert(shares.end(), { 0.1, 0.7 });
   Steps steps(run, shares);
@@ -69,7 +70,7 @@ void sample(
   const MappedMesh& surface, const Triangles& triangles, ConsistentMeshes& meshes, const Run& run)
 {
   const Points& directions = meshes.Sphere.Positions;
-  Steps steps(run, { 0.7, 0.2, 0.1 }); // locator, positions, weights
+  Steps steps(run, { 0.7, 0.2, 0.1 }); // progress: locator, positions, weights
   const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
   std::vector<SphereLocation> locations(directions.rows());
   Points positions(directions.rows(), 3);
@@ -107,7 +108,8 @@ ConsistentMeshes remeshConsistently(
     throw std::invalid_argument("there is no surface to remesh");
   }
   const bool isAdaptive = options.MeshType == RemeshMeshType::Adaptive;
-  std::vector<double> shares = { 0.2, isAdaptive ? 2.4 : 0.05 }; // maps, sphere, each surface
+  // Progress: checks of the maps, then the sphere mesh, then each surface.
+  std::vector<double> shares = { 0.2, isAdaptive ? 2.4 : 0.05 };
   shares.insert(shares.end(), surfaces.size(), 0.75 / static_cast<double>(surfaces.size()));
   Steps steps(run, shares);
   const Run checking = steps.next();

@@ -18,7 +18,7 @@ constexpr double MinimumFraction = 1.0 / 64.0;
 constexpr double WorthARound = 0.95;  // maximum ratio of distances after and before a round
 constexpr double Nearer = 1.0 - 1e-6; // maximum ratio of distances after and before a step
 
-// Compute the rotation vector from one direction to another, limited in length.
+// Compute the rotation vector from one direction to another. Its length is at most `limit`.
 Vector3 turnBetween(const Vector3& from, const Vector3& to, double limit)
 {
   const Vector3 axis = from.cross(to);
@@ -33,7 +33,7 @@ Vector3 turned(const Vector3& place, const Vector3& turn)
                      : place;
 }
 
-// Sum of Gaussians with given values at the landmarks.
+// Vector field on the sphere: a sum of Gaussian functions that has given values at the landmarks.
 class TurnField
 {
 public:
@@ -50,7 +50,8 @@ public:
         kernel(i, j) = this->kernel(centers.row(i), j);
       }
     }
-    constexpr double ridge = 1e-10; // for landmarks much closer than the width
+    // Keep the system regular if landmarks are much closer together than the width.
+    constexpr double ridge = 1e-10;
     kernel.diagonal().array() += ridge;
     this->Weights = kernel.ldlt().solve(values);
   }
@@ -75,7 +76,8 @@ private:
   double Scale;
 };
 
-// Find the nearest landmark that is not at its target for each folded triangle; each landmark once.
+// Find landmarks that are blocked: for each folded triangle, the nearest landmark that has not
+// reached its target. No landmark is returned twice.
 std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangles,
   const std::vector<int>& ids, const Eigen::VectorXd& left, double tolerance)
 {
@@ -104,7 +106,7 @@ std::vector<int> blockedLandmarks(const Points& places, const Triangles& triangl
   return blocked;
 }
 
-// Flow of positions that brings some vertices, the landmarks, to their targets step by step.
+// Flow of vertices that moves some of them, the landmarks, to their targets step by step.
 class LandmarkFlow
 {
 public:
@@ -129,7 +131,8 @@ public:
       !(this->Left.maxCoeff() > this->Options.Tolerance);
   }
 
-  // Move the vertices, or reduce the obstacles to a move.
+  // Move the vertices. If the move would fold triangles, shorten the steps of blocked landmarks
+  // instead.
   void step(const Run& run)
   {
     Points moved = this->moved(run);
@@ -148,7 +151,7 @@ public:
   }
 
 private:
-  // Compute the distance of each landmark to its target.
+  // Compute the distance between each landmark and its target.
   Eigen::VectorXd distances() const
   {
     Eigen::VectorXd result(static_cast<Index>(this->Ids.size()));
@@ -183,7 +186,8 @@ private:
     return moved;
   }
 
-  // Keep a step that brings the landmarks closer; otherwise, continue with the next width.
+  // Accept a step if it brings the landmarks closer to their targets. Otherwise, reject it and
+  // continue with the next width.
   void accept(Points& moved)
   {
     std::swap(this->Places, moved);
@@ -200,7 +204,7 @@ private:
     }
   }
 
-  // Shorten the steps of landmarks next to a folded triangle, so that the others can proceed.
+  // Shorten the steps of landmarks next to folded triangles, so that other landmarks can proceed.
   void shorten(const std::vector<int>& blocked)
   {
     for (const int i : blocked)
@@ -219,8 +223,8 @@ private:
     }
   }
 
-  // Select the next width. After the last one, repeat all widths while a round makes enough
-  // progress.
+  // Select the next width. After the last width, return to the first width if the total distance
+  // decreased by at least 5 percent.
   void nextWidth()
   {
     this->Fractions.setOnes();
@@ -238,8 +242,9 @@ private:
   const Points& Targets;
   Points& Places;
   const LandmarkFlowOptions& Options;
-  Eigen::VectorXd Left;      // remaining distances of the landmarks
-  Eigen::VectorXd Fractions; // fractions of the remaining distance moved in a step
+  Eigen::VectorXd Left; // remaining distances of the landmarks
+  // Fraction of the remaining distance that each landmark moves in a step.
+  Eigen::VectorXd Fractions;
   std::size_t Width = 0;
   double LeftAtFirstWidth;
 };

@@ -18,7 +18,7 @@ namespace
 {
 using Vector2 = Eigen::Vector2d;
 using Matrix2 = Eigen::Matrix2d;
-using Tangents = Eigen::Matrix<double, 3, 2>; // two unit vectors along the sphere
+using Tangents = Eigen::Matrix<double, 3, 2>; // two orthonormal vectors tangential to the sphere
 
 Tangents tangentsAt(const Vector3& n)
 {
@@ -30,24 +30,25 @@ Tangents tangentsAt(const Vector3& n)
   return result;
 }
 
-// Interpolated position of a vertex on the fixed surface.
+// Interpolated position on the fixed surface, in the direction of one vertex of the moving sphere.
 struct Found
 {
   int Triangle = -1;
   Tangents Along;
   Vector3 Position;
-  Tangents Slope; // of the position
+  Tangents Slope; // derivatives of Position along both tangents
 };
 
-// Interpolated positions and features of all vertices: row i is that of vertex i.
+// Interpolated positions and features on the fixed surface. Element or row i belongs to vertex i of
+// the moving sphere.
 struct Lookup
 {
   std::vector<Found> At;
   Rows Features;              // #V by #K
-  std::array<Rows, 2> Slopes; // of the features along both tangents, #V by #K
+  std::array<Rows, 2> Slopes; // derivatives of Features along both tangents, #V by #K
 };
 
-// Direction of a pair in the moving sphere.
+// Landmark on the moving sphere, by the triangle that contains the landmark, and its target.
 struct Anchor
 {
   std::array<int, 3> Ids;
@@ -74,7 +75,7 @@ public:
     std::fill(this->Beside.begin(), this->Beside.end(), Matrix2::Zero());
   }
 
-  // Add to the block at rows of i and columns of j, and to its transpose.
+  // Add a 2 by 2 block at the rows of vertex i and the columns of vertex j, and its transpose.
   void add(int i, int j, const Matrix2& block)
   {
     if (i == j)
@@ -210,7 +211,7 @@ public:
 private:
   static constexpr double LongestMove = 0.3;
 
-  // Interpolate the fixed surface at the positions.
+  // Interpolate the values of the fixed surface in the directions `places`.
   void look(const Points& places, Lookup& found) const
   {
     const Rows& values = this->Fixed.Values;
@@ -222,7 +223,7 @@ private:
       const SphereWeights weights = this->Fixed.Grid.weightsAt(place, this->Here.At[i].Triangle);
       at.Triangle = weights.Triangle;
       at.Along = tangentsAt(place);
-      const Tangents slopes = weights.Slopes * at.Along; // of the weights
+      const Tangents slopes = weights.Slopes * at.Along; // derivatives of the weights
       at.Position.setZero();
       at.Slope.setZero();
       found.Features.row(i).setZero();
@@ -261,7 +262,8 @@ private:
     return { m.dot(m), m.dot(n), n.dot(n) };
   }
 
-  // Return a corresponding triangle and the sphere's, blended by shares of the metrics.
+  // Return triangle r of the fixed surface and of the moving sphere as one triangle in six
+  // dimensions. The arguments `surface` and `sphere` are factors of both metrics.
   MovingTriangle triangleAt(const Points& places, Index r, double surface, double sphere) const
   {
     const auto ids = this->Corners.row(r);
@@ -320,7 +322,7 @@ private:
     return place.normalized();
   }
 
-  // Compute gradient and stiffness of the energy at the positions.
+  // Compute the gradient of the energy, and an approximate Hessian.
   void linearize(const Points& places)
   {
     this->Matrix.clear();
@@ -426,7 +428,8 @@ private:
     return result;
   }
 
-  // Shorten a move until the energy decreases; return whether it does.
+  // Move the vertices along `move`, shortened until the energy decreases. Return whether the energy
+  // decreased.
   bool goAlong(const Eigen::VectorXd& move, Points& places, RegistrationEnergy& energy)
   {
     const double longest = this->longestOf(move);
@@ -458,7 +461,8 @@ private:
   // Halve the moves of the corners of folded triangles until none is folded.
   bool unfold(const Points& places, Points& moved) const
   {
-    constexpr int attempts = 12, halvings = 8; // afterward, the whole move is undone
+    // After the halvings, the moves of corners of folded triangles are undone completely.
+    constexpr int attempts = 12, halvings = 8;
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
       const double kept = attempt < halvings ? 0.5 : 0.0;

@@ -1,5 +1,7 @@
-/// Interpolate values at points from values at other points. Own construction: weights are a sparse
-/// matrix, because several methods compute them and several filters use them.
+/// Interpolate values at target points from values at source points.
+///
+/// Own construction, not from a publication: interpolation weights are stored as a sparse matrix.
+/// Thus several methods can compute weights for the same interpolation functions.
 
 #ifndef ConformalResampleWeights_h
 #define ConformalResampleWeights_h
@@ -12,51 +14,60 @@
 
 namespace conformal
 {
-/// Sparse matrix of interpolation weights. Each of its #N rows expresses one point as a weighted
-/// mean of points of another surface. The entries of point i are at [Offsets[i], Offsets[i + 1]).
+/// Sparse matrix of interpolation weights. Row i contains the weights of source points for target
+/// point i, one of #N target points. The entries of row i have the indices Offsets[i] to
+/// Offsets[i + 1] - 1.
 struct ResampleWeights
 {
-  std::vector<Index> Offsets = { 0 }; ///< #N + 1
-  std::vector<int> Ids;
-  std::vector<double> Weights; ///< weights above 0; the sum of each row that is not empty is 1
+  std::vector<Index> Offsets = { 0 }; ///< #N + 1, index of the first entry of each row
+  std::vector<int> Ids;               ///< source point of each entry
+  /// Weight of each entry, above 0. The weights of a row have the sum 1, unless the row is empty.
+  std::vector<double> Weights;
 
+  /// Return the number #N of rows.
   Index size() const { return static_cast<Index>(this->Offsets.size()) - 1; }
 
-  /// Append a row. The weights are normalized to sum 1; weights of 0 are dropped.
+  /// Append a row.
+  /// @param[in] parts  source points and their weights. Weights are scaled to sum 1; weights of 0
+  ///   are dropped.
   void add(const std::vector<std::pair<int, double>>& parts);
 };
 
-/// Remove excluded points from all rows, and normalize the remaining weights of each row to sum 1.
-/// @param[in] counts  for each point of the other surface, 0 to exclude it, else 1
+/// Remove excluded source points from all rows. Then scale the weights of each row to sum 1.
+/// @param[in] counts  for each source point, 0 to exclude the point, else 1
 ResampleWeights restrictedTo(const ResampleWeights& weights, const std::vector<char>& counts);
 
-/// Blend the weights of several surfaces into one matrix. In it, points are numbered consecutively
-/// over all surfaces.
-/// @param[in] ofSurfaces  #S matrices with equal numbers of rows
+/// Blend the interpolation weights of several source surfaces into one matrix. In the result,
+/// source points are numbered consecutively over all surfaces.
+/// @param[in] ofSurfaces  #S matrices with the same number of rows, one for each surface
 /// @param[in] sizes       #S, number of points of each surface
-/// @param[in] shares      #S, weight of each surface, at least 0; the sum is 1
+/// @param[in] shares      #S, weight of each surface, at least 0. The sum of the weights is 1.
 ResampleWeights blended(const std::vector<const ResampleWeights*>& ofSurfaces,
   const std::vector<Index>& sizes, const std::vector<double>& shares);
 
-/// Weighted means of numbers. A mean is within the range of its numbers, so that constant values
-/// are preserved bit by bit.
+/// Interpolated values: weighted means. Rounding never moves a mean outside the range of the
+/// averaged values. Constant values are therefore preserved bit by bit.
 struct ResampledNumbers
 {
-  std::vector<double> Values; ///< #N rows of components; 0 for empty rows of weights
-  Index NumberOfMissing = 0;  ///< number of points for which no number with a weight is finite
+  /// #N rows of components; 0 where no value is defined.
+  std::vector<double> Values;
+  /// Number of target points whose rows of weights are not empty, but contain no source point with
+  /// finite values.
+  Index NumberOfMissing = 0;
 };
 
-/// Compute weighted means of numbers. Numbers that are not finite are ignored, and the remaining
-/// weights are normalized.
-/// @param[in] values      one row of numberOfComponents numbers for each point of the other surface
+/// Interpolate the values of source points at all target points. Source points with a value that is
+/// not finite are ignored. The weights of the remaining source points are scaled to sum 1.
+/// @param[in] values  numberOfComponents values for each source point, point by point
 /// @throws Aborted
 ResampledNumbers resampleNumbers(const ResampleWeights& weights, const std::vector<double>& values,
   int numberOfComponents, const Run& run = {});
 
-/// Find the label of the largest total weight for each point. If several labels have this weight,
-/// the smallest is selected. Return the id of the first point with the selected label, or -1 for an
-/// empty row.
-/// @param[in] labels  one label for each point of the other surface, none of them NaN
+/// Select a label for each target point: the label whose source points have the largest total
+/// weight. If several labels have this total weight, the smallest label is selected.
+/// @param[in] labels  label of each source point; no label is NaN
+/// @return for each target point, the id of the first source point with the selected label; -1 if
+///   the row of weights is empty
 /// @throws Aborted
 std::vector<int> heaviestLabels(
   const ResampleWeights& weights, const std::vector<double>& labels, const Run& run = {});

@@ -13,7 +13,7 @@ constexpr int NumberOfAxes = 120, NumberOfAngles = 14; // spaced by about 23 deg
 constexpr int NumberImproved = 60, ImprovingSteps = 8;
 constexpr double Apart = Pi / 6.0;
 
-// Return an axis of a spiral of even spacing on the sphere.
+// Return point i of a spiral of evenly spaced points on the sphere.
 Vector3 axisOf(int i)
 {
   const double z = 1.0 - (2.0 * i + 1.0) / NumberOfAxes, golden = Pi * (3.0 - std::sqrt(5.0));
@@ -34,7 +34,8 @@ public:
     this->Shares /= this->Shares.sum();
   }
 
-  // Compute the difference, and optionally one Gauss-Newton step of the rotation.
+  // Compute the difference of the features after a rotation. If `improved` is not null, set it to
+  // the rotation after one Gauss-Newton step.
   double difference(const Eigen::Matrix3d& rotation, Eigen::Matrix3d* improved = nullptr) const
   {
     const Index count = this->Weights.size();
@@ -56,7 +57,7 @@ public:
         sum += weight * off * off;
         if (improved)
         {
-          // A rotation by w moves the position by w x position.
+          // A rotation by a small vector w moves the position x by the cross product of w and x.
           const Vector3 turn = place.cross(at.Slopes.transpose() * corners);
           slope += weight * off * turn;
           matrix += weight * turn * turn.transpose();
@@ -108,7 +109,8 @@ std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
 {
   const Search search(moving, fixed, weights);
   std::vector<FoundRotation> all(NumberOfAxes * NumberOfAngles);
-  // The first axis is rotated to each of the others, after a rotation about itself.
+  // Each rotation consists of two steps: a rotation about z, then the shortest rotation of z to one
+  // of the axes.
   forBlocksReporting(run, static_cast<Index>(all.size()), 16,
     [&](Index begin, Index end)
     {

@@ -14,7 +14,7 @@ namespace conformal
 {
 namespace
 {
-/// Compute the areas around the vertices, normalized to sum 1.
+/// Compute the areas around the vertices, averaged over the shapes, with sum 1.
 Eigen::VectorXd vertexShares(const Triangles& triangles, const std::vector<Points>& shapes)
 {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(shapes.front().rows());
@@ -47,12 +47,12 @@ Points meanOf(const std::vector<Points>& shapes)
 }
 
 /// Align centered shapes with each other.
-/// @return their mean
+/// @return mean of the aligned shapes
 Points alignShapes(std::vector<Points>& shapes, const Eigen::VectorXd& shares,
   ShapeAlignment alignment, const Run& run)
 {
   constexpr int maximum = 100;
-  constexpr double accuracy = 1e-24; // squared change relative to the size
+  constexpr double accuracy = 1e-24; // maximum squared change of the mean, relative to its size
   const bool isSimilar = alignment == ShapeAlignment::Similarity;
   double size = 0.0;
   for (const Points& shape : shapes)
@@ -102,10 +102,10 @@ void addModes(ShapeModes& result, const std::vector<Points>& differences,
       { products(s, t) = products(t, s) = product(differences[s], differences[t], shares); });
     run.report((s + 1.0) / static_cast<double>(size));
   }
-  // Differences have the sum 0, so that at most #S - 1 eigenvalues are above the minimum.
+  // The differences have the sum 0, so at most #S - 1 eigenvalues are above the minimum.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(products);
   const double all = std::max(0.0, products.trace());
-  // Smaller values are rounding errors of the points or of the largest eigenvalue.
+  // Smaller eigenvalues are rounding errors of the points or of the largest eigenvalue.
   const double minimum = std::max(1e-20 * product(result.Mean, result.Mean, shares), 1e-13 * all);
   const double freedom = std::sqrt(static_cast<double>(size) - 1.0);
   std::vector<Eigen::VectorXd> scores;

@@ -1,4 +1,5 @@
-/// Compute the mean and the principal components of shapes with the same triangles.
+/// Compute the mean shape and the principal components of several shapes. All shapes have the same
+/// triangles, and vertices with equal ids correspond.
 
 #ifndef ConformalShapeModes_h
 #define ConformalShapeModes_h
@@ -10,7 +11,7 @@
 
 namespace conformal
 {
-/// Kind of transforms by which shapes are aligned before they are compared.
+/// Transform that aligns the shapes with each other before the mean is computed.
 enum class ShapeAlignment
 {
   None,      ///< no transform
@@ -18,31 +19,39 @@ enum class ShapeAlignment
   Similarity ///< translation, rotation and scale
 };
 
+/// Options of findShapeModes().
 struct ShapeModesOptions
 {
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  int NumberOfModes = 10; ///< maximum number of modes; there are always fewer modes than shapes
+  /// Maximum number of modes. The result has fewer modes than shapes, even if this number is
+  /// larger.
+  int NumberOfModes = 10;
 };
 
-/// Mean and modes (principal components) of #S shapes. If all modes are kept, aligned shape s
-/// equals Mean + sum over k of Scores(s, k) Modes[k].
+/// Mean shape and modes of #S shapes. A mode is a principal component: a displacement of every
+/// vertex. Let K be the number of modes. If all modes are kept, the aligned shape s equals Mean +
+/// sum over k in [0, K) of Scores(s, k) Modes[k].
 struct ShapeModes
 {
-  Points Mean;                   ///< #V by 3, at the position and orientation of the first shape
-  std::vector<Points> Modes;     ///< #K, each #V by 3: displacements by one standard deviation
-  std::vector<double> Explained; ///< #K, fraction of the variance for each mode, descending
-  Eigen::MatrixXd Scores;        ///< #S by #K, in standard deviations
+  Points Mean; ///< #V by 3, with the center and orientation of the first shape
+  /// #K modes, each #V by 3. Each displacement is one standard deviation of the shapes along this
+  /// mode.
+  std::vector<Points> Modes;
+  std::vector<double> Explained; ///< #K, fraction of the variance in each mode, descending
+  /// #S by #K coefficients of the modes of each shape, in standard deviations.
+  Eigen::MatrixXd Scores;
 };
 
 /// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute their principal
 /// components.
 ///
-/// Vertices are weighted by their area, averaged over the shapes, so that the result does not
-/// depend on the mesh density. The sign of a mode is chosen so that its score of maximum magnitude
-/// is positive. If several scores have this magnitude up to rounding, the first of them is
-/// positive.
+/// Vertices are weighted by their area, averaged over the shapes. The result therefore does not
+/// depend on the mesh density.
 ///
-/// @param[in] triangles  triangles that all shapes have
+/// The sign of a mode is chosen so that its score of largest magnitude is positive. If several
+/// scores have the largest magnitude up to rounding, the first of these scores is positive.
+///
+/// @param[in] triangles  triangles of every shape
 /// @param[in] shapes     #S shapes, at least one, each #V by 3
 /// @throws Aborted
 ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>& shapes,

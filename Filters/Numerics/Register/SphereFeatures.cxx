@@ -22,8 +22,9 @@ struct DistanceGraph
   std::vector<std::pair<int, float>> Links;
 };
 
-// Compute the distance of the corners opposite to an edge, with both triangles unfolded. If the
-// line leaves the triangles, compute the path along the edges.
+// Unfold the two triangles at an edge into a plane, and compute the distance of the corners
+// opposite to the edge. If the straight line leaves the triangles, compute the path along their
+// edges.
 double lengthAcross(const Vector3& a, const Vector3& b, const Vector3& left, const Vector3& right)
 {
   const Vector3 edge = b - a;
@@ -129,11 +130,12 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
   const Index size = surface.Positions.rows();
   const auto radii = static_cast<Index>(options.Radii.size());
   Eigen::VectorXd areas = vertexAreas(surface.Positions, surface.Triangles);
-  const double unit = std::sqrt(areas.sum() / 6.0); // each triangle twice at three corners
+  // Here each triangle is counted twice at each of its three corners.
+  const double unit = std::sqrt(areas.sum() / 6.0);
   areas /= areas.sum();
   const DistanceGraph graph = distanceGraph(surface);
   const int count = static_cast<int>(std::min<Index>(options.NumberOfSources, size));
-  // Each source is the vertex farthest from the previous ones; each vertex is assigned to the
+  // Each source is the vertex farthest from the previous sources. Each vertex is assigned to the
   // nearest source.
   std::vector<std::vector<float>> distances(count);
   std::vector<float> nearest(size, std::numeric_limits<float>::infinity());
@@ -172,7 +174,8 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
       }
     }
   }
-  constexpr double minimum = 1e-6; // of a radius far below the spacing of the sources
+  // If a radius is far below the spacing of the sources, the area feature underflows.
+  constexpr double minimum = 1e-6;
   features = features.cwiseMax(minimum).array().log().matrix();
   run.report(1.0);
   return features;

@@ -1,6 +1,9 @@
-/// Compute features of a closed surface that are invariant to position, orientation and bending.
-/// Own construction: features are computed from geodesic distances, because these do not change
-/// under bending.
+/// Compute features of a closed surface: numbers at each vertex by which registration matches
+/// similar parts of two surfaces.
+///
+/// Own construction, not from a publication: features are computed mainly from geodesic distances.
+/// These distances depend on neither position nor orientation, and change little when the surface
+/// bends.
 
 #ifndef ConformalSphereFeatures_h
 #define ConformalSphereFeatures_h
@@ -14,30 +17,39 @@
 
 namespace conformal
 {
+/// Options of geodesicFeatures().
 struct GeodesicFeatureOptions
 {
-  /// Number of sources of geodesic distances, spread evenly over the surface.
+  /// Number of vertices from which geodesic distances are computed. The vertices are spread evenly
+  /// over the surface.
   int NumberOfSources = 120;
-  /// Radii of the features of nearby area, in units of the square root of the area.
+  /// Radii of the Gaussian functions that weight the nearby area, as multiples of the square root
+  /// of the surface area.
   std::vector<double> Radii = { 0.17, 0.35 };
 };
 
-/// Compute features by geodesic distance.
+/// Compute features from geodesic distances.
 ///
 /// The first feature of a vertex is the logarithm of its mean geodesic distance to all parts of the
-/// surface. This feature is large at limb ends. For each radius, a further feature is the logarithm
-/// of the nearby area, weighted by a Gaussian of the geodesic distance. These features are small on
-/// thin limbs. Geodesic paths run along edges and across pairs of triangles.
-/// @return #V rows, one column for the mean distance and one for each radius
+/// surface. This feature is large at limb ends. Each radius adds one feature: the logarithm of the
+/// surface area near the vertex. Here the area is weighted by a Gaussian function of the geodesic
+/// distance. The area features are small on thin limbs.
+///
+/// Geodesic distances are lengths of paths along edges and straight across pairs of triangles. The
+/// unit of these distances is the square root of the surface area.
+/// @return #V rows: one column for the mean distance, then one column for each radius
 Rows geodesicFeatures(
   const Mesh& surface, const GeodesicFeatureOptions& options = {}, const Run& run = {});
 
-/// Compute the mean curvature times the square root of the area, smoothed by diffusion.
-/// @param[in] scale  approximate smoothing length, in units of the square root of the area
+/// Compute the mean curvature, smoothed by diffusion. The curvature is multiplied by the square
+/// root of the surface area. The result is independent of the size of the surface.
+/// @param[in] scale  approximate smoothing length, as a multiple of the square root of the area
+/// @return one value for each vertex
 Eigen::VectorXd smoothMeanCurvature(const Mesh& surface, double scale, const Run& run = {});
 
-/// Shift and scale each column to mean 0 and variance 1.
-/// @param[in] weights  weight of each row; not all are zero
+/// Shift and scale each column of features to weighted mean 0 and variance 1. A constant column
+/// becomes 0.
+/// @param[in] weights  weight of each row, for example the vertex areas; not all weights are zero
 void normalizeFeatures(Rows& features, const Eigen::VectorXd& weights);
 }
 

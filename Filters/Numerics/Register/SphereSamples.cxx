@@ -26,8 +26,9 @@ SphereWeights SphereGrid::weightsAt(const Vector3& direction, int hint) const
     result.Ids[k] = this->Sphere.Triangles(location.Triangle, k);
     corners.row(k) = this->Sphere.Positions.row(result.Ids[k]);
   }
-  // The line of a direction p intersects the triangle at weights w with sum 1 in the ratios of W p.
-  // The rows of W are the dual basis of the corners.
+  // Let W be the matrix whose rows are the dual basis of the corners. The line of direction p
+  // intersects the plane of the triangle. The barycentric weights of the intersection are W p,
+  // scaled to sum 1.
   Eigen::Matrix3d dual;
   for (int k = 0; k < 3; ++k)
   {

@@ -1,5 +1,7 @@
-/// Interpolate values at the vertices of a geodesic sphere. Own construction: weights are returned
-/// with their gradients, because descents need derivatives.
+/// Interpolate values between the vertices of a sphere mesh.
+///
+/// Own construction, not from a publication: interpolation weights are computed together with their
+/// gradients. The optimizations that use the weights need these derivatives.
 
 #ifndef ConformalSphereSamples_h
 #define ConformalSphereSamples_h
@@ -11,20 +13,22 @@
 
 namespace conformal
 {
-/// Matrix with one row for each vertex or direction. It is stored row by row, so that a lookup
-/// reads contiguous memory.
+/// Matrix with one row for each vertex or direction. Rows are contiguous in memory, so that reading
+/// a row is fast.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Barycentric weights of a direction in a triangle of a sphere mesh, and their gradients.
+/// Barycentric weights of a direction, and their gradients. The weights refer to the triangle of a
+/// sphere mesh that contains the direction.
 struct SphereWeights
 {
-  int Triangle = -1;
-  std::array<int, 3> Ids{};
-  Vector3 Weights = Vector3::Zero();
+  int Triangle = -1;                                ///< id of the triangle
+  std::array<int, 3> Ids{};                         ///< corners of the triangle
+  Vector3 Weights = Vector3::Zero();                ///< weights of the corners, with sum 1
   Eigen::Matrix3d Slopes = Eigen::Matrix3d::Zero(); ///< row k: gradient of weight k
 };
 
-/// Sphere mesh for point location. Queries only read, so several threads may query concurrently.
+/// Sphere mesh in which the triangle of a direction can be searched. Several threads may search
+/// concurrently.
 class SphereGrid
 {
 public:
@@ -34,7 +38,8 @@ public:
   const Mesh& mesh() const { return this->Sphere; }
   Index size() const { return this->Sphere.Positions.rows(); }
 
-  /// @param[in] hint  triangle that may be close, which reduces the cost; or -1
+  /// Compute the interpolation weights in a direction.
+  /// @param[in] hint  triangle that is probably near the direction, for a faster search; or -1
   SphereWeights weightsAt(const Vector3& direction, int hint = -1) const;
 
 private:
@@ -42,8 +47,10 @@ private:
   SphereLocator Locator;
 };
 
-/// Interpolate values in given directions.
-/// @param[in] values  values with one row for each vertex of the grid
+/// Interpolate values linearly in given directions.
+/// @param[in] values      one row for each vertex of the grid
+/// @param[in] directions  #N by 3
+/// @return #N rows of interpolated values
 Rows sampleAt(
   const SphereGrid& grid, const Rows& values, const Points& directions, const Run& run = {});
 }

@@ -18,13 +18,13 @@ namespace
 {
 constexpr Index BlockSize = 1024;
 
-/// Shapes of weight above 0, each relative to its center.
+/// Shapes of weight above 0, and their centers.
 struct Active
 {
   std::vector<const Points*> Shapes;
   std::vector<double> Weights;
   std::vector<Vector3> Centers;
-  std::vector<Vector3> Turns; ///< rotation vectors, from the first shape
+  std::vector<Vector3> Turns; ///< rotation vector of each shape relative to the first shape
 };
 
 Vector3 rotationVector(const Eigen::Matrix3d& rotation)
@@ -33,7 +33,7 @@ Vector3 rotationVector(const Eigen::Matrix3d& rotation)
   return turn.angle() * turn.axis();
 }
 
-/// Compute areas around the vertices, summed over all shapes.
+/// Compute the areas around the vertices, summed over all shapes.
 Eigen::VectorXd commonAreas(const Mesh& sphere, const std::vector<const Points*>& shapes)
 {
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(sphere.Positions.rows());
@@ -93,7 +93,7 @@ Vector3 weighted(const std::vector<double>& weights, const std::vector<Vector3>&
   return sum;
 }
 
-/// Corners of each blended triangle, relative to the first one.
+/// Corners of each blended triangle, relative to the first corner.
 using Wanted = std::vector<Eigen::Matrix3d>;
 
 Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
@@ -121,7 +121,7 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
         for (std::size_t s = 0; s < active.Shapes.size(); ++s)
         {
           const Points& shape = *active.Shapes[s];
-          Eigen::Matrix3d own; // in the orientation of the first shape
+          Eigen::Matrix3d own; // corners of the triangle, rotated back to the first shape
           for (int k = 0; k < 3; ++k)
           {
             own.col(k) = shape.row(triangles(r, k)) - shape.row(triangles(r, 0));
@@ -139,7 +139,7 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
   return wanted;
 }
 
-/// Compute the cotangents of the corners of triangles, clamped.
+/// Compute the cotangents of the angles of triangles, clamped to valid values.
 Points cotangentsOf(const Wanted& wanted)
 {
   Points cotangents(static_cast<Index>(wanted.size()), 3);
@@ -160,7 +160,8 @@ Points cotangentsOf(const Wanted& wanted)
 
 Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
 {
-  Steps steps(run, { 0.01, 0.45, 0.05, 0.45, 0.04 }); // blend, triangles, forces, factor, solution
+  // Progress: blend, triangles, forces, matrix factor, solution.
+  Steps steps(run, { 0.01, 0.45, 0.05, 0.45, 0.04 });
   steps.next();
   const Triangles& triangles = sphere.Triangles;
   const Eigen::VectorXd areas = commonAreas(sphere, active.Shapes);

@@ -25,13 +25,14 @@ namespace
 constexpr int CoarsestFrequency = 8, FeatureFrequency = 20;
 constexpr int NumberOfStarts = 8, NumberKept = 6, NumberOfFinalists = 2;
 constexpr double NearMinimum = 1.05; // maximum ratio of a finalist's score to the minimum score
-constexpr double PoseWeight = 3.0;   // weight of 1 minus the correlation of positions in the score
+constexpr double PoseWeight = 3.0;   // weight of the pose difference in the score
 constexpr double HoldAtTheEnd = 0.1; // factor of the sphere's weights in the last descent
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;
-constexpr double Tolerance = 2e-3; // relative decrease of the energy in a step
+constexpr double Tolerance = 2e-3; // relative decrease of the energy at which a descent ends
 constexpr double LandmarkWeight = 200.0;
-constexpr double SphereWeight = 0.2; // share of the sphere's metric added to those of the surfaces
-// Weights of the mean distance, the nearby areas and the curvatures, relative to a stretch of 1.
+constexpr double SphereWeight = 0.2; // multiple of the sphere's metric added to surface metrics
+// Weights of the features: mean distance, two nearby areas, two curvatures. The weight of the
+// stretch is 1.
 constexpr double ShapeWeights[] = { 0.4, 0.4, 0.4, 0.2, 0.2 };
 const std::vector<double> AreaRadii = { 0.17, 0.35 };
 // Smoothing radius of a curvature, and the curvature at which its arc tangent saturates.
@@ -41,7 +42,7 @@ struct CurvatureFeature
 };
 constexpr CurvatureFeature CurvatureFeatures[] = { { 0.21, 8.5 }, { 0.07, 17.0 } };
 
-// Surface scaled to the area of the unit sphere, with an outward map and all features.
+// Surface scaled to the area of the unit sphere, with a map that is not mirrored, and all features.
 class PreparedSurface
 {
 public:
@@ -66,7 +67,7 @@ public:
         " folded triangles, but must cover it once without folds");
     }
     const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
-    const double area = areas.sum() / 6.0; // each triangle twice at three corners
+    const double area = areas.sum() / 6.0; // each triangle is counted twice at three corners
     const Eigen::RowVector3d center = areas.transpose() * this->Surface.Positions / areas.sum();
     this->Surface.Positions.rowwise() -= center;
     this->Surface.Positions *= std::sqrt(4.0 * Pi / area);
@@ -124,12 +125,13 @@ private:
     normalizeFeatures(this->Shape, vertexAreas(even.Positions, even.Triangles));
   }
 
-  // Average features around the vertices of a grid, so that details below its resolution are not
-  // aliased.
+  // Average features around the vertices of a grid, so that details below the grid's resolution are
+  // not aliased.
   Rows averagedOn(const SphereGrid& grid) const
   {
     const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
-    constexpr double few = 1e-6; // fraction of the area without a nearby vertex
+    // Weight of values interpolated at a vertex, for vertices without samples nearby.
+    constexpr double few = 1e-6;
     const double minimum = few * areas.sum() / static_cast<double>(grid.size());
     Rows sums = minimum * sampleAt(this->Own, this->Given, grid.mesh().Positions);
     Eigen::VectorXd weights = Eigen::VectorXd::Constant(grid.size(), minimum);
@@ -179,7 +181,8 @@ public:
   RegistrationEnergy run(int finest, const Run& run)
   {
     std::vector<int> frequencies;
-    std::vector<double> shares = { 3.0, 8.5 }; // rotations, starts, then levels by their vertices
+    // Progress: rotations, starts, then each level in proportion to its number of vertices.
+    std::vector<double> shares = { 3.0, 8.5 };
     for (int frequency = CoarsestFrequency; frequency < finest;)
     {
       frequency = std::min(finest, 2 * frequency);
@@ -207,7 +210,8 @@ public:
       candidates.resize(1);
       if (frequency == frequencies.back())
       {
-        // Weights that prevent folds also restrain the map.
+        // The weights that prevent folds also increase the stretch. Reduce these weights at the
+        // end.
         this->Options.Weights.Sphere *= HoldAtTheEnd;
         this->Options.Weights.Barrier *= HoldAtTheEnd;
         this->descendFrom(candidates, sampled, FineSteps, part.part(0.7, 1.0));
@@ -223,8 +227,8 @@ public:
     return carried(this->Grid.Grid, this->Places, directions);
   }
 
-  // Interpolate between the rotation closest to the deformation, fraction 0, and the deformation,
-  // 1.
+  // Interpolate between a rotation (fraction 0) and the deformation (fraction 1). The rotation is
+  // the one closest to the deformation.
   Points placesAt(double fraction, const Points& directions) const
   {
     const Points& rest = this->Grid.Grid.mesh().Positions;
@@ -248,7 +252,7 @@ private:
   {
     Points Places;
     RegistrationEnergy Energy;
-    double Score = 0.0; // energy plus the weighted difference of rigid poses
+    double Score = 0.0; // energy plus the weighted pose difference
   };
 
   std::vector<Eigen::Matrix3d> rotations(const Run& run) const
@@ -285,12 +289,12 @@ private:
     return descend(this->Grid, target, this->Pairs, options, places, run);
   }
 
-  // Descend from each candidate; the best one is moved to the front.
+  // Descend from each candidate, and sort the candidates by score, the best one first.
   void descendFrom(std::vector<Candidate>& candidates, const SampledSurface& target,
     int numberOfSteps, const Run& run) const
   {
-    // Two descents run concurrently, since each is long and progress is reported in between. A
-    // single one reports its own progress.
+    // Run two descents concurrently. Progress is reported after both, since each descent is long. A
+    // single descent reports its own progress.
     constexpr std::size_t together = 2;
     const auto size = static_cast<double>(candidates.size());
     for (std::size_t start = 0; start < candidates.size(); start += together)
@@ -317,8 +321,9 @@ private:
       [](const Candidate& a, const Candidate& b) { return a.Score < b.Score; });
   }
 
-  // Compute 1 minus the correlation of corresponding positions, after the best rotation. It
-  // distinguishes a head from a tail, whose geodesic features may be similar.
+  // Compute the pose difference: 1 minus the correlation of corresponding positions, after the best
+  // rotation in space. The pose difference distinguishes a head from a tail with similar geodesic
+  // features.
   double poseDifference(const Points& places) const
   {
     Points here = this->Grid.Values.leftCols<3>(),
@@ -335,8 +340,8 @@ private:
     return 1.0 - weights.dot(turned.cwiseProduct(there).rowwise().sum());
   }
 
-  // Run a few steps from each rotation, then full descents from the best ones. Return those that
-  // end near the minimum.
+  // Run a few steps from each rotation, then full descents from the best results. Return the
+  // results with scores near the minimum.
   std::vector<Candidate> bestStarts(const std::vector<Eigen::Matrix3d>& rotations,
     const SampledSurface& target, const Run& run) const
   {
@@ -399,8 +404,8 @@ private:
   BoundedTriangles Shapes;
 };
 
-// Move the moving surface's vertices by the largest fraction of the deformation without flipped
-// triangles.
+// Move the moving surface's vertices by the deformation, or by the largest fraction of it that
+// flips no triangle.
 Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& registration,
   const FoldRepair& repair, double maximum)
 {
@@ -415,7 +420,7 @@ Points carriedWithoutFolds(const PreparedSurface& moving, const Registration& re
     }
   }
   const Points turned = registration.placesAt(0.0, mesh.SpherePositions);
-  // If even fraction 0 flips triangles, they are as small as rounding errors.
+  // If even fraction 0 flips triangles, these triangles are as small as rounding errors.
   return countFlippedTriangles(turned, mesh.Triangles) == 0 ? turned : mesh.SpherePositions;
 }
 
@@ -444,7 +449,7 @@ struct LandmarkPairs
       .Transform;
   }
 
-  // Compute the maximum distance to a target.
+  // Compute the maximum distance between a landmark and its target.
   double errorOf(const Points& places) const
   {
     double error = 0.0;
@@ -460,7 +465,8 @@ struct LandmarkPairs
   std::vector<SpherePair> Pairs;
 };
 
-// Return the weights of the built-in features, if used, then of the given ones.
+// Return the weights of all features: first the built-in features if they are used, then the given
+// features.
 std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& featureWeights)
 {
   std::vector<double> weights;
@@ -475,8 +481,8 @@ std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& fea
   return weights;
 }
 
-// Move the moving surface's vertices by the deformation and then to the landmarks. If the landmarks
-// are unreachable after the whole deformation, smaller fractions are tried.
+// Move the moving surface's vertices by the deformation, then to the landmarks. If the landmarks
+// cannot be reached after the whole deformation, try smaller fractions of the deformation.
 Points carriedToLandmarks(const PreparedSurface& moving, const Registration& registration,
   const LandmarkPairs& landmarks, Index& numberOfUnmet, const Run& run)
 {
@@ -523,7 +529,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
 {
   const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
   const bool withShape = options.ShapeWeight > 0.0;
-  // The surfaces, the deformation, the vertices, and landmarks.
+  // Progress: both surfaces, the deformation, the vertices, and the landmarks.
   Steps steps(run, { 0.15, 0.15, 0.55, 0.05, 0.1 });
   const PreparedSurface from(moving, withShape, "moving", steps.next());
   const PreparedSurface to(fixed, withShape, "fixed", steps.next());
@@ -554,7 +560,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
   result.Stretch = energy.Stretch;
   if (sum > 0.0)
   {
-    // Of features of mean 0 and variance 1.
+    // The features have mean 0 and variance 1, so their correlation is 1 - difference / 2.
     result.AgreementBefore = 1.0 - 0.5 * registration.DifferenceBefore / sum;
     result.AgreementAfter = 1.0 - 0.5 * energy.Features / sum;
   }

@@ -1,6 +1,9 @@
-/// Register one mapped surface with another: deform its map to the sphere so that equal directions
-/// correspond. Own construction: several rotations are tried, then refined on coarse to fine
-/// spheres, because a single descent may end in a poor local minimum.
+/// Register a moving surface with a fixed surface. Both surfaces have maps to the sphere. The map
+/// of the moving surface is deformed until equal directions show corresponding points of both
+/// surfaces.
+///
+/// Own construction, not from a publication: descents start from several rotations, and continue on
+/// finer and finer spheres. A single descent may end in a poor local minimum.
 
 #ifndef ConformalSphericalRegistration_h
 #define ConformalSphericalRegistration_h
@@ -16,61 +19,76 @@
 
 namespace conformal
 {
+/// Transforms of the sphere by which the moving surface's map may be changed.
 enum class SpaceOfTransforms
 {
-  Rotation,     ///< preserves angles and areas of the map
-  Moebius,      ///< preserves angles
-  Diffeomorphic ///< one to one and smooth
+  Rotation,     ///< rotations, which preserve the angles and areas of the map
+  Moebius,      ///< Moebius transforms, which preserve the angles of the map
+  Diffeomorphic ///< smooth one-to-one deformations
 };
 
+/// Options of registerSpheres().
 struct SphericalRegistrationOptions
 {
   SpaceOfTransforms Space = SpaceOfTransforms::Diffeomorphic;
-  double ShapeWeight = 1.0;   ///< weight of the built-in features of the surfaces; 0 to ignore them
+  /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them.
+  double ShapeWeight = 1.0;
   double StretchWeight = 1.0; ///< weight of the symmetric Dirichlet energy; above 0
-  /// Frequency of the finest geodesic sphere that is deformed, at least 8.
+  /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8. A
+  /// geodesic sphere is a subdivided icosahedron with 10 f^2 + 2 vertices.
   int Frequency = 16;
 };
 
-/// Surface with a map that covers the sphere once without folds.
+/// Surface with a map that covers the sphere once without folds. It has #V vertices.
 struct RegisteredSurface
 {
   MappedMesh Surface;
-  Rows Features; ///< #V by #K finite numbers, which registration matches between both surfaces
+  /// #V by #K finite numbers. Registration matches column k of both surfaces, for each k.
+  Rows Features;
 };
 
+/// New map of the moving surface, and measures of its agreement with the fixed surface.
 struct SphericalRegistrationResult
 {
   Points SpherePositions; ///< #V by 3 unit vectors, the new map of the moving surface
   double Stretch = 0.0;   ///< symmetric Dirichlet energy; 1 if the surfaces are isometric
-  /// Maximum distance between corresponding landmarks, on the unit sphere.
+  /// Maximum distance on the unit sphere between corresponding landmarks, after registration.
   double LandmarkError = 0.0;
-  double AgreementBefore = 1.0; ///< weighted mean correlation of the features; 1 without features
+  /// Weighted mean correlation of the features of both surfaces before registration; 1 without
+  /// features.
+  double AgreementBefore = 1.0;
+  /// Weighted mean correlation of the features of both surfaces after registration; 1 without
+  /// features.
   double AgreementAfter = 1.0;
-  /// Number of landmarks farther than 1e-6 from their targets; for Diffeomorphic.
+  /// Number of landmarks more than 1e-6 from their targets. Counted only for Diffeomorphic.
   Index NumberOfUnmetLandmarks = 0;
-  Index NumberOfFolds = 0; ///< number of folded triangles, by exact arithmetic
+  Index NumberOfFolds = 0; ///< number of folded triangles of the new map, by exact arithmetic
 };
 
-/// Register a moving surface with a fixed one.
+/// Register a moving surface with a fixed surface.
 ///
-/// 1. Find a rotation by landmarks, if there are at least two; otherwise, find several good
-///    rotations by features.
-/// 2. From each rotation, descend on the energy of stretch and features. Of the results of low
-///    energy, keep the one whose corresponding surface points agree best after a rotation. This
-///    excludes results that match a head to a tail with similar features.
-/// 3. Continue the descent on finer spheres. The last descent has less regularization.
-/// 4. Interpolate the deformation at the moving surface's vertices, then move landmark vertices to
+/// 1. Find the initial rotations of the moving surface's sphere. At least two landmarks determine
+///    one rotation. Otherwise, up to eight rotations are found by the features (RotationSearch.h).
+/// 2. From each rotation, minimize an energy on a coarse sphere (RegistrationDescent.h). The energy
+///    is the stretch of the map, plus the weighted differences of features. Compute the score of
+///    each result: the energy, plus 3 times the pose difference. Keep up to two results with the
+///    lowest scores. The pose difference is 1 minus the correlation of corresponding positions,
+///    after the best rotation in space. The pose difference excludes results that match a head with
+///    a tail of similar features.
+/// 3. Continue the descent on finer spheres, and keep the result with the lowest score. In the last
+///    descent, the weights that prevent folds are smaller.
+/// 4. Interpolate the deformation at the moving surface's vertices. Then move landmark vertices to
 ///    their targets by a flow (LandmarkFlow.h).
 ///
-/// A deformation that folds a triangle is reduced until no triangle is folded. For Rotation and
-/// Moebius, the transform is fitted by least squares to the landmarks or, if there are none, to the
-/// deformation.
+/// If the deformation folds a triangle of the moving surface, a smaller fraction of the deformation
+/// is applied. For Rotation and Moebius, the transform is fitted to the landmarks by least squares.
+/// Without landmarks, the transform is fitted to the deformation of the coarse sphere.
 ///
-/// @param[in] landmarks       pairs of a vertex of the moving and a vertex of the fixed surface. No
-///   vertex of the moving surface is repeated.
-/// @param[in] featureWeights  #K, weights of the features, at least 0
-/// @throws std::invalid_argument if a map folds, or landmarks are too few for the space
+/// @param[in] landmarks       pairs of a vertex of the moving surface and a vertex of the fixed
+///   surface. No vertex of the moving surface is repeated.
+/// @param[in] featureWeights  #K, weights of the columns of Features, at least 0
+/// @throws std::invalid_argument if a map has folds, or does not cover the sphere once
+/// @throws std::invalid_argument if there are too few landmarks for the space of transforms
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,

@@ -19,13 +19,13 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-// Positions on the sphere are rounded, in files to floats, so that smaller weights are treated as
-// 0.
+// Weights below this minimum are treated as 0. In files, sphere positions may be rounded to floats.
 constexpr double MinimumWeight = 1e-7;
 
 using Parts = std::vector<std::pair<int, double>>;
 
-/// @return number of folds
+/// Check that a surface is closed and that its map covers the sphere once.
+/// @return number of folded triangles of the map
 Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
 {
   const Index open = countOpenEdges(mesh.Triangles, mesh.SpherePositions.rows(), run.unwatched());
@@ -46,10 +46,11 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
                              : mesh.Triangles.rows() - coverage.NumberOfFolds;
 }
 
-/// Find the closest triangle for each direction, and return its corners with barycentric weights.
+/// Find the closest triangle for each direction. Return the corners of this triangle and their
+/// barycentric weights.
 std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, const Run& run)
 {
-  Steps steps(run, { 0.5, 0.5 }); // tree, foot points
+  Steps steps(run, { 0.5, 0.5 }); // progress: tree, foot points
   const TriangleTree tree(source.SpherePositions, source.Triangles, steps.next());
   std::vector<Parts> parts(directions.rows());
   forBlocksReporting(steps.next(), directions.rows(), BlockSize,
@@ -70,7 +71,8 @@ std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, c
   return parts;
 }
 
-/// Return the source points in the triangles of each target point.
+/// Return the reverse weights: for each target point, the source points in the triangles around the
+/// target point.
 std::vector<Parts> partsBack(const MappedMesh& source, const MappedMesh& target, const Run& run)
 {
   std::vector<char> isUsed(source.SpherePositions.rows(), 0);
@@ -103,7 +105,8 @@ bool namesAllOf(const Parts& parts, const Parts& others)
     });
 }
 
-/// Scale rows by the areas of the target, then columns to those of the source.
+/// Scale the weights of each target point by its area. Then scale the weights of each source point
+/// so that their sum is its area.
 void scaleByAreas(std::vector<Parts>& rows, const MappedMesh& source, const MappedMesh& target)
 {
   const Eigen::VectorXd sourceAreas = vertexAreas(source.Positions, source.Triangles),
@@ -126,7 +129,7 @@ void scaleByAreas(std::vector<Parts>& rows, const MappedMesh& source, const Mapp
       weight *= sums[id] > 0.0 ? area * sourceAreas[id] / sums[id] : 0.0;
       sum += weight;
     }
-    if (sum > 0.0) // otherwise, no areas are defined
+    if (sum > 0.0) // otherwise, all involved areas are 0
     {
       rows[i] = std::move(scaled);
     }
@@ -139,7 +142,7 @@ SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& 
   const SphericalResampleOptions& options, const Run& run)
 {
   const bool isAdaptive = options.Method == ResampleMethod::AreaAdaptive;
-  // Cover, weights, weights from the target, areas.
+  // Progress: checks of the maps, forward weights, reverse weights, areas.
   Steps steps(run, { 0.15, 0.8, isAdaptive ? 0.8 : 0.0, isAdaptive ? 0.4 : 0.05 });
   steps.next();
   SphericalResampling result;

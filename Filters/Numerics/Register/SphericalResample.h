@@ -1,5 +1,5 @@
-/// Resample values of one surface at the points of another surface by their maps to the sphere,
-/// with the methods of \cite Glasser2013.
+/// Resample the values of a source surface at the points of a target surface, with the methods of
+/// \cite Glasser2013. Points of both surfaces correspond by their maps to the sphere.
 
 #ifndef ConformalSphericalResample_h
 #define ConformalSphericalResample_h
@@ -10,48 +10,52 @@
 
 namespace conformal
 {
+/// Method by which the weights of source points are computed.
 enum class ResampleMethod
 {
   Barycentric, ///< interpolate in the source triangle that contains each target point
-  AreaAdaptive ///< every source point contributes with a weight by its area
+  AreaAdaptive ///< every source point contributes in proportion to its area
 };
 
+/// Options of resampleSurface().
 struct SphericalResampleOptions
 {
   ResampleMethod Method = ResampleMethod::AreaAdaptive;
 };
 
+/// Weights of source points, and a measure of the source's map.
 struct SphericalResampling
 {
-  ResampleWeights Weights; ///< for each target point, weights of source points
-  /// Number of folded triangles of the source's map, which covers parts of the sphere more than
-  /// once.
+  ResampleWeights Weights; ///< weights of source points for each target point
+  /// Number of folded triangles of the source's map. Folded triangles cover parts of the sphere
+  /// more than once.
   Index NumberOfFolds = 0;
 };
 
-/// Compute the weights of source points for each target point, as Connectome Workbench defines
-/// them.
+/// Compute the weights of source points for each target point, as defined by the software
+/// Connectome Workbench.
 ///
-/// Barycentric: the weights are the barycentric coordinates of the target point's closest point on
-/// the flat triangles of the source's sphere.
+/// Barycentric: Find the point on the flat triangles of the source's sphere that is closest to the
+/// target point. The weights are the barycentric coordinates of this closest point.
 ///
 /// AreaAdaptive (ADAP_BARY_AREA of Connectome Workbench):
-/// 1. Compute Barycentric weights forward, from source to target, and in reverse, from target to
-///    source.
-/// 2. For each target point, use the reverse weights if they involve more source points, else the
-///    forward weights.
-/// 3. Multiply the weights of each target point by its area.
-/// 4. Scale the weights of each source point so that their sum is its area.
-/// 5. Normalize the weights of each target point to sum 1.
+/// 1. Compute forward weights: the Barycentric weights of source points for each target point.
+///    Compute reverse weights: the Barycentric weights of target points for each source point.
+/// 2. Select the weights of each target point. If the reverse weights include source points without
+///    a forward weight, select the reverse weights. Otherwise, select the forward weights.
+/// 3. Multiply the weights of each target point by the area of the target point.
+/// 4. Scale the weights of each source point so that their sum is the area of the source point.
+/// 5. Scale the weights of each target point to sum 1.
 ///
-/// Thus all source points contribute to a coarser target, and values are interpolated for a finer
-/// target.
+/// If the target is coarser than the source, all source points thus contribute. If the target is
+/// finer, values are interpolated.
 ///
-/// @param[in] source  surface with a map. Its positions define the areas of points; points without
-///   triangles are ignored.
-/// @param[in] target  surface with a map; for Barycentric, only SpherePositions are used
-/// @throws std::invalid_argument if a surface is open, or a map does not cover the sphere once,
-///   mirrored or not; the target is not checked for Barycentric
+/// @param[in] source  surface with a map to the sphere. The areas of points are computed from its
+///   positions. Points without triangles are ignored.
+/// @param[in] target  surface with a map to the sphere. For Barycentric, only its SpherePositions
+///   are used.
+/// @throws std::invalid_argument if a surface is open, or its map does not cover the sphere once.
+///   The map may be mirrored. For Barycentric, the target is not checked.
 /// @throws Aborted
 SphericalResampling resampleSurface(const MappedMesh& source, const MappedMesh& target,
   const SphericalResampleOptions& options = {}, const Run& run = {});

@@ -57,7 +57,7 @@ void requireUsable(const std::vector<TemplateInput>& inputs)
   }
 }
 
-// Steps of the construction of a template.
+// Computation of a template: a mean shape with which all surfaces are registered.
 class TemplateSearch
 {
 public:
@@ -76,7 +76,7 @@ public:
     }
   }
 
-  // Register each surface with one of them; that one is left unchanged.
+  // Register all surfaces with one of them. The registration of that surface is the identity.
   Registrations registeredWith(std::size_t one, const Run& run) const
   {
     return this->registered(this->Inputs[one].Surface, this->Inputs[one].Landmarks, one, run);
@@ -88,7 +88,7 @@ public:
     return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), run);
   }
 
-  // Average positions and features, aligned to the first surface.
+  // Average positions and features over all surfaces, aligned to the surface `front`.
   RegisteredSurface meanOf(
     const Registrations& registrations, std::size_t front, const Run& run) const
   {
@@ -107,8 +107,8 @@ public:
     return mean;
   }
 
-  // Find the surface closest to the mean of all shapes. Of surfaces equal up to rounding, the first
-  // is returned.
+  // Find the surface closest to the mean of all shapes. If several surfaces are equally close up to
+  // rounding, return the first of these surfaces.
   std::size_t closestToMean(const Registrations& registrations, const Run& run) const
   {
     Steps steps(run, { 1.0, 1.0 });
@@ -187,7 +187,7 @@ private:
         place += last[s].SpherePositions.row(this->Inputs[s].Landmarks[i]);
       }
       const Eigen::VectorXd closeness = vertices * place;
-      int closest = 0; // or the first vertex not yet used
+      int closest = 0; // vertex that is closest to the landmark and not yet used
       for (Index v = 0; v < vertices.rows(); ++v)
       {
         if (!isTaken[v] && (isTaken[closest] || closeness[v] > closeness[closest]))
@@ -253,7 +253,7 @@ private:
   std::vector<Rows> Features; // normalized
 };
 
-// Compute the rms distance over the rms radius.
+// Compute the change of the mean: root mean square displacement over root mean square radius.
 double changeOf(const MappedMesh& mean, const MappedMesh& last)
 {
   const Eigen::VectorXd areas = vertexAreas(mean.Positions, mean.Triangles);
@@ -275,7 +275,7 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
   std::vector<double> shares;
   for (int i = 0; i < 2 + rounds; ++i)
   {
-    shares.insert(shares.end(), { 0.95, 0.05 }); // registrations, mean
+    shares.insert(shares.end(), { 0.95, 0.05 }); // progress: registrations, then the mean
   }
   Steps steps(run, shares);
 

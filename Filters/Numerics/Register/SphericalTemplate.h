@@ -1,6 +1,8 @@
-/// Register many mapped surfaces with their mean, so that all of them correspond. Own construction:
-/// surfaces are registered in rounds with their mean, because the result then depends little on any
-/// single surface.
+/// Register many surfaces with their mean shape, so that all surfaces correspond. Each surface has
+/// a map to the sphere; registration changes this map.
+///
+/// Own construction, not from a publication: the mean is recomputed after each round of
+/// registrations. The result therefore depends little on any single surface.
 
 #ifndef ConformalSphericalTemplate_h
 #define ConformalSphericalTemplate_h
@@ -15,58 +17,64 @@
 
 namespace conformal
 {
+/// Options of findSphericalTemplate().
 struct SphericalTemplateOptions
 {
   SphericalRegistrationOptions Registration; ///< options of the registration of each surface
-  /// Alignment of the shapes before the mean is computed.
+  /// Transform that aligns the shapes before their mean is computed.
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  /// Frequency f of the mean, which has 10 f^2 + 2 points.
+  /// Frequency f of the mean's mesh, a geodesic sphere (subdivided icosahedron) with 10 f^2 + 2
+  /// points.
   int MeanFrequency = 45;
-  /// Maximum number of rounds of registration with the mean, at least 0.
+  /// Maximum number of rounds, at least 0. Each round registers all surfaces with the mean.
   int MaximumNumberOfRounds = 4;
-  double Tolerance = 0.01; ///< rounds end at this change of the mean, relative to its size
+  /// Rounds end if the mean changes by at most this fraction of its root mean square radius.
+  double Tolerance = 0.01;
 };
 
-/// Surface with landmarks.
+/// Surface to register, with its landmarks.
 struct TemplateInput
 {
   std::string Name = "a surface"; ///< name of the surface in messages
   RegisteredSurface Surface;
-  std::vector<int> Landmarks; ///< #L distinct vertices, in the same order for all surfaces
+  /// #L vertex ids without repetition. Landmarks with equal indices correspond.
+  std::vector<int> Landmarks;
 };
 
+/// Registrations of #S surfaces with their mean, and the mean.
 struct SphericalTemplateResult
 {
-  /// #S, registration of each surface with the mean; without rounds, or for a single surface, with
-  /// the start surface.
+  /// #S, registration of each surface with the mean. If there are no rounds, each surface is
+  /// registered with the start surface instead.
   std::vector<SphericalRegistrationResult> Registrations;
-  /// Mean on a geodesic sphere, at the position and orientation of the start surface.
+  /// Mean shape on a geodesic sphere, with the center and orientation of the start surface.
   MappedMesh Mean;
-  Index Start = 0; ///< number of the start surface, with which all are registered first
-  /// Change of the mean in each round: root mean square distance divided by the root mean square
+  Index Start = 0; ///< index of the start surface, see findSphericalTemplate()
+  /// Change of the mean in each round: root mean square displacement, divided by root mean square
   /// radius.
   std::vector<double> Changes;
 };
 
 /// Register all surfaces with a common mean shape.
 ///
-/// 1. Register all surfaces with the first one. The surface closest to the mean of the registered
-///    shapes is the start surface.
+/// 1. Register all surfaces with the first surface. Compute the mean of the registered shapes. The
+///    surface closest to this mean becomes the start surface.
 /// 2. Register all surfaces with the start surface.
-/// 3. In each round, register all surfaces with the mean of positions and features of the previous
-///    round. Stop when the mean converges.
+/// 3. In each round, register all surfaces with the mean of positions and features from the
+///    previous registrations. Stop when the mean converges.
 ///
-/// Each registration begins with the surface's input map, so that a round may improve on the
-/// previous round. Landmarks of the mean are the vertices closest to the mean landmark positions.
+/// Each registration begins with the input map of the surface, not with the result of the previous
+/// round. For registration, the landmarks of the mean are vertices of the mean. Each of these
+/// vertices is the closest one to the mean sphere position of the landmark.
 ///
-/// The order of the surfaces matters only for the choice of the start surface. With the same start
+/// The order of the surfaces affects only the choice of the start surface. With the same start
 /// surface, results differ only by rounding.
 /// @param[in] inputs          #S surfaces, at least one
 /// @param[in] featureWeights  #K, weights of the features, at least 0
-/// @throws std::invalid_argument if a surface has zero area, its map does not cover the sphere
-///   once, or its number of landmarks differs from that of the first one; the message names the
-///   surface
-/// @throws std::invalid_argument if registerSpheres() throws it
+/// @throws std::invalid_argument if a surface has zero area, or its map does not cover the sphere
+///   once. The message contains the name of the surface.
+/// @throws std::invalid_argument if the surfaces have different numbers of landmarks
+/// @throws std::invalid_argument if registerSpheres() throws this exception
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& inputs,

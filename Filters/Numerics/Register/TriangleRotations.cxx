@@ -24,18 +24,19 @@ Eigen::Matrix3d cornersOf(const Points& points, const Triangles& triangles, Inde
   return corners;
 }
 
-/// Two orthonormal tangents and the normal of a triangle by columns, and its first two edges in
-/// these tangents.
+/// Local frame of a triangle. The columns of Frame are two orthonormal tangents and the normal. The
+/// columns of Edges are the first two edges, expressed in the tangents.
 struct Flat
 {
   Eigen::Matrix3d Frame;
   Eigen::Matrix2d Edges;
 };
 
-/// @return false if it has zero area
+/// Compute the local frame of a triangle.
+/// @return false if the triangle has zero area
 bool flatten(const Eigen::Matrix3d& corners, Flat& flat)
 {
-  constexpr double minimumArea = 1e-12; // of the square of an edge
+  constexpr double minimumArea = 1e-12; // minimum area, relative to the longest squared edge
   const Vector3 u = corners.col(1) - corners.col(0), v = corners.col(2) - corners.col(0);
   const Vector3 normal = u.cross(v);
   const double area = normal.norm(), length = u.norm();
@@ -50,7 +51,8 @@ bool flatten(const Eigen::Matrix3d& corners, Flat& flat)
   return true;
 }
 
-/// Return the rotation vector closest to another vector, among those that differ by full turns.
+/// Return the rotation vector closest to another vector. Candidates differ from the shortest
+/// rotation vector by full rotations about its axis.
 Vector3 closestVector(const Vector3& shortest, const Vector3& other)
 {
   const double angle = shortest.norm(), turn = 2.0 * Pi;
@@ -71,13 +73,14 @@ double differenceOf(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b)
   return (a - b).squaredNorm();
 }
 
-/// Propagate from triangle to triangle, the most similar rotations first.
+/// Choose rotation vectors that are continuous between neighboring triangles. Triangles are
+/// processed from neighbor to neighbor, those with the most similar rotations first.
 void followNeighbors(const Triangles& neighbors, const std::vector<Eigen::Matrix3d>& rotations,
   std::vector<Vector3>& vectors, const Run& run)
 {
   const auto size = static_cast<Index>(vectors.size());
   constexpr Index reportEvery = 16384;
-  using Step = std::tuple<double, int, int>; // difference, triangle, neighbor of origin
+  using Step = std::tuple<double, int, int>; // difference, triangle, processed neighbor
   std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
   std::vector<char> isDone(size, 0);
   std::vector<int> order(size);
@@ -88,7 +91,7 @@ void followNeighbors(const Triangles& neighbors, const std::vector<Eigen::Matrix
   std::stable_sort(order.begin(), order.end(),
     [&](int a, int b) { return vectors[a].squaredNorm() < vectors[b].squaredNorm(); });
   Index done = 0;
-  for (const int seed : order) // a connected mesh needs one seed
+  for (const int seed : order) // a connected mesh has a single seed
   {
     if (isDone[seed] == 0)
     {
@@ -141,7 +144,7 @@ Eigen::Matrix3d triangleRotation(
   {
     return otherwise;
   }
-  // The gradient times the determinant of a.Edges, which is above 0.
+  // Compute the deformation gradient times the determinant of a.Edges, which is above 0.
   Eigen::Matrix2d adjugate;
   adjugate << a.Edges(1, 1), -a.Edges(0, 1), -a.Edges(1, 0), a.Edges(0, 0);
   const Eigen::Matrix2d gradient = b.Edges * adjugate;

@@ -1,5 +1,5 @@
-/// Compute rotations between the triangles of two shapes, by polar decomposition as in
-/// \cite Alexa2000.
+/// Compute the rotation of each triangle between two shapes with the same triangles, by polar
+/// decomposition as in \cite Alexa2000.
 
 #ifndef ConformalTriangleRotations_h
 #define ConformalTriangleRotations_h
@@ -11,27 +11,33 @@
 
 namespace conformal
 {
-/// Return the rotation about the axis of a vector. The angle is the vector's length in radians.
+/// Return the rotation matrix of a rotation vector. The vector has the direction of the axis, and
+/// the length of the angle in radians.
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
-/// Compute the rotation of a triangle's deformation: the orthogonal factor of the polar
-/// decomposition of its gradient. The gradient maps the normal to the normal.
-/// @param[in] from, to   corners of the triangle, one in each column
-/// @param[in] otherwise  return value if a triangle has zero area
+/// Compute the rotation of a triangle's deformation: the orthogonal factor in the polar
+/// decomposition of the deformation gradient. The gradient also maps the normal of the first
+/// triangle to that of the second triangle.
+/// @param[in] from, to   corners of the triangle before and after the deformation, one per column
+/// @param[in] otherwise  return value if the triangle has zero area in `from` or `to`
 Eigen::Matrix3d triangleRotation(
   const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Eigen::Matrix3d& otherwise);
 
-/// Compute the rotation vector of each triangle relative to the rotation of the whole shape: R =
-/// exp(whole) exp(vector), where R is triangleRotation().
+/// Compute a rotation vector for each triangle, relative to the rotation of the whole shape. Let R
+/// be triangleRotation() of the triangle, and exp the rotation matrix of a rotation vector. Then
+/// R = exp(whole) exp(vector).
 ///
-/// Rotation vectors are unique up to multiples of 360 degrees. The triangle of smallest rotation
-/// gets its shortest vector. Beginning there, each triangle gets the vector closest to that of a
-/// neighbor; neighbors with the most similar rotations are processed first. Limbs may thus rotate
-/// by more than 180 degrees. A rotation by 360 degrees is not supported, since its axis is
-/// undefined.
+/// A rotation vector is unique up to multiples of 360 degrees along its axis. These multiples are
+/// chosen so that vectors are continuous between neighboring triangles. The triangle of smallest
+/// rotation gets its shortest vector. Starting there, each triangle gets the vector closest to the
+/// vector of a neighbor. Neighbors with the most similar rotations are processed first.
+///
+/// Limbs may thus rotate by more than 180 degrees. Rotations by 360 degrees are not supported,
+/// since their axes are undefined.
 ///
 /// @param[in] neighbors  triangleNeighbors() of the triangles
-/// @param[in] from, to   #V by 3
+/// @param[in] from, to   #V by 3, vertices of both shapes
+/// @param[in] whole      rotation vector of the whole shape
 /// @throws Aborted
 std::vector<Vector3> triangleRotations(const Triangles& triangles, const Triangles& neighbors,
   const Points& from, const Points& to, const Vector3& whole, const Run& run = {});

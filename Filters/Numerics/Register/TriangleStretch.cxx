@@ -12,8 +12,8 @@ namespace
 {
 using Matrix2 = Eigen::Matrix2d;
 
-// Compute |J|^2 a^2 for the map between two metrics, or |J^-1|^2 b^2: a form that is linear in
-// either metric.
+// Compute 4 a^2 |J|^2, where a is the area of metric g and J the linear map from g to h. The result
+// is linear in both metrics.
 double mixed(const TriangleMetric& g, const TriangleMetric& h)
 {
   return g[0] * h[2] + g[2] * h[0] - 2.0 * g[1] * h[1];
@@ -52,12 +52,12 @@ TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangl
   const TriangleMetric h = { now.P.squaredNorm(), now.P.dot(now.Q), now.Q.squaredNorm() };
   const double a = areaOf(rest), b = areaOf(h), product = mixed(rest, h);
   const double inverses = 1.0 / (a * a) + 1.0 / (b * b), cube = b * b * b;
-  // Derivatives by the product and by b.
+  // Derivatives of the energy by the product and by the area b.
   const double byProduct = 0.125 * (a + b) * inverses;
   const double byArea = 0.125 * product * inverses - 2.0 - 0.25 * (a + b) * product / cube;
   const double byBoth = 0.125 * inverses - 0.25 * (a + b) / cube;
   const double byAreaTwice = -0.5 * product / cube + 0.75 * (a + b) * product / (cube * b);
-  // Derivatives of both by the entries of h.
+  // Derivatives of the product and of the area b by the entries of h.
   const Vector3 productSlope = { rest[2], -2.0 * rest[1], rest[0] },
                 areaSlope = Vector3(h[2], -2.0 * h[1], h[0]) / (8.0 * b);
   Eigen::Matrix3d areaCurve = -areaSlope * areaSlope.transpose() / b;
@@ -68,14 +68,15 @@ TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangl
   const Eigen::Matrix3d cross = productSlope * areaSlope.transpose();
   const Eigen::Matrix3d curve = byBoth * (cross + cross.transpose()) +
     byAreaTwice * areaSlope * areaSlope.transpose() + byArea * areaCurve;
-  // Within the plane: p = (length, 0), q = (along, height).
+  // In the triangle's plane, the edges are p = (length, 0) and q = (along, height).
   const double length = std::sqrt(h[0]);
   const Eigen::Matrix<double, 6, 1> first = now.P / length;
   const double along = now.Q.dot(first);
   const Eigen::Matrix<double, 6, 1> rise = now.Q - along * first;
   const double height = rise.norm();
   const Eigen::Matrix<double, 6, 1> second = rise / height;
-  Eigen::Matrix<double, 3, 4> entries; // of h, by both edges in the plane
+  // Derivatives of the entries of h by the coordinates of p and q in the plane.
+  Eigen::Matrix<double, 3, 4> entries;
   entries << 2.0 * length, 0.0, 0.0, 0.0, along, height, length, 0.0, 0.0, 0.0, 2.0 * along,
     2.0 * height;
   Matrix2 tension;
@@ -96,7 +97,7 @@ TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangl
   TriangleForm form;
   form.Slope = (entries * planar).transpose() * slope;
   form.Stiffness = planar.transpose() * withoutNegative(inPlane) * planar;
-  // Only tension contributes across the plane.
+  // For changes perpendicular to the plane, only the tension contributes.
   tension = withoutNegative(tension);
   const std::array<const Eigen::Matrix<double, 6, 6>*, 2> edges = { &now.PByUnknowns,
     &now.QByUnknowns };

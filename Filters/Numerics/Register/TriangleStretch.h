@@ -1,5 +1,5 @@
-/// Compute the stretch of a triangle between two metrics, by the symmetric Dirichlet energy of
-/// \cite Smith2015.
+/// Measure how much a triangle is stretched from one shape to another, by the symmetric Dirichlet
+/// energy of \cite Smith2015.
 
 #ifndef ConformalTriangleStretch_h
 #define ConformalTriangleStretch_h
@@ -10,33 +10,39 @@
 
 namespace conformal
 {
-/// Metric of a triangle with edge vectors p and q, stored as the products p.p, p.q and q.q.
+/// Metric of a triangle with edge vectors p and q from the first corner. The metric consists of the
+/// dot products p.p, p.q and q.q.
 using TriangleMetric = std::array<double, 3>;
 
+/// Compute the area of a triangle from its metric.
 double areaOf(const TriangleMetric& metric);
 
-/// Compute the symmetric Dirichlet energy: (|J|^2 + |J^-1|^2 - 4) (a + b) / 2, where J maps the
-/// triangle of one metric to that of the other, and a, b are their areas. The energy is 0 for equal
-/// metrics, and infinite for a triangle of zero area.
+/// Compute the stretch of a triangle between its metric at rest and its present metric. Let J be
+/// the linear map between both shapes of the triangle, and a and b their areas. The stretch is
+/// (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0 for equal metrics, and infinite for a
+/// triangle of zero area.
 double triangleStretch(const TriangleMetric& rest, const TriangleMetric& now);
 
-/// Quadratic model of an energy at a state u = 0: Slope.u + u.Stiffness u / 2. The stiffness is
-/// positive semidefinite.
+/// Quadratic model of an energy for a small change u of six unknowns. The energy changes by Slope^T
+/// u + (u^T Stiffness u) / 2. Stiffness is positive semidefinite.
 struct TriangleForm
 {
-  Eigen::Matrix<double, 6, 1> Slope;
-  Eigen::Matrix<double, 6, 6> Stiffness;
+  Eigen::Matrix<double, 6, 1> Slope;     ///< gradient of the energy
+  Eigen::Matrix<double, 6, 6> Stiffness; ///< approximate Hessian of the energy
 };
 
-/// Two edge vectors of a triangle in six dimensions, and their derivatives by six unknowns.
+/// Edge vectors of a triangle that depends on six unknowns, two for each corner. The vectors are
+/// six-dimensional: three coordinates on a surface, then three scaled coordinates on the sphere.
 struct MovingTriangle
 {
-  Eigen::Matrix<double, 6, 1> P, Q;
+  Eigen::Matrix<double, 6, 1> P, Q; ///< edge vectors from the first corner
+  /// Derivatives of P and Q by the unknowns, one unknown per column.
   Eigen::Matrix<double, 6, 6> PByUnknowns, QByUnknowns;
 };
 
-/// Compute the quadratic model of a triangle's energy for edges that change linearly: the gradient,
-/// and the positive semidefinite part of the Hessian within the triangle's plane and across it.
+/// Compute the quadratic model of triangleStretch() for edge vectors that are linear in the
+/// unknowns. Negative eigenvalues of the Hessian are removed. Changes within the triangle's plane
+/// and changes perpendicular to the plane are processed separately.
 TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangle& now);
 }
 

@@ -27,13 +27,16 @@ namespace
 {
 constexpr int CoarsestFrequency = 4;
 constexpr Index BlockSize = 1024;
-// Measured on Igea with Gaussian noise of 0.005: noise 6, best smoothness 1.
+// Smoothness of the fit for noise, in units of the squared ratio of noise to detail. Measured on
+// the scan Igea with Gaussian noise of 0.005: for a ratio of 6, a smoothness of 1 is best.
 constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5;
 
-/// Learning spreads the network evenly, so that more evenness hardly affects the fit.
+/// Evenness of the fit. Training already makes the triangles even, so the value hardly affects the
+/// fit.
 constexpr double Evenness = 3.0;
 
-constexpr int WidestDiffusion = 5; ///< steps over the network in the first pass of a level
+/// Number of diffusion steps over the network in the first pass of each network.
+constexpr int WidestDiffusion = 5;
 
 std::vector<int> frequencies(int finest)
 {
@@ -46,10 +49,11 @@ std::vector<int> frequencies(int finest)
   return levels;
 }
 
-/// For each neuron, the mass C of its patterns, then their sum S.
+/// For each neuron, the total weight C of its patterns, then the weighted sum S of its patterns.
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// Diffuse by one step: every neuron keeps half and distributes half equally to its neighbors.
+/// Diffuse by one step. Every neuron keeps half of its sums, and distributes the other half equally
+/// to its neighbors.
 void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
 {
   Shares spread(shares.rows(), 4);
@@ -68,8 +72,9 @@ void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
   shares.swap(spread);
 }
 
-/// Return the radius sigma on the unit sphere of a number of diffusion steps. The variance of a
-/// step in one direction is a quarter of the square edge length, half of the neighbors' share.
+/// Return the neighborhood radius sigma on the unit sphere for a number of diffusion steps. The
+/// variance of a step in one direction is a quarter of the squared edge length. Here half of the
+/// sums moves by one edge, in two dimensions.
 double diffusionRadius(int steps, Index triangles)
 {
   const double area = 4.0 * Pi / static_cast<double>(triangles);
@@ -77,7 +82,7 @@ double diffusionRadius(int steps, Index triangles)
   return std::sqrt(0.25 * steps * squareEdge);
 }
 
-/// Compute S / C. A neuron without patterns follows its neighbors.
+/// Compute S / C for each neuron. A neuron without patterns gets the mean of its neighbors.
 Points means(
   const Shares& shares, const Adjacency& neighbors, const Points& weights, const Run& run)
 {
@@ -100,8 +105,8 @@ Points means(
   return moved;
 }
 
-/// Estimate the mass of patterns in each triangle: the mass of each neuron is distributed to its
-/// triangles.
+/// Estimate the weight of the patterns in each triangle. The weight of each neuron is distributed
+/// equally to the triangles around the neuron.
 std::vector<double> massesOf(
   const Shares& shares, const Triangles& triangles, const Adjacency& neighbors)
 {
@@ -116,12 +121,12 @@ std::vector<double> massesOf(
   return masses;
 }
 
-/// Shares of a pattern for the corners of the triangle of its projection: the barycentric weights
-/// of its reference point.
+/// Fractions in which a pattern is divided among the corners of the triangle that contains its
+/// projection. The fractions are the barycentric weights of the pattern's reference point.
 class CornerShares
 {
 public:
-  /// @param[in] model  the weights, which may move
+  /// @param[in] model  weight vectors of the neurons, which may change later
   CornerShares(ReferencePoint reference, const Points& network, const Points& model,
     const Triangles& triangles)
     : Reference(reference)
@@ -159,8 +164,8 @@ private:
   NetworkShapes Shapes;
 };
 
-/// Levels have progress in proportion to their numbers of neurons; a fifth of each is for its
-/// preparation.
+/// Divide the progress between the networks, in proportion to their numbers of neurons. A fifth of
+/// each part is for the preparation of the network.
 Steps stepsOf(const std::vector<int>& levels, const Run& run)
 {
   std::vector<double> shares;
@@ -172,7 +177,7 @@ Steps stepsOf(const std::vector<int>& levels, const Run& run)
   return { run, shares };
 }
 
-/// Replace the network by a geodesic sphere of a frequency, with the weights interpolated.
+/// Replace the network by a geodesic sphere of a given frequency. Weight vectors are interpolated.
 void refine(FittedMesh& network, int frequency, bool isFirst, const Run& run)
 {
   Mesh finer = makeGeodesicSphere(frequency, run.part(0.0, 0.2));
@@ -184,14 +189,14 @@ void refine(FittedMesh& network, int frequency, bool isFirst, const Run& run)
   network.Triangles = std::move(finer.Triangles);
 }
 
-/// Sums of a pass over the samples.
+/// Sums over all samples of a pass.
 struct PassResult
 {
   conformal::Shares Shares;
   double SumOfSquareErrors = 0.0, TypicalSquareError = 0.0;
 };
 
-/// Passes of one level, all on one network.
+/// Training of one network, in several passes.
 class Level
 {
 public:
@@ -208,8 +213,8 @@ public:
   {
   }
 
-  /// Move the network by the means of the samples of a pass, and record it.
-  /// @return typical square error before the move
+  /// Move each neuron to the mean of its samples in one pass, and append a record of the pass.
+  /// @return typical square error before the neurons were moved
   double pass(int number, int frequency, const Run& run)
   {
     PassResult found = this->shareOut(run.part(0.0, 0.9));
@@ -240,11 +245,11 @@ public:
     return found.TypicalSquareError;
   }
 
-  /// Masses of the triangles in the last pass; 0 without one.
+  /// Return the weight of the patterns in each triangle in the last pass, or 0 without a pass.
   const std::vector<double>& masses() const { return this->Masses; }
 
 private:
-  /// Distribute the next samples to the corners of the triangles of their projections.
+  /// Distribute the next samples to the corners of the triangles that contain their projections.
   PassResult shareOut(const Run& run)
   {
     const Index neurons = this->Network.SpherePositions.rows();
@@ -302,7 +307,8 @@ FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOp
 {
   const std::vector<int> levels = frequencies(options.Frequency);
   FittedMesh result;
-  double typicalErrors[2] = {}; // of the last passes of the coarser network and of this one
+  // Typical errors of the last pass on the coarser network, and of the last pass on this network.
+  double typicalErrors[2] = {};
   SampleRotation rotation(samples, options.RandomSeed);
   Steps steps = stepsOf(levels, run);
   for (int f : levels)
@@ -338,12 +344,12 @@ FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOp
 FittedMesh trainBatch(
   const TrainingSamples& samples, const BatchTrainingOptions& options, const Run& run)
 {
-  Steps steps(run, { 0.3, 0.68, 0.02 }); // learning, fit, support
+  Steps steps(run, { 0.3, 0.68, 0.02 }); // progress: learning, fit, support
   FittedMesh result = learnFromSphere(samples, options, nullptr, steps.next());
   const double noise = result.NoiseToDetail;
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;
-  // Increase the smoothness with the noise; distant samples are then noise, not limb ends.
+  // With more noise, the fit is smoother. Distant samples are then noise, not limb ends.
   fit.LastSmoothness = options.Fit.Smoothness + SmoothnessForNoise * noise * noise;
   fit.FirstSmoothness = fit.LastSmoothness;
   fit.Evenness = Evenness;

@@ -1,5 +1,9 @@
-/// Train a self-organizing map in batches, on increasingly fine geodesic networks. Training starts
-/// from the sphere. Used by trainConformalSOM().
+/// Train a self-organizing map in batches, on finer and finer geodesic networks. The algorithm sums
+/// the updates of \cite Liou2008 over many samples. Training starts from the unit sphere.
+///
+/// A geodesic network is a subdivided icosahedron on the unit sphere. Each of its vertices is a
+/// neuron, with a weight vector: its position in space. A sample that is used for training is
+/// called a pattern.
 
 #ifndef ConformalBatchTraining_h
 #define ConformalBatchTraining_h
@@ -16,47 +20,52 @@
 
 namespace conformal
 {
-/// Options that a caller of trainConformalSOM() may set.
+/// Options of batch training that are also options of trainConformalSOM().
 struct BatchOptions
 {
   int PassesPerLevel = 5; ///< number of learning passes on each network
-  /// Number of samples used in a pass, per neuron; limited to all samples.
+  /// Number of patterns per neuron in a pass. If there are fewer samples, all are used.
   int SamplesPerNeuron = 12;
 };
 
+/// All options of batch training.
 struct BatchTrainingOptions : BatchOptions
 {
   int Frequency = 36; ///< frequency of the finest network, see makeGeodesicSphere()
-  /// Reference point of a pattern; Automatic means Affine.
+  /// Reference point of a pattern, see ReferencePoint.h; Automatic means Affine.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
-  FitOptions Fit;
-  unsigned int RandomSeed = 1;
-  MeshObserver Observer; ///< function called after each level and after the fit; may be empty
+  FitOptions Fit;              ///< options of the least-squares fit
+  unsigned int RandomSeed = 1; ///< seed of the selection of patterns
+  MeshObserver Observer; ///< function called after each network and after the fit; may be empty
 };
 
-/// Function that returns whether to continue after a level. Its arguments are the level's mesh and
-/// the weight of the samples in each triangle.
+/// Function called after each network, with the mesh and the weight of the patterns in each
+/// triangle. The function returns whether to continue with a finer network.
 using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double>&)>;
 
-/// Learn on networks of increasing frequency up to options.Frequency. No least-squares fit follows.
+/// Train networks of increasing frequency, up to options.Frequency. No least-squares fit follows.
 ///
-/// A pass replaces each neuron's weight vector w_i by a mean of the pass's patterns, weighted by
-/// the neighborhood function h. This is Eq. 3 of \cite Liou2008, summed over the patterns with w
-/// fixed. A pattern is divided among the corners of the triangle that contains its projection. The
-/// fractions are the barycentric weights of the projection, or of its reference point r
-/// (options.ReferencePoint). Diffusion of these fractions over the network gives the weights h. The
-/// diffusion becomes narrower from pass to pass.
+/// Each network is trained in several passes over patterns. Let x be a pattern. Let w_i be the
+/// weight vector of neuron i, and h_i its neighborhood function of x. A pass replaces each w_i by
+/// the mean of all patterns x, weighted by h_i. This is Eq. 3 of \cite Liou2008, summed over the
+/// patterns with all w_i fixed.
 ///
-/// @param[in] goesOn  function called after each level; if empty, all levels are learned
-/// @return the mesh, in the samples' unit (maximum radius 1), with the estimated noise
+/// The function h_i of a pattern is computed in two steps. First, the pattern is projected to the
+/// mesh. The corners of the triangle that contains the projection get barycentric weights. These
+/// are the weights of the projection itself, or of its reference point (options.ReferencePoint).
+/// Then the weights are diffused over the network. The diffusion becomes narrower from pass to
+/// pass.
+///
+/// @param[in] goesOn  function called after each network; if empty, all networks are trained
+/// @return the mesh in the samples' unit (maximum radius 1), with the estimated noise
 /// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted
 FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,
   const LevelTest& goesOn, const Run& run = {});
 
-/// Learn on all levels, then fit the vertices to the samples (LeastSquaresFit.h). The fit is
-/// smoother if the errors of the levels indicate noise.
-/// @return the mesh in the samples' unit
+/// Train all networks, then fit the vertices to the samples by least squares (LeastSquaresFit.h).
+/// If the errors of the two finest networks indicate noise, the fit is smoother.
+/// @return the mesh in the samples' unit (maximum radius 1)
 /// @throws Aborted
 FittedMesh trainBatch(
   const TrainingSamples& samples, const BatchTrainingOptions& options, const Run& run = {});

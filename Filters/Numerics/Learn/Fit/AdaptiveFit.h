@@ -1,6 +1,8 @@
-/// Fit a mesh with triangles of equal size to samples. Own construction: remeshing alternates with
-/// least-squares fits, because the final surface, which determines good triangles, is not known at
-/// first.
+/// Fit a closed mesh to samples of a surface. All triangles of the mesh are about equally large.
+///
+/// Own construction, not from a publication: least-squares fits alternate with remeshing. Good
+/// triangles can only be made when the surface is known, and the surface becomes known during the
+/// fit.
 
 #ifndef ConformalAdaptiveFit_h
 #define ConformalAdaptiveFit_h
@@ -17,39 +19,48 @@
 
 namespace conformal
 {
+/// Options of fitAdaptively().
 struct AdaptiveFitOptions : FitOptions
 {
-  Index NumberOfVertices = 12962;
-  Index SamplesPerVertex = 12; ///< number of samples per vertex in an iteration of the final fit
-  unsigned int RandomSeed = 1;
-  /// Function called with the remeshed start, the mesh of each turn, and the final mesh; may be
-  /// empty.
+  Index NumberOfVertices = 12962; ///< number of vertices of the fitted mesh
+  /// Number of samples per vertex in each iteration of the final fit.
+  Index SamplesPerVertex = 12;
+  unsigned int RandomSeed = 1; ///< seed of the selection of samples
+  /// Function called with the start surface before and after remeshing, the mesh of each turn (see
+  /// AdaptiveStart), and the final mesh. May be empty.
   MeshObserver Observer;
 };
 
-/// Start of a fit: a closed surface of genus zero near the samples, in the samples' unit.
+/// Start surface of a fit, with settings of the fit. The surface is closed, of genus zero, and near
+/// the samples. Positions are in the samples' unit (maximum radius 1).
 struct AdaptiveStart : LearnedMesh
 {
-  /// Number of alternations (turns) of fit and remeshing before the final fit.
+  /// Number of turns before the final fit. A turn is a fit followed by remeshing.
   int Turns = 3;
-  int IterationsPerTurn = 2;                   ///< number of iterations of the fit in each turn
-  double OutlierRatio = 10.0;                  ///< limit for outliers, see LocalScale.h
-  std::function<bool(const Vector3&)> Belongs; ///< test whether to use a sample; may be empty
-  /// Guide of the fit, see LeastSquaresFit.h; may be null.
+  int IterationsPerTurn = 2; ///< number of iterations of the fit in each turn
+  /// A sample is an outlier if its distance from the surface exceeds the usual distance of nearby
+  /// samples by this factor. See LocalScale.h.
+  double OutlierRatio = 10.0;
+  /// Function that returns whether a sample is used; if empty, all samples are used.
+  std::function<bool(const Vector3&)> Belongs;
+  /// Surface that guides vertices between samples that are far apart (LeastSquaresFit.h), or null.
   std::shared_ptr<const TriangleTree> Guide;
 };
 
-/// Fit a closed mesh of options.NumberOfVertices vertices through the samples. Its triangles are
-/// nearly equilateral and of about equal size, including those on limbs. The mesh is in the
-/// samples' unit and has no map to the sphere.
+/// Fit a closed mesh of options.NumberOfVertices vertices to the samples. The triangles are nearly
+/// equilateral and of about equal size, also on limbs. The mesh is in the samples' unit (maximum
+/// radius 1) and has no map to the sphere.
 ///
-/// The start is remeshed (Remeshing.h) and fitted (LeastSquaresFit.h) alternately, with decreasing
-/// smoothness. The final fit keeps the connectivity. Where triangles cut off sharp edges of the
-/// object, vertices are then moved onto these edges (SharpEdges.h).
+/// First, the start surface is remeshed (Remeshing.h). Then several turns follow. Each turn fits
+/// the mesh to the samples (LeastSquaresFit.h) and remeshes the fitted mesh. In each turn, the
+/// smoothness decreases from iteration to iteration. The final fit does not change the triangles.
+/// Where triangles cut off sharp edges of the object, vertices are finally moved onto these edges
+/// (SharpEdges.h).
 ///
-/// The noise is estimated from the errors of this mesh and of a mesh with a quarter of the vertices
-/// (NoiseEstimate.h). The estimate determines the smoothness of the final fit. If the noise is
-/// large relative to the edges, the first turn is repeated with a stiffer surface.
+/// The noise of the samples is estimated before the final fit (NoiseEstimate.h). The estimate
+/// compares the errors of this mesh with the errors of a mesh with a quarter of the vertices. With
+/// more noise, the final fit is smoother. If the noise is large relative to the edge length, the
+/// first turn is repeated with a stiffer surface.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks

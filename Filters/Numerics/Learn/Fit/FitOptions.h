@@ -1,17 +1,21 @@
-/// Options of the least-squares fit that a caller of trainConformalSOM() may set.
+/// Options of the least-squares fit that a caller of trainConformalSOM() may set. The fit moves the
+/// vertices of a mesh toward the samples.
 
 #ifndef ConformalFitOptions_h
 #define ConformalFitOptions_h
 
 namespace conformal
 {
+/// Options of the least-squares fit (LeastSquaresFit.h).
 struct FitOptions
 {
-  /// Number of iterations; each one uses new foot points of the samples.
+  /// Number of iterations. Each iteration projects the samples to the surface again.
   int Iterations = 10;
-  /// Weight of the Laplacian term of a vertex, relative to the mean weight of a vertex's samples.
+  /// Weight of the smoothness of the surface at a vertex, relative to the mean weight of the
+  /// samples of a vertex.
   double Smoothness = 0.01;
-  bool AutomaticPriority = true; ///< whether to weight samples by distance, see LeastSquaresFit.h
+  /// Whether samples farther from the surface have larger weights, see LeastSquaresFit.h.
+  bool AutomaticPriority = true;
 };
 }
 

@@ -1,4 +1,4 @@
-/// Learned mesh with a record of its training.
+/// Define the results of learning: a mesh, with a record of its training.
 
 #ifndef ConformalLearnedMesh_h
 #define ConformalLearnedMesh_h
@@ -11,41 +11,44 @@
 
 namespace conformal
 {
-/// Measurements of one epoch (Online), pass (Batch) or iteration of the fit.
+/// Measurements of one epoch (Online mode), pass (Batch mode) or iteration of the least-squares
+/// fit. In the samples' unit, the maximum radius of the samples is 1.
 struct TrainingRecord
 {
-  /// Frequency of the geodesic sphere with about as many triangles as the mesh.
+  /// Frequency of the geodesic sphere whose number of triangles is closest to that of the mesh.
   int Frequency = 0;
-  double NeighborhoodRadius = 0; ///< sigma(t), a length on the unit sphere
-  double LearningRate = 0;       ///< alpha(t); 1 in batch training
-  /// Mean square distance of the presented patterns from their projections, if the maximum radius
-  /// is 1.
+  double NeighborhoodRadius = 0; ///< neighborhood radius sigma(t), a length on the unit sphere
+  double LearningRate = 0;       ///< learning rate alpha(t); 1 in batch training and in the fit
+  /// Mean square distance between the samples used and their projections to the mesh, in squares of
+  /// the samples' unit.
   double MeanSquareError = 0;
-  /// Mean displacement of the neurons' weight vectors, if the maximum radius is 1.
+  /// Mean displacement of the vertices, in the samples' unit.
   double MeanDisplacement = 0;
 };
 
-/// Learned mesh, in the notation of \cite Liou2008. Positions are the weights w_i, the vertices of
-/// the model M^Delta. SpherePositions are the network positions n_i; they are empty while the mesh
-/// is not mapped. Triangles are the triangles of the network S^Delta.
+/// Learned mesh. In the notation of \cite Liou2008, Positions are the weights w_i: the vertices of
+/// the model M^Delta. SpherePositions are the network positions n_i. SpherePositions are empty if
+/// the mesh has not been mapped to the sphere. The triangles belong to both the model and the
+/// network S^Delta.
 struct LearnedMesh : MappedMesh
 {
-  std::vector<TrainingRecord> History;
+  std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration
 };
 
 /// Mesh fitted to samples by least squares, with measurements of the fit.
 struct FittedMesh : LearnedMesh
 {
-  /// Variance of the noise divided by the variance due to unresolved detail.
+  /// Variance of the samples' noise, divided by the variance due to details too small for the mesh.
   double NoiseToDetail = 0.0;
-  double Noise = 0.0; ///< standard deviation of the noise, if the maximum radius is 1
-  /// Fraction of the area without samples nearby, see unsupportedFraction().
+  /// Standard deviation of the noise, in the samples' unit (maximum radius 1).
+  double Noise = 0.0;
+  /// Fraction of the surface area without samples nearby, see unsupportedFraction().
   double UnsupportedFraction = 0.0;
-  /// Area of the mesh divided by the area of the surface before the fit.
+  /// Area of the fitted mesh, divided by the area of the surface before the fit.
   double AreaRatio = 1.0;
 };
 
-/// Function called with the name of an intermediate mesh, and the mesh in the samples' unit.
+/// Function called with an intermediate mesh in the samples' unit (maximum radius 1), and its name.
 using MeshObserver = std::function<void(const std::string& name, const FittedMesh& mesh)>;
 }
 

@@ -1,6 +1,7 @@
-/// Fit the vertices of a triangle mesh to samples by least squares. This is the last stage of batch
-/// training. Own construction: the squared distance of \cite Pottmann2006 is used without its
-/// curvature term, because a few iterations suffice with it.
+/// Fit the vertices of a triangle mesh to samples of a surface by least squares.
+///
+/// Own construction, not from a publication: the curvature term is omitted from the squared
+/// distance of \cite Pottmann2006. Without this term, a few iterations still suffice.
 
 #ifndef ConformalLeastSquaresFit_h
 #define ConformalLeastSquaresFit_h
@@ -17,47 +18,59 @@
 
 namespace conformal
 {
+/// Options of leastSquaresFit(). The smoothness is the weight of a smooth surface, relative to the
+/// mean weight of the samples of a vertex.
 struct LeastSquaresFitOptions
 {
-  int Iterations = 10;
-  /// Smoothness of the first iteration; then it changes geometrically.
+  int Iterations = 10; ///< number of iterations
+  /// Smoothness in the first iteration. Between the first and the last iteration, the smoothness
+  /// changes by a constant factor per iteration.
   double FirstSmoothness = 0.01;
-  double LastSmoothness = 0.01; ///< smoothness of the last iteration
-  double Evenness = 1.0;        ///< weight of even triangles, see SurfaceEquations.h
-  double OutlierRatio = 6.0;    ///< limit for outliers, see LocalScale.h
+  double LastSmoothness = 0.01; ///< smoothness in the last iteration
+  /// Factor of the smoothness along the surface. A value above 1 makes the triangles more nearly
+  /// equilateral.
+  double Evenness = 1.0;
+  /// A sample is an outlier if its distance from the surface exceeds the usual distance of nearby
+  /// samples by this factor. See LocalScale.h.
+  double OutlierRatio = 6.0;
 
-  /// Whether to weight samples by distance, so that the fit reaches limb ends. The weight is the
-  /// distance from the surface divided by the root mean square distance, clamped to [0.3, 2.8].
-  /// Without a Guide, each vertex without samples is also pulled along its normal to the nearest
-  /// sample. This moves fillings over hollows inward.
+  /// Whether samples farther from the surface have larger weights, so that the fit reaches limb
+  /// ends. The weight is the distance of the sample divided by the root mean square distance,
+  /// clamped to [0.3, 2.8].
+  ///
+  /// Without a Guide, this option also moves vertices that have no samples. In the second half of
+  /// the iterations, these vertices are pulled along their normals toward their nearest samples.
+  /// Thus a surface that covers a hollow moves into the hollow.
   bool AutomaticPriority = true;
 
   /// Surface that guides vertices between samples that are far apart, or null. Vertices without
-  /// samples are pulled to this surface along their normals, with a tenth of the weight of a
-  /// vertex's samples. Vertices over holes wider than eight edges are not pulled.
+  /// samples are pulled to this surface along their normals. The weight is a tenth of the mean
+  /// weight of the samples of a vertex. Vertices over holes wider than eight edges are not pulled.
   std::shared_ptr<const TriangleTree> Guide;
 
-  /// Maximum number of samples in an iteration; each iteration selects others.
+  /// Maximum number of samples in an iteration. Each iteration uses different samples.
   Index SamplesPerIteration = 1000000;
-  unsigned int RandomSeed = 1; ///< seed of this selection
-  /// Test whether to use a sample; if empty, all are used.
+  unsigned int RandomSeed = 1; ///< seed of the selection of samples
+  /// Function that returns whether a sample is used; if empty, all samples are used.
   std::function<bool(const Vector3&)> Belongs;
 };
 
 /// Fit the vertices of a mesh to samples.
 ///
-/// Each iteration finds the foot point of every sample on the surface. It then moves the vertices
-/// to minimize the sum of SurfaceEquations.h. The stiffness in this sum is the smoothness times the
-/// mean weight of a vertex's samples. The stiffness is increased at vertices without samples
-/// nearby, where the surface is interpolated. In the last iterations, it is also increased at
-/// folds.
+/// Each iteration projects every sample to its foot point, the closest point on the surface. Then
+/// the vertices are moved to minimize the energy of SurfaceEquations.h. This energy has terms for
+/// the samples, and terms for a smooth surface. The weight of the smoothness terms at a vertex is
+/// its stiffness. The stiffness is the smoothness times the mean weight of the samples of a vertex.
+/// At vertices without samples nearby, the stiffness is larger, so that the surface is interpolated
+/// there. In the last iterations, the stiffness is also larger at folds.
 ///
-/// Outliers are ignored: samples much farther from the surface than their neighbors (LocalScale.h).
+/// Outliers are ignored: samples much farther from the surface than neighboring samples
+/// (LocalScale.h).
 ///
-/// @param[in,out] mesh  mesh with vertices in the samples' unit; its history gets one record per
-///   iteration
-/// @return for each triangle, the total weight of the samples with foot points in it, in the last
-///   iteration; zeros if there are no iterations
+/// @param[in,out] mesh  mesh with vertices in the samples' unit (maximum radius 1). One record per
+///   iteration is appended to its history.
+/// @return for each triangle, the total weight of the samples projected to this triangle in the
+///   last iteration. Without iterations, all values are 0.
 /// @throws Aborted
 std::vector<double> leastSquaresFit(const TrainingSamples& samples,
   const LeastSquaresFitOptions& options, LearnedMesh& mesh, const Run& run = {});

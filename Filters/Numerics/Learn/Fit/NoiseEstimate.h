@@ -1,6 +1,8 @@
-/// Separate noise from unresolved detail in the errors of a learned surface. Own construction:
-/// errors at two mesh resolutions are compared, because refinement reduces the error by detail but
-/// not the noise.
+/// Estimate the noise of samples from their distances to learned surfaces.
+///
+/// Own construction, not from a publication: square errors of a coarse mesh and of a fine mesh are
+/// compared. A finer mesh reduces the error due to unresolved detail, but not the error due to
+/// noise.
 
 #ifndef ConformalNoiseEstimate_h
 #define ConformalNoiseEstimate_h
@@ -13,22 +15,27 @@
 
 namespace conformal
 {
-/// Estimate the ratio of the variance of the noise to the variance due to unresolved detail. The
+/// Estimate the variance of the noise, divided by the variance due to unresolved detail. The
 /// estimate is based on the typical square errors of two surfaces. The coarse surface has a quarter
-/// of the vertices of the fine surface. Refinement from coarse to fine divides the square error due
-/// to detail by six, as measured on scans (by 16 in the limit of smooth objects). Refinement does
-/// not change the noise.
-/// @return the ratio, in [0, 10]
+/// of the vertices of the fine surface.
+///
+/// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
+/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. The noise
+/// is the same for both surfaces.
+/// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
+/// @return the ratio, in [0, 10]; 10 if the fine surface has no smaller error than the coarse one
 double noiseToDetail(double coarseError, double fineError);
 
-/// Estimate the variance of Gaussian noise along the normal from the typical square errors of a
-/// coarse and a fine surface. Return 0 if detail explains both errors.
+/// Estimate the variance of Gaussian noise along the normal, from the typical square errors of a
+/// coarse and a fine surface. If unresolved detail explains both errors, return 0.
 double noiseVariance(double coarseError, double fineError);
 
-/// Geometric mean of square distances, which is insensitive to a few outliers.
+/// Geometric mean of squared distances. Unlike the arithmetic mean, the geometric mean hardly
+/// depends on a few outliers.
 class TypicalSquare
 {
 public:
+  /// Add a squared distance.
   /// @param[in] square  squared distance, at most 1e27
   void add(double square);
 
@@ -40,10 +47,11 @@ private:
   FixedPointSums Logarithms{ 1 };
 };
 
-/// Compute the typical square distance of patterns to a surface.
-/// @param[in] positions  #V by 3, in the samples' unit
+/// Compute the typical square error of a surface: the geometric mean of the squared distances of
+/// samples from the surface.
+/// @param[in] positions  #V by 3, in the samples' unit (maximum radius 1)
 /// @param[in] triangles  #F by 3
-/// @param[in] wanted     number of patterns to use, spaced evenly in their sequence
+/// @param[in] wanted     number of samples to use, selected at equal intervals of their sequence
 double typicalSquareError(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, Index wanted, const Run& run = {});
 }

@@ -1,4 +1,5 @@
 /// Set up and solve the normal equations of the least-squares fit of a triangle mesh to samples.
+/// The samples are called patterns, as in \cite Liou2008.
 
 #ifndef ConformalSurfaceEquations_h
 #define ConformalSurfaceEquations_h
@@ -14,20 +15,27 @@
 
 namespace conformal
 {
-/// Least-squares equations for displacements d that move the vertices w of a mesh toward its
-/// patterns x:
+/// Least-squares equations for displacements d of the vertices w of a mesh. The displacements move
+/// the mesh toward patterns x, and minimize the energy
 ///
-/// minimize  sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d
+///     sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d.
 ///
-/// Here p is the weight of a pattern, b are the barycentric weights of its foot point, and r = x -
-/// b w. L is the uniform Laplacian. s_i is the stiffness at vertex i; its tangential part is
-/// multiplied by the evenness. The bending energy at the edges (HingeBending.h) has the same
-/// stiffness. It prevents wrinkles of thin triangles.
+/// The first sum is over all patterns:
+/// - The foot point of a pattern x is its closest point on the mesh, in some triangle.
+/// - p is the weight of the pattern.
+/// - b are the barycentric weights of the foot point, so that b w is the foot point.
+/// - r = x - b w is the vector from the foot point to the pattern.
+/// - M is a 3 by 3 matrix, by which distances along the normal have full weight. If the foot point
+///   is inside a triangle, distances along the surface have almost no weight. The reason is that
+///   foot points move along the surface from iteration to iteration.
 ///
-/// M measures distances. The distance component along the normal has full weight. If the foot point
-/// is inside a triangle, the tangential components have almost no weight, since foot points move
-/// from iteration to iteration. This is the squared distance of \cite Pottmann2006 without the
-/// curvature term. With this distance, a few iterations suffice.
+/// This is the squared distance of \cite Pottmann2006 without its curvature term. With this
+/// distance, a few iterations suffice.
+///
+/// The second sum is over all vertices i. L is the uniform Laplacian, and s_i is the stiffness at
+/// vertex i. The part of L along the surface is multiplied by the evenness. The bending energy at
+/// the edges (HingeBending.h) has the same stiffness. This energy prevents wrinkles of thin
+/// triangles.
 class SurfaceEquations
 {
 public:
@@ -38,26 +46,31 @@ public:
   /// Remove all patterns.
   void clear();
 
-  /// Add a pattern, which attracts the surface.
+  /// Add a pattern to the energy.
+  /// @param[in] foot    foot point of the pattern on the mesh
+  /// @param[in] x       position of the pattern
   /// @param[in] weight  weight p, in [0, 4]
   void add(const FootPoint& foot, const Vector3& x, double weight);
 
-  /// Add a term that moves one vertex along a direction: weight (direction . d - distance)^2.
+  /// Add a term to the energy that moves one vertex along a direction: weight (direction . d -
+  /// distance)^2. Here d is the displacement of this vertex.
   void pull(int vertex, const Vector3& direction, double distance, double weight);
 
-  /// Return vertexTriangles() of the triangles.
+  /// Return vertexTriangles() of the triangles: the triangles around each vertex.
   const Adjacency& around() const { return this->Around; }
 
-  /// Sum the terms of the patterns over all ranks. Terms of pull() are not summed.
+  /// Sum the terms of the patterns over all ranks. The terms added by pull() are not summed, so all
+  /// ranks must add equal terms.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
-  /// Run some iterations of conjugate gradients \cite Hestenes1952, starting at d = 0. The call
-  /// uses up the patterns: call clear() before the next patterns are added.
+  /// Minimize the energy approximately, by some iterations of conjugate gradients
+  /// \cite Hestenes1952 that start at d = 0. Afterward, call clear() before further patterns are
+  /// added.
   /// @pre clear() was called after the previous solve()
   /// @param[in] weights    vertices w, #V by 3
   /// @param[in] stiffness  stiffness s, #V
-  /// @param[in] evenness   factor of the tangential stiffness; a value above 1 favors even
-  ///   triangles over a smooth surface
+  /// @param[in] evenness   factor of the stiffness along the surface. With a value above 1,
+  ///   triangles become more nearly equilateral.
   /// @return displacements d, #V by 3
   /// @throws Aborted
   Points solve(

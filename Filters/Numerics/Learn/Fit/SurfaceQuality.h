@@ -1,6 +1,7 @@
-/// Evaluate the quality of a learned surface by its samples. Own construction: each defect is
-/// measured as a fraction and compared with a tolerance, because learned surfaces have no reference
-/// to compare with.
+/// Evaluate the quality of a learned surface by its samples.
+///
+/// Own construction, not from a publication: each defect is measured as a fraction, and compared
+/// with a tolerance. A reference surface is not needed.
 
 #ifndef ConformalSurfaceQuality_h
 #define ConformalSurfaceQuality_h
@@ -11,61 +12,67 @@
 
 namespace conformal
 {
-/// Defects of a surface, as fractions in [0, 1]. In fractions of the samples, each sample is
-/// weighted by the area that it represents.
+/// Defects of a surface, as fractions in [0, 1]. To compute fractions of samples, each sample is
+/// weighted by the surface area that it represents.
 struct SurfaceQuality
 {
   double UncoveredFraction = 0.0; ///< fraction of samples far from the surface
-  /// Fraction of samples at which the surface is oriented the wrong way.
+  /// Fraction of samples at which the surface normal points to the wrong side.
   double InvertedFraction = 0.0;
   double FoldedFraction = 0.0; ///< fraction of edges with a dihedral angle below 30 degrees
 
-  // Properties of the samples alone. They are the same for any surface through the samples.
-  /// Fraction of samples at least 0.02 off the plane of their neighbors.
+  // The following properties are the same for any surface through the samples.
+  /// Fraction of samples more than 0.02 from the plane through their neighbors.
   double UndersampledFraction = 0.0;
-  double LayerDistance = 0.0; ///< distance between two layers of samples, or 0 for one layer
+  /// Distance between two layers of samples in the samples' unit (maximum radius 1), or 0 if there
+  /// is only one layer.
+  double LayerDistance = 0.0;
 };
 
-/// Largest tolerated fractions. Well-learned surfaces of closed scans have less than half of these
-/// values.
+/// Largest tolerated fractions of defects. Well-learned surfaces of closed scans have less than
+/// half of these fractions.
 struct ToleratedQuality
 {
   static constexpr double UncoveredFraction = 0.002, InvertedFraction = 0.002,
                           FoldedFraction = 0.0005;
 };
 
-/// Evaluate a closed surface by the samples from which it was learned.
+/// Evaluate a closed surface by the samples from which it was learned. All distances are in the
+/// samples' unit (maximum radius 1).
 ///
-/// - A sample is covered if its distance from the surface is at most 1.5 times the typical spacing
-///   of the cloud, or five standard deviations of noise. Outliers (samples far from all others) are
-///   ignored.
-/// - The surface is oriented correctly at a sample if its normal agrees with the sample's. If the
-///   samples have no consistent normals, the surface's normals are tested by winding numbers
-///   (WindingNumbers.h). The winding number decreases along a correct normal. It does not decrease
-///   if two sides of the surface share samples, or if the surface is inside out.
-/// - The surface is undersampled at samples that lie off the plane of their neighbors by more than
-///   0.02.
-/// - Scans with registration errors may consist of two layers. Samples form two layers if the
-///   offsets of neighboring samples from the surface have two values. The kurtosis of such offsets
-///   is nearer to 1 than to 3, the kurtosis of noise. Offsets of a curved object from coarse
-///   triangles have two values, too. Neighbors near one quadratic polynomial are therefore ignored.
+/// - UncoveredFraction: A sample is uncovered if its distance from the surface exceeds a limit. The
+///   limit is 1.5 times the typical spacing of the cloud, or five standard deviations of larger
+///   noise. Outliers (samples far from all others) are ignored.
+/// - InvertedFraction: At a sample, the surface normal is compared with the normal of the sample.
+///   If the samples have no consistent normals, surface normals are tested by winding numbers
+///   (WindingNumbers.h). The winding number decreases along a correct outward normal. The winding
+///   number does not decrease if two sides of the surface share samples, or if the surface is
+///   inside out.
+/// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
+///   is above 0.02. Samples are too sparse there for the curvature of the surface.
+/// - LayerDistance: A scan with registration errors may consist of two layers. The offset of a
+///   sample is its signed distance from the surface. In two layers, offsets of neighboring samples
+///   have two values. The kurtosis of such offsets is nearer to 1 than to 3, which is the kurtosis
+///   of noise. However, offsets of a curved object from a coarse mesh may also have two values.
+///   Therefore, neighbors near a common quadratic polynomial do not count as layers.
 ///
 /// About 10,000 samples are used. All ranks use the same samples.
 ///
 /// @param[in] positions  #V by 3, in the samples' unit
 /// @param[in] triangles  #F by 3
-/// @param[in] noise      standard deviation in the samples' unit, or 0
+/// @param[in] noise      standard deviation of the noise in the samples' unit, or 0 if unknown
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
 SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, double noise, const Run& run = {});
 
-/// Return a quality with a reduced uncovered fraction: samples that a hull omitted on purpose are
-/// not counted as uncovered.
+/// Reduce UncoveredFraction by the samples that a hull omitted on purpose.
+/// @param[in] leftOut  number of omitted samples
+/// @param[in] all      total number of samples
 SurfaceQuality withoutLeftOut(SurfaceQuality quality, Index leftOut, Index all);
 
-/// Compute the defect score: the maximum over all defects of the fraction divided by its tolerated
-/// value. A surface with a score above 1 is bad.
+/// Compute the defect score. Each of the fractions in ToleratedQuality is divided by its tolerated
+/// value. The score is the maximum of these ratios. A surface with a score above 1 is bad.
 double defectScore(const SurfaceQuality& quality);
 }
 

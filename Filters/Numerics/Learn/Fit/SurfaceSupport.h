@@ -1,6 +1,8 @@
-/// Find the unsupported area of a learned surface, which is far from all samples. Own construction:
-/// samples per area are counted, because the mismatch error of \cite Liou2008 does not detect
-/// unsupported area.
+/// Find the unsupported area of a learned surface: the area that is far from all samples. Samples
+/// are called patterns, as in \cite Liou2008.
+///
+/// Own construction, not from a publication: patterns per area are counted. The mismatch error
+/// E_mis of \cite Liou2008 does not detect unsupported area.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h
@@ -14,64 +16,76 @@
 
 namespace conformal
 {
-/// Find unsupported vertices: those on webs (spurious membranes) between limbs, and on fillings of
-/// holes in the data. The mismatch error E_mis of \cite Liou2008 does not detect them.
+/// Find unsupported vertices. Unsupported vertices are on webs (spurious membranes) between limbs,
+/// or on fillings of holes in the data.
 ///
-/// The number of patterns around a vertex is compared with the number expected for an area of that
-/// size. The neighborhood of the vertex is enlarged until about a hundred patterns are expected. A
-/// vertex is unsupported if its neighborhood has less than a quarter of the expected patterns.
+/// The number of patterns around a vertex is compared with the number expected for an area of this
+/// size. The neighborhood of the vertex is enlarged until about a hundred patterns are expected
+/// there. If the neighborhood contains less than a quarter of the expected number, the vertex is
+/// unsupported.
 ///
 /// @param[in] positions  #V by 3
 /// @param[in] triangles  #F by 3
 /// @param[in] neighbors  vertexNeighbors() of the triangles
-/// @param[in] masses     #F, number of patterns with foot points in each triangle
+/// @param[in] masses     #F, total weight of the patterns projected to each triangle
 /// @return #V, true for unsupported vertices
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Find vertices without samples. A vertex counts as without samples if its triangles have less
-/// than a twentieth of the number of patterns that a vertex's triangles have on average.
+/// Find vertices without patterns. Let m be the total weight of patterns in the triangles around a
+/// vertex. A vertex is without patterns if m is less than 5 percent of the mean of m over all
+/// vertices.
+/// @param[in] masses  #F, total weight of the patterns projected to each triangle
+/// @return #V, true for vertices without patterns
 std::vector<bool> idleVertices(
   const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices);
 
-/// Find unsupported vertices, and all vertices without samples that are connected to them. The
-/// result covers a whole web, while unsupportedVertices() covers the center of the web. Parameters
-/// are those of unsupportedVertices().
+/// Find unsupported vertices, and all vertices without patterns that are connected to unsupported
+/// vertices. On a web, unsupportedVertices() finds only the center, and this function finds the
+/// whole web. For the parameters, see unsupportedVertices().
 std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Select the marked vertices that are far from patterns. Such a vertex is at least twice as far
-/// from its nearest pattern as this pattern is from its own sixth neighbor. Vertices in sparse but
-/// evenly sampled regions, such as between scan lines, are not selected.
-/// @param[in] marked    #V
+/// Select the marked vertices that are far from patterns. Let x be the pattern nearest to a vertex.
+/// Let h be the distance from x to the sixth nearest neighbor of x. The vertex is far from patterns
+/// if its distance to x is above 2 h. Vertices between evenly spaced rows of patterns, such as scan
+/// lines, are not selected.
+/// @param[in] marked    #V, true for vertices to test
 /// @param[in] patterns  all patterns, or an unbiased selection of them; not empty
+/// @return #V, true for selected vertices
 std::vector<bool> farFromPatterns(
   const Points& positions, const std::vector<bool>& marked, const Points& patterns);
 
 /// Compute the fraction of the surface area at marked vertices, in [0, 1]. Each triangle
-/// contributes a third of its area to each corner.
+/// contributes a third of its area to each of its corners.
+/// @param[in] vertices  #V, true for marked vertices
 double areaFraction(
   const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
 
-/// Compute the unsupported area as a fraction of the surface area. It consists of the vertices that
-/// farFromPatterns() selects from bareVertices(). All ranks return the same value.
-/// @param[in] masses  #F, number of patterns with foot points in each triangle
+/// Compute the unsupported area as a fraction of the surface area. The unsupported area is the area
+/// at the vertices that farFromPatterns() selects from those of bareVertices(). All ranks return
+/// the same value.
+/// @param[in] masses  #F, total weight of the patterns projected to each triangle
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);
 
-/// Compute the support of each vertex by nearby patterns. The support is 1 if the nearest pattern
-/// is closer than twice the local spacing of patterns, and 0 beyond four times this spacing. It
-/// changes smoothly in between, and is then smoothed over the mesh. Between scan lines, the local
-/// spacing is that of the lines. All ranks return the same values.
-/// @param[in] positions  #V by 3, in the samples' unit
+/// Compute the support of each vertex by nearby patterns. Let s be the spacing of patterns near the
+/// vertex. If the nearest pattern is closer than 2 s, the support is 1. If the nearest pattern is
+/// farther than 4 s, the support is 0. In between, the support changes smoothly. Finally, the
+/// support is smoothed over the mesh.
+///
+/// If the patterns are on scan lines, s is the spacing of the lines. All ranks return the same
+/// values.
+/// @param[in] positions  #V by 3, in the samples' unit (maximum radius 1)
 /// @param[in] triangles  #F by 3
 /// @return #V values in [0, 1]
 /// @throws Aborted
 std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const Run& run = {});
 
-/// Compute the fraction of triangles with an angle above 90 degrees. A large fraction indicates
-/// that a mesh of nearly equilateral triangles was stretched over limbs and edges.
+/// Compute the fraction of triangles with an angle above 90 degrees. If a mesh had nearly
+/// equilateral triangles before, a large fraction indicates that the mesh was stretched over limbs
+/// or edges.
 double obtuseFraction(const Points& positions, const Triangles& triangles);
 }
 

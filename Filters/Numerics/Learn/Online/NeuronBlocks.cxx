@@ -18,7 +18,8 @@ using Halves =
 
 NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
 {
-  // Median splits of the tree place neighbors on the sphere in adjacent leaves.
+  // The tree splits the neurons at medians, so that adjacent leaves contain neighbors on the
+  // sphere.
   std::vector<Box> boxes(network.rows());
   for (Index i = 0; i < network.rows(); ++i)
   {
@@ -37,7 +38,7 @@ NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
     Surroundings& bounds = this->BlockBounds[b];
     for (int lane = 0; lane < BlockSize; ++lane)
     {
-      // The last block is padded with copies of its last neuron, which move equally.
+      // The last block is padded with copies of its last neuron. The copies move like this neuron.
       const std::size_t place = std::min(b * BlockSize + lane, order.size() - 1);
       const int id = order[place];
       block.Ids[lane] = id;
@@ -131,7 +132,7 @@ int NeuronBlocks::findWinner(const Vector3& x) const
     }
     for (std::size_t k = 0; k < last - first; ++k)
     {
-      // The closest block first, then the others in order.
+      // Search the closest block first, then the other blocks in order.
       const std::size_t b = k == 0 ? closest : first + k - (first + k <= closest);
       if (distances[b - first] <= best)
       {
@@ -150,7 +151,8 @@ int NeuronBlocks::findWinner(const Vector3& x) const
   return winner;
 }
 
-// Wider vector units give equal bits: fused multiply-add is not enabled, and lanes do not interact.
+// The result has equal bits for vectors of any width: fused multiply-add is not enabled, and lanes
+// do not interact.
 __attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
   Block& block, const double* x, const float* r, float learningRate, float factor, Box& box)
 {
@@ -164,8 +166,9 @@ __attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
     const Floats dz = *reinterpret_cast<const Floats*>(block.Network[2] + lane) - r[2];
     const Floats u = (dx * dx + dy * dy + dz * dz) * factor;
 
-    // Compute exp(-u) to 1e-5 relative: a Taylor series of exp(-u / 32), squared five times. Beyond
-    // the cut, values are clamped and masked instead of branched over.
+    // Compute exp(-u) with a relative error of 1e-5: evaluate a Taylor series of exp(-u / 32), and
+    // square the result five times. Values of u beyond the cut are clamped, and their results are
+    // set to 0. This avoids branches.
     const Floats cut = Floats{} + Cut;
     const Floats v = (u < cut ? u : cut) * (-1.0F / 32);
     Floats e = 1.0F / 6 + v * (1.0F / 24 + v * (1.0F / 120 + v * (1.0F / 720)));

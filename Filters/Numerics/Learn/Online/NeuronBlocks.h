@@ -1,6 +1,8 @@
-/// Store neurons in spatial blocks, for fast search of the winner and fast update of its
-/// neighborhood. Own construction: blocks have bounds, because these make the search fast and keep
-/// it exact.
+/// Store the neurons of a self-organizing map in blocks, for fast search and update. Each neuron
+/// has a network position on the unit sphere, and a weight vector in space.
+///
+/// Own construction, not from a publication: each block has bounds in space and on the sphere.
+/// Blocks out of reach are skipped, so that the search is fast and still exact.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
@@ -12,38 +14,50 @@
 
 namespace conformal
 {
-/// Neurons in blocks that are compact on the sphere. Several blocks form a group. Every block and
-/// group has a fixed ball that contains its network positions n_i, and a box that contains its
-/// current weights w_i.
+/// Neurons in blocks that are compact on the sphere. Several blocks form a group. Each block and
+/// each group has two bounds. A fixed ball contains the network positions n_i of the neurons. A box
+/// contains the current weight vectors w_i of the neurons.
 class NeuronBlocks
 {
 public:
-  /// @param[in] network  #N by 3 unit vectors n_i
-  /// @param[in] weights  #N by 3, initial weights w_i
+  /// @param[in] network  #N by 3 unit vectors: network positions n_i
+  /// @param[in] weights  #N by 3, initial weight vectors w_i
   NeuronBlocks(const Points& network, const Points& weights);
 
-  /// Find the winner: the neuron whose weight vector is closest to x (step 3 of \cite Liou2008). If
-  /// several are equally close, the lowest id is returned.
+  /// Find the winner (step 3 of \cite Liou2008): the neuron whose weight vector is closest to x. If
+  /// several weight vectors are equally close, the lowest id is returned.
   int findWinner(const Vector3& x) const;
 
-  /// Apply Eq. 3, \cite Liou2008, to all neurons: w_i += learningRate exp(-|r - n_i|^2 / (2
-  /// radius^2)) (x - w_i). Neurons farther from r than Reach times the radius are not moved. For
-  /// other neurons, the factor of x - w_i has a relative error of at most 1e-4.
+  /// Move all neurons i by Eq. 3 of \cite Liou2008, where alpha is the learning rate and sigma the
+  /// neighborhood radius:
+  /// w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
+  ///
+  /// Neurons farther than Reach times sigma from r are not moved. The factors of x - w_i have
+  /// relative errors of at most 1e-4.
+  /// @param[in] x             pattern: a sample point
+  /// @param[in] r             reference point of the pattern, a unit vector
+  /// @param[in] learningRate  alpha
+  /// @param[in] radius        sigma
   void update(const Vector3& x, const Vector3& r, double learningRate, double radius);
 
+  /// Return the weight vector of a neuron.
   Vector3 weight(int neuron) const;
-  Points weights() const; ///< #N by 3
+  /// Return all weight vectors, #N by 3.
+  Points weights() const;
 
+  /// Distance on the sphere beyond which neurons are not moved, in units of the neighborhood
+  /// radius.
   static constexpr float Reach = 4.0F;
-  static constexpr int BlockSize = 48; ///< chosen by measurement: 32 and 64 are slightly slower
-  static constexpr int GroupSize = 8;
+  /// Number of neurons in a block. Chosen by measurement: 32 and 64 are slightly slower.
+  static constexpr int BlockSize = 48;
+  static constexpr int GroupSize = 8; ///< number of blocks in a group
 
 private:
   struct Block
   {
-    // Positions are stored coordinate by coordinate, for vectorization. Single precision is
-    // sufficient for distances on the sphere, which are used in a Gaussian only. Weights accumulate
-    // small steps and need doubles.
+    // Coordinates are stored one after the other, for vectorization. Network positions have single
+    // precision, since they are only used for distances in a Gaussian. Weight vectors accumulate
+    // small steps, so they have double precision.
     alignas(64) float Network[3][BlockSize];
     alignas(64) double Weights[3][BlockSize];
     int Ids[BlockSize];
@@ -51,8 +65,8 @@ private:
   struct Surroundings
   {
     Vector3 Center = Vector3::Zero(); ///< center of the ball around the network positions
-    double Radius = 0.0;
-    Box Weights;
+    double Radius = 0.0;              ///< radius of this ball
+    Box Weights;                      ///< box that contains the weight vectors
   };
 
   static void moveBlock(
@@ -61,7 +75,8 @@ private:
 
   std::vector<Block> Blocks;
   std::vector<Surroundings> BlockBounds, GroupBounds;
-  std::vector<int> PlaceOf; ///< position of each neuron: block * BlockSize + lane
+  /// Position of each neuron: block * BlockSize + index within the block.
+  std::vector<int> PlaceOf;
 };
 }
 

@@ -17,8 +17,9 @@ namespace conformal
 {
 namespace
 {
-/// Step 2: draw patterns with equal probability or, after drawByPriority(), in proportion to their
-/// priorities. All ranks draw equal patterns, whichever of them stores each.
+/// Draw patterns, as in step 2 of \cite Liou2008, with equal probability. After drawByPriority(),
+/// the probability is proportional to the priority. All ranks draw the same patterns, although each
+/// pattern is stored on a single rank.
 class Sampler
 {
 public:
@@ -28,7 +29,8 @@ public:
   {
     if (samples.weighted())
     {
-      // Sum integers, so that the result does not depend on the distribution of the cloud.
+      // Priorities are summed as integers, so that the result is equal for any distribution of
+      // points over ranks.
       std::int64_t sum = 0;
       this->Cumulative.resize(samples.size());
       for (Index i = 0; i < samples.size(); ++i)
@@ -39,10 +41,10 @@ public:
     }
   }
 
-  /// Draw by priority from the next pattern on.
+  /// From the next pattern on, draw patterns with probabilities proportional to their priorities.
   void drawByPriority() { this->ByPriority = this->Samples.weighted(); }
 
-  /// Return the next patterns, #count by 3.
+  /// Return the next `count` patterns, #count by 3.
   Points next(Index count)
   {
     Points patterns(count, 3);
@@ -62,7 +64,7 @@ public:
   }
 
 private:
-  /// Return the id of a pattern on this rank; for a pattern of another rank, an id out of range.
+  /// Draw a pattern. If this rank has the pattern, return its id, else an id out of range.
   Index draw()
   {
     if (!this->ByPriority)
@@ -80,8 +82,8 @@ private:
   const TrainingSamples& Samples;
   Random Numbers;
   bool ByPriority = false;
-  std::vector<std::int64_t> Cumulative; ///< of the patterns of this rank
-  Share OfAll;                          ///< share of this rank in the total
+  std::vector<std::int64_t> Cumulative; ///< cumulative priorities of the patterns of this rank
+  Share OfAll;                          ///< sums of the priorities on lower ranks, and on all ranks
 };
 
 bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
@@ -95,11 +97,12 @@ bool hasLowerNeurons(const Triangles& triangles, int triangle, int than)
   return sorted(triangle) < sorted(than);
 }
 
-/// Step 3: the projection of a pattern onto the model, and its image on the network.
+/// Project a pattern onto the model, and find its image on the network, as in step 3 of
+/// \cite Liou2008. The model is the mesh of the weight vectors.
 class ImageOnNetwork
 {
 public:
-  /// @param[in] neurons  with weights that may change
+  /// @param[in] neurons  neurons whose weight vectors may change later
   ImageOnNetwork(const Mesh& network, const NeuronBlocks& neurons, ReferencePoint reference)
     : Network(network)
     , Neurons(neurons)
@@ -109,12 +112,12 @@ public:
   {
   }
 
-  /// Find the triangle around the winner that contains the projection of x. If triangles share the
-  /// projection, on an edge or a corner, the one of the lowest neurons is selected, since each has
-  /// its own image of it.
+  /// Find the triangle around the winner that contains the projection of x. If the projection is on
+  /// an edge or corner, several triangles contain it. Each of these triangles has a different image
+  /// of the projection. Therefore, the triangle with the lowest neuron ids is selected.
   FootPoint project(const Vector3& x, int winner) const
   {
-    constexpr double rounding = 4e-15; // of coordinates
+    constexpr double rounding = 4e-15; // rounding error of coordinates
     FootPoint best;
     for (const int* r = this->Around.begin(winner); r != this->Around.end(winner); ++r)
     {
@@ -132,7 +135,8 @@ public:
     return best;
   }
 
-  /// Return the winner, or the image of the projection, on the unit sphere.
+  /// Return the reference point on the unit sphere: the position of the winner, or the image of the
+  /// projection.
   Vector3 referencePoint(const FootPoint& foot, int winner) const
   {
     const Points& positions = this->Network.Positions;
@@ -174,7 +178,7 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
   result.Triangles = network.Triangles;
   result.SpherePositions = network.Positions;
   Points before = start;
-  constexpr int maximumBetweenReports = 4096; // steps, some milliseconds
+  constexpr int maximumBetweenReports = 4096; // number of steps that last some milliseconds
   const int reportEvery = std::clamp(options.SamplesPerEpoch / 16, 1, maximumBetweenReports);
   for (int t = 0; t < options.NumberOfEpochs; ++t)
   {

@@ -1,5 +1,5 @@
-/// Train online by the CSM Learning Algorithm of \cite Liou2008, one pattern per step. Used by
-/// trainConformalSOM().
+/// Train a self-organizing map online, with one sample (pattern) per step. The algorithm is the CSM
+/// Learning Algorithm of \cite Liou2008.
 
 #ifndef ConformalOnlineTraining_h
 #define ConformalOnlineTraining_h
@@ -13,34 +13,40 @@
 
 namespace conformal
 {
-/// Constants of \cite Liou2008, which are options of trainConformalSOM(). Here t is the number of
-/// the epoch, counted from 0.
+/// Constants of \cite Liou2008, which are also options of trainConformalSOM(). Training consists of
+/// epochs of many steps. Here t is the number of the epoch, counted from 0.
 struct OnlineOptions
 {
   int NumberOfEpochs = 80;
-  int SamplesPerEpoch = 8000;
-  double InitialNeighborhoodRadius = 0.4; ///< sigma_0; sigma(t) = sigma_0 exp(-t / tau_1)
-  double NeighborhoodTimeConstant = 20.0; ///< tau_1, in epochs
-  double InitialLearningRate = 0.01;      ///< alpha_0 in [0, 1); alpha(t) = alpha_0 exp(-t / tau_2)
-  double LearningRateTimeConstant = 60.0; ///< tau_2, in epochs
+  int SamplesPerEpoch = 8000; ///< number of steps in an epoch; each step uses one sample
+  /// Initial neighborhood radius sigma_0, a length on the unit sphere. The radius of epoch t is
+  /// sigma_0 exp(-t / tau_1).
+  double InitialNeighborhoodRadius = 0.4;
+  double NeighborhoodTimeConstant = 20.0; ///< time constant tau_1 of the radius, in epochs
+  /// Initial learning rate alpha_0, in [0, 1). The learning rate of epoch t is alpha_0 exp(-t /
+  /// tau_2).
+  double InitialLearningRate = 0.01;
+  double LearningRateTimeConstant = 60.0; ///< time constant tau_2 of the learning rate, in epochs
 };
 
+/// All options of online training.
 struct OnlineTrainingOptions : OnlineOptions
 {
   int Frequency = 36; ///< frequency of the geodesic sphere that is the network
-  /// Reference point of a pattern; Automatic means Conformal.
+  /// Reference point of a pattern, see ReferencePoint.h; Automatic means Conformal.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
-  unsigned int RandomSeed = 1;
+  unsigned int RandomSeed = 1; ///< seed of the selection of samples
 };
 
-/// Learn by steps 1 to 5 of \cite Liou2008, section 2. Weights are in the samples' unit (maximum
-/// radius 1).
+/// Learn by steps 1 to 5 of \cite Liou2008, section 2. The network is a mesh on the unit sphere
+/// whose vertices are the neurons. Each neuron has a weight vector, its position in space. Weight
+/// vectors are in the samples' unit (maximum radius 1).
 ///
-/// Implementation note: priorities are used in the second half of the epochs only, when the
-/// neighborhood is narrow. In the first half, priorities would leave too few neurons for the rest
-/// of the object.
+/// Implementation note: samples may have priorities. In the second half of the epochs, when the
+/// neighborhood is narrow, samples are drawn in proportion to their priorities. With priorities
+/// from the beginning, too few neurons would represent parts of low priority.
 /// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
-/// @param[in] start    initial weights w_i(0)
+/// @param[in] start    initial weight vectors w_i(0)
 /// @throws Aborted
 LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
   const OnlineTrainingOptions& options, const Run& run = {});

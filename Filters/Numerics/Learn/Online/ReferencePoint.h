@@ -1,21 +1,25 @@
-/// Kinds of reference points. The reference point r of a pattern is the center of the neighborhood
-/// on the network in Eq. 3 of \cite Liou2008.
+/// Define the kinds of reference points of a self-organizing map. A pattern is a sample that moves
+/// neurons of the network on the sphere. The reference point r of a pattern is the center of the
+/// moved neighborhood in Eq. 3 of \cite Liou2008.
 
 #ifndef ConformalReferencePoint_h
 #define ConformalReferencePoint_h
 
 namespace conformal
 {
+/// Kind of reference point. The projection of a pattern is its closest point on the mesh, in some
+/// triangle. An image of the projection is the corresponding point of the network triangle.
 enum class ReferencePoint
 {
   Automatic, ///< Conformal in Online mode, Affine in Batch mode
-  /// Conformal image of the pattern's projection, Eqs. 4 and 5: the conformal self-organizing map
-  /// (CSM).
+  /// Conformal image of the projection, Eqs. 4 and 5 of \cite Liou2008. This defines the conformal
+  /// self-organizing map (CSM).
   Conformal,
-  /// Position n_c of a neuron: the plain self-organizing map (SOM). In Online mode it is the
-  /// winner. In Batch mode it is the neuron of maximum barycentric weight in the projection.
+  /// Network position of one neuron, as in the plain self-organizing map (SOM). In Online mode,
+  /// this neuron is the one closest to the pattern. In Batch mode, this neuron has the largest
+  /// barycentric weight at the projection.
   Winner,
-  Affine ///< affine image of the pattern's projection
+  Affine ///< image of the projection with the same barycentric weights
 };
 }
 
