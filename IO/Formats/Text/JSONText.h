@@ -8,7 +8,7 @@
 
 namespace conformal
 {
-/// Return a text as valid UTF-8. Each byte outside of a valid character is replaced by U+FFFD.
+/// Convert a text to valid UTF-8. Each byte outside of a valid character is replaced by U+FFFD.
 std::string validUTF8(std::string_view text);
 
 /// Quote a text for JSON. The result is valid UTF-8 without control characters. It contains no <, >
