@@ -1,4 +1,4 @@
-// Train a network by the CSM Learning Algorithm exactly as published, to measure the speed of
+// Train a conformal self-organizing map exactly by the published algorithm, to measure the speed of
 // trainConformalSOM(). Each step computes the distances of all neurons, and moves all neurons.
 #ifndef BruteForceTraining_h
 #define BruteForceTraining_h
@@ -14,7 +14,7 @@
 
 namespace reference
 {
-/// Train online, without priorities of the samples. The drawn samples are those of
+/// Train a network online: one sample in each step, without priorities. The samples are drawn as by
 /// trainConformalSOM(). Loops over neurons use the vector instructions of the processor.
 /// @return weights of the #N neurons in units of the training: #N by 3
 inline conformal::Points trainByBruteForce(

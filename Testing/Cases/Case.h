@@ -52,8 +52,8 @@ struct Port
 /// Return a port for a surface. The class must report the faults `reads` of the surface.
 Port Surface(unsigned int reads, const std::string& name = {});
 
-/// Return a port for a surface, of a mode that reads the same arrays in the same way as another
-/// mode of the class.
+/// Return a port for a surface, in a variant of another mode. Both modes read the same arrays in
+/// the same way.
 Port Variant(unsigned int reads, const std::string& name = {});
 
 /// Return a port that always gets a valid surface.
@@ -76,7 +76,8 @@ struct Property
   std::vector<std::pair<std::string, std::function<void(vtkAlgorithm*)>>> Values;
 
   /// Whether the property may be a count, and its last value is the largest count. With this value,
-  /// the algorithm would run practically forever. It must stop when it is aborted.
+  /// the algorithm would run practically forever. The tests abort the algorithm, which must then
+  /// stop.
   bool IsCount = false;
 
   /// Whether the values are numbers of type double.
@@ -91,8 +92,8 @@ struct File
   std::function<Algorithm(const std::string& path)> Read = {};
   bool KeepsPoints = true; ///< whether each point of the surface is a point of the file
 
-  /// Check of the file that readers do not make. It returns a description of the fault, or an empty
-  /// text.
+  /// Function that checks the file, beyond the checks of readers. The result is a description of a
+  /// fault, or an empty text.
   std::function<std::string(const std::string& path)> WhatIsWrong = {};
 };
 
@@ -106,7 +107,7 @@ struct Mode
   /// Whether the first output is a closed surface of genus zero.
   bool IsClosed = false;
 
-  /// Whether the output points have no unit. They are then equal for inputs of any scale.
+  /// Whether the output points have no unit. Inputs of any scale then have equal output points.
   bool IsUnitless = false;
 
   /// Whether Set() adds further inputs.
@@ -115,7 +116,7 @@ struct Mode
   std::vector<Property> Properties = {};
 
   /// Name of an output array that does not depend on the lengths of the vectors in
-  /// "SpherePosition". If empty, this is not tested.
+  /// "SpherePosition". If the name is empty, the tests omit this check.
   std::string ResultOfMap = {};
 
   /// Whether the mode is tested with inputs that have different units.
@@ -127,8 +128,8 @@ struct Mode
 
   cases::File File = {};
 
-  /// Whether a run needs tenths of a second. Then only Testing/Hostile tries the numbers of the
-  /// properties.
+  /// Whether a run needs tenths of a second. For a slow mode, only Testing/Hostile tries the
+  /// numbers of the properties.
   bool IsSlow = false;
 
   /// Test whether the mode has several surfaces as inputs, which can have different scales.
@@ -190,7 +191,7 @@ struct Case
 
   std::function<std::vector<Mirror>()> Mirrors = {};
 
-  /// Whether the class is no algorithm. Then an algorithm that exists only for tests calls the
+  /// Whether the class is no algorithm, so that an algorithm that exists only for tests calls the
   /// class.
   bool IsProbe = false;
 

@@ -61,8 +61,9 @@ struct Given
   bool has(vtkAbstractArray* array) const;
 };
 
-/// Check an output. The outcome is bad if an id is out of range, an array has a wrong size, or a
-/// value is not finite. Values of the inputs `given` are excepted. An empty output is fine.
+/// Check an output. Ids must be in their range, arrays must have the right size, and values must be
+/// finite. Values that come from the inputs `given` may be infinite or NaN. An empty output is
+/// fine.
 Outcome JudgeData(vtkDataObject* data, const Given& given);
 
 /// Test whether the polygons and strips of a surface form a closed, oriented surface of Euler

@@ -79,8 +79,8 @@ inline void ExpectPrints(vtkObject* object, const std::string& property)
   EXPECT_NE(text.str().find(property + ":"), std::string::npos) << property;
 }
 
-/// Expect that an aborted run of a filter has an empty output and no message, and that the next run
-/// is complete.
+/// Expect that an aborted run of a filter has an empty output and no message. The next run must be
+/// complete.
 inline void ExpectStopsWhenAsked(vtkAlgorithm* filter)
 {
   vtkNew<vtkCallbackCommand> stop;

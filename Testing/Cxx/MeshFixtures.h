@@ -18,7 +18,7 @@
 namespace fixtures
 {
 /// Return an ellipsoid with three different axes and a map to the sphere, with its center at (10,
-/// 0, 0). It has 10 f^2 + 2 points, where f is the frequency.
+/// 0, 0). The mesh has 10 f^2 + 2 points, where f is the frequency.
 inline vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
 {
   vtkNew<vtkGeodesicSphereSource> source;

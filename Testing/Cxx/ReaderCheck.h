@@ -30,8 +30,8 @@ inline bool IsFinite(vtkDataArray* array)
   return true;
 }
 
-/// Return a description of the first fault of a surface: an id out of range, an array of a wrong
-/// length, or a number that is not finite. If there is no fault, return an empty text.
+/// Return a description of the first fault of a surface. A fault is an id out of range, an array of
+/// a wrong length, or a number that is not finite. If there is no fault, return an empty text.
 inline std::string WhatIsWrong(vtkPolyData* surface)
 {
   const vtkIdType points = surface->GetNumberOfPoints();

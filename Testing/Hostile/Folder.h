@@ -1,5 +1,5 @@
-// Create a folder for tests of writers, with targets that are difficult to write, such as links,
-// pipes and read-only files.
+// Create a folder for tests of writers. Its files are difficult to write, such as links, pipes and
+// read-only files.
 #ifndef HostileFolder_h
 #define HostileFolder_h
 
@@ -12,8 +12,8 @@
 
 namespace hostile
 {
-/// Temporary folder, which the destructor removes. It is the current folder of the process, so that
-/// a writer without a file name writes here. Files outside of the folder are never changed.
+/// Temporary folder, which the destructor removes. The folder is the current folder of the process,
+/// so that a writer without a file name writes here. Files outside of the folder are never changed.
 class Folder
 {
 public:
@@ -25,8 +25,8 @@ public:
   std::string file(const std::string& name) const { return (this->Path / name).string(); }
   void write(const std::string& name, const std::string& bytes) const;
 
-  /// Return the contents of the folder. For each name, the text has the type and mode of the file,
-  /// and the target of the link or the bytes of the file.
+  /// Return the contents of the folder, by name. Each text contains the type and mode of a file.
+  /// The target of a link, or the bytes of a file, follow.
   std::map<std::string, std::string> contents() const;
 
 private:

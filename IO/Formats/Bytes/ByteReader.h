@@ -15,7 +15,7 @@ namespace conformal
 {
 /// Reader of an input through a window, the piece of the input that is in memory. A small window
 /// stays in the cache of the processor during parsing. If another process truncates the file during
-/// reading, the reader does not crash. The file is then treated as a shorter file.
+/// reading, the reader does not crash. The truncated file is treated as a short file.
 class ByteReader
 {
 public:
@@ -58,7 +58,8 @@ public:
   void beginBinary() { this->Binary = true; }
 
   /// Return the line number of the next byte, counted from 1. In binary data, return 0. LF, CR and
-  /// CRLF end lines. The function counts lines in the whole window. Call it for errors only.
+  /// CRLF end lines. The function counts lines in the whole window. Call this function for errors
+  /// only.
   std::uint64_t line() const;
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;

@@ -19,8 +19,8 @@ struct FilePiece
   bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
-  /// Return the index of the first item of this part, if the file has `size` items. end() returns
-  /// the index of the first item of the next part.
+  /// Return the index of the first item of this part, if the file has `size` items. The function
+  /// end() returns the index of the first item of the next part.
   std::uint64_t begin(std::uint64_t size) const { return this->cut(size, this->Number); }
   std::uint64_t end(std::uint64_t size) const { return this->cut(size, this->Number + 1); }
 

@@ -15,8 +15,8 @@
 namespace conformal
 {
 /// Reject coordinates that floats cannot represent. The coordinates are rejected if one of them
-/// exceeds the range of floats. They are also rejected if all are so small that floats would round
-/// them to a few digits or to 0. If other coordinates are large, a small coordinate is accepted,
+/// exceeds the range of floats. The coordinates are also rejected if floats would round all of them
+/// to a few digits or to 0. If other coordinates are large, a small coordinate is accepted,
 /// although floats may round it to 0.
 /// @param[in] count       number of coordinates
 /// @param[in] coordinate  function that returns the coordinate of an index below `count`
@@ -56,19 +56,19 @@ struct FloatRounding
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Test whether rounding changes a coordinate by more than ToleratedShift times size(). If not,
-  /// two points remain distinct if their distance exceeds twice this limit. If all points coincide,
-  /// the result is false.
+  /// Test whether rounding changes a coordinate by more than ToleratedShift times size().
+  /// Otherwise, two points remain distinct if their distance exceeds twice this limit. If all
+  /// points coincide, the result is false.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
   /// Maximum tolerated change of a coordinate, relative to the size of the surface. Own
-  /// construction: the limit is relative, because the effect of rounding grows with the distance of
-  /// the surface from the origin. If the surface is around the origin, rounding changes coordinates
-  /// by at most 3e-8 of the size. At a distance of about 200 times the size, the change reaches
-  /// this limit.
+  /// construction: the limit is relative, because rounding changes coordinates more if the surface
+  /// is far from the origin. If the surface is around the origin, rounding changes coordinates by
+  /// at most 3e-8 of the size. At a distance of about 200 times the size, the change reaches this
+  /// limit.
   static constexpr double ToleratedShift = 1e-5;
 };
 

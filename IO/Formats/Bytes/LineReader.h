@@ -80,8 +80,8 @@ public:
 
 private:
   // Position of the next LF or of the next CR in the input. The position is kept until the reader
-  // has passed it. Most texts have only one kind of line end. If the position were not kept, the
-  // reader would search for the other kind in the whole rest of the text at every line.
+  // has passed it. Most texts have only one kind of line end. Without the kept position, the reader
+  // would search the rest of the text for the other kind at every line.
   struct NextPlace
   {
     const char Letter;

@@ -34,8 +34,8 @@ struct ParseLimits
   /// records must not exceed MaximumMemory.
   ///
   /// If the rest of the input is too short, the error is usually PrematureEnd, as for a truncated
-  /// file. The error is Malformed if the records would need more than a gigabyte and more than a
-  /// thousand times the rest of the input. If the memory would exceed MaximumMemory, the error is
+  /// file. The error is Malformed if the records would need more than 1 GiB and more than 1000
+  /// times the rest of the input. If the memory would exceed MaximumMemory, the error is
   /// OutOfMemory.
   /// @param[in] what                name of the records, for the error message
   /// @param[in] count               number of records

@@ -35,9 +35,9 @@ public:
     this->Begin = data.PolygonIds.size();
   }
 
-  /// Reserve memory for `count` polygons, and for the ids of `count` triangles. The number of
-  /// reserved ids is at most the size of the remaining input, where each id needs at least one
-  /// byte.
+  /// Reserve memory for `count` polygons, and for the ids of `count` triangles. Each id needs at
+  /// least one byte in the input. The number of reserved ids is therefore limited by the remaining
+  /// input.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);

@@ -1,6 +1,6 @@
 /// Convert the records of a file to named arrays, record by record or field by field. A record is
-/// the data of one point or polygon, and a field is one number of a record. Writers get the names
-/// of fields from this file.
+/// the data of one point or polygon, and a field is one number of a record. The names of fields
+/// that writers use are also in this file.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -38,16 +38,15 @@ struct KnownFields
 const std::vector<KnownFields>& knownFields();
 
 /// Arrays that are filled from records. Fields of one list of knownFields() share an array if they
-/// have one type. Adjacent fields of one type also share an array if they have the same name, or
-/// the names NAME_0, NAME_1 and so on. Every other field has its own array. To discard a record,
-/// write the next record to the same index.
+/// have one type. Adjacent fields of one type also share an array if they have the same name. Names
+/// NAME_0, NAME_1 and so on also count as the same name. Every other field has its own array. To
+/// discard a record, write the next record to the same index.
 class Records
 {
 public:
   /// Assign the fields to arrays.
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
-  /// @throws std::invalid_argument if hasPoints, and there is not exactly one field for each of x,
-  ///   y, z
+  /// @throws std::invalid_argument if hasPoints is true, and x, y or z is missing or repeated
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
@@ -126,7 +125,7 @@ private:
   std::vector<RecordField> Fields;
   std::vector<Slot> Slots; ///< destination of each field
   std::vector<NamedArray> Arrays;
-  /// Index of the field with each name. The index is None if several fields, or an array, have the
+  /// Index of the field with each name. The index is None if several fields or an array have the
   /// name
   std::map<std::string, std::size_t> Names;
   std::vector<Run> Runs;

@@ -40,7 +40,7 @@ struct SurfaceResult
 
 /// Run a parser on an empty surface, and return the surface and the status. Memory that is not used
 /// is released. Values that are not finite are replaced by 0. If several arrays have the same name,
-/// a number is appended to each of their names but the first.
+/// a number is appended to the names of the second and further arrays.
 SurfaceResult parseSurface(const std::function<void(SurfaceData&)>& parse);
 }
 

@@ -40,8 +40,8 @@ std::string makeTemporaryName();
 /// renamed, the old files are restored.
 ///
 /// Only regular files are replaced, and only if they may be written. If a path is a symbolic link,
-/// the link is kept, and the file to which it points is replaced. A replaced file keeps its access
-/// rights. It also keeps its owner and group, as far as the system allows.
+/// the link is kept, and the file to which it points is replaced. The access rights of a replaced
+/// file are kept. The owner and group are also kept, as far as the system allows.
 /// @param[in] files     paths and contents of the files
 /// @param[in] makeName  function that returns names of temporary files; called again if a file of
 ///   the name exists

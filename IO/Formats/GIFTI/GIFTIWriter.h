@@ -27,8 +27,8 @@ std::string makeGIFTISurface(
 std::string makeGIFTIGeometry(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
-/// Write a surface, mapped to a sphere of radius 100, as a compressed GIFTI file with points, as
-/// floats, and triangles. The position of each point is 100 times its tuple in the array
+/// Write a surface, mapped to a sphere of radius 100, as a compressed GIFTI file. The file contains
+/// points, as floats, and triangles. The position of each point is 100 times its tuple in the array
 /// "SpherePosition". The argument `structure` and the result are as for makeGIFTISurface().
 /// @throws std::invalid_argument as makeGIFTIGeometry(). Also thrown if there is no array
 ///   "SpherePosition", or one of its positions is zero or not finite

@@ -11,8 +11,8 @@
 namespace conformal
 {
 /// Write a surface, or points without polygons, as OFF text. The point arrays "Normals", "RGB" or
-/// "RGBA", and "TCoords" are written. The colors of the polygons are written, or their "ColorIndex"
-/// if they have no colors. Other arrays are omitted.
+/// "RGBA", and "TCoords" are written. If the polygons have colors, their colors are written,
+/// otherwise their array "ColorIndex". Other arrays are omitted.
 /// @return the text of the file
 /// @throws Aborted
 std::string makeOFF(const SurfaceData& surface, const Run& run = {});

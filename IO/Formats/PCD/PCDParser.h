@@ -13,10 +13,10 @@ namespace conformal
 {
 /// Read a PCD file of version 0.5 to 0.7, in format ascii, binary or binary_compressed.
 ///
-/// Fields x, y, z become Points. Points are Float32 if all three fields are 4-byte floats,
-/// otherwise Float64. Fields normal_x, normal_y, normal_z become "Normals". A field rgb or rgba of
-/// four bytes and of any type becomes the colors "RGB" or "RGBA" (UInt8). Every other field becomes
-/// an array of the same name, type and count. Padding is omitted.
+/// Fields x, y, z become the coordinates. Coordinates are Float32 if all three fields are 4-byte
+/// floats, otherwise Float64. Fields normal_x, normal_y, normal_z become "Normals". A field rgb or
+/// rgba of four bytes and of any type becomes the colors "RGB" or "RGBA" (UInt8). Every other field
+/// becomes an array of the same name, type and count. Padding is omitted.
 ///
 /// A point with a coordinate that is not finite marks a pixel without a measurement. The parser
 /// drops this point without a message.

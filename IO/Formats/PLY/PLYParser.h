@@ -14,7 +14,7 @@ namespace conformal
 struct PLYOptions
 {
   /// Maximum edge length of triangles from a range grid [units of the points]. If 0, the default of
-  /// appendGridTriangles() is used
+  /// appendGridTriangles() in RangeGrid.h is used
   double MaximumEdgeLength = 0.0;
   /// Part of the points to read. Only a binary file without polygons, and without lists in its
   /// element "vertex", can be divided. All points of other files belong to the first part
@@ -24,9 +24,9 @@ struct PLYOptions
 /// Read a PLY file of format ascii, binary_little_endian or binary_big_endian. The elements of the
 /// file may be in any order.
 ///
-/// Element "vertex" defines the points. Its properties x, y, z become Points. Points are Float32 if
-/// all three properties are float, otherwise Float64. Related properties of one type become one
-/// array:
+/// Element "vertex" defines the points. Its properties x, y, z become the coordinates. Coordinates
+/// are Float32 if all three properties are float, otherwise Float64. Related properties of one type
+/// become one array:
 /// - nx, ny, nz or normal_x, normal_y, normal_z: "Normals" (floating-point);
 /// - s, t or u, v or texture_u, texture_v: "TCoords" (floating-point);
 /// - red, green, blue, or these names with the prefix diffuse_: "RGB" (UInt8);

@@ -21,7 +21,8 @@ namespace conformal
 /// @param[in] grid         point ids of the cells, row by row; -1 for a cell without a point
 /// @param[in] columns      number of cells in a row, at least 1
 /// @param[in] maximumEdge  maximum edge length [units of the points]. If 0, the maximum is 4 times
-///   the median distance between points of cells that are adjacent in a row or a column
+///   the median distance of adjacent points. Points are adjacent if their cells are neighbors in a
+///   row or a column
 /// @param[in,out] offsets  number of ids up to the end of each triangle; new triangles are appended
 /// @param[in,out] ids      point ids of the triangles; new triangles are appended
 void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t>& grid,

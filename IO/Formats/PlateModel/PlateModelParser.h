@@ -1,5 +1,5 @@
-/// Parse plate models (triangle meshes) of small bodies of the solar system, in the text format of
-/// the Planetary Data System.
+/// Parse plate models: triangle meshes of small bodies of the solar system, in the format of the
+/// Planetary Data System.
 
 #ifndef ConformalPlateModelParser_h
 #define ConformalPlateModelParser_h
@@ -13,13 +13,14 @@
 
 namespace conformal
 {
-/// Read a plate model. The file contains the number of vertices, a row for each vertex, the number
-/// of plates (triangles), and a row for each plate. Both numbers may be on the first line.
+/// Read a plate model from a text file. The text contains the number of vertices, a row for each
+/// vertex, the number of plates (triangles), and a row for each plate. Both numbers may be on the
+/// first line.
 ///
-/// The row of a vertex is X Y Z, or I X Y Z with an index I that counts from 0 or 1. The row of a
-/// plate is A B C, I A B C, or 3 A B C, where A, B and C are the numbers of three vertices. In .ver
-/// files, the 3 may be on a separate line. Vertices are numbered from 0 if a plate contains vertex
-/// 0, otherwise from 1.
+/// The row of a vertex is X Y Z or I X Y Z. The index I counts from 0 or 1. The row of a plate is A
+/// B C, I A B C, or 3 A B C. A, B and C are the numbers of its three vertices. In .ver files, the 3
+/// may be on a separate line. Vertices are numbered from 0 if a plate contains vertex 0, otherwise
+/// from 1.
 ///
 /// Points are Float64, in the length unit of the file.
 SurfaceResult parsePlateModel(

@@ -18,7 +18,7 @@ namespace conformal
 /// maximum degree. Blanks and line ends are allowed between all numbers and signs.
 ///
 /// Let l be the degree and m the order of a spherical harmonic. Let P_lm be the associated Legendre
-/// function of cos(theta) with the Condon-Shortley phase, and N_lm^2 = (2 l + 1) / (4 pi) (l - m)!
+/// function of cos(theta) with the Condon-Shortley phase. Let N_lm^2 = (2 l + 1) / (4 pi) (l - m)!
 /// / (l + m)!. For each l, the file contains the coefficient of order 0. The "real" and the
 /// "imaginary" coefficients of each m from 1 to l follow. Real coefficients are factors of N_lm
 /// P_lm cos(m phi). Imaginary coefficients are factors of N_lm P_lm sin(m phi). Positions (x, y, z)

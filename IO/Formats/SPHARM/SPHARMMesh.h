@@ -14,9 +14,9 @@
 
 namespace conformal
 {
-/// Read the points (float or double) and polygons of a legacy VTK file. The file must have a data
-/// set POLYDATA, in text or binary, of versions 1.0 to 5.1. Vertex cells and line cells are
-/// skipped. The parser stops at the first array.
+/// Read the points (float or double) and polygons of a legacy VTK file with a data set POLYDATA.
+/// The file may be text or binary, of version 1.0 to 5.1. Vertex cells and line cells are skipped.
+/// The parser stops at the first array.
 SurfaceResult parseSPHARMMesh(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
@@ -28,9 +28,9 @@ bool looksLikeSPHARMMesh(std::string_view start);
 /// inserted before the extension.
 std::string sphereNameOf(const std::string& path);
 
-/// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSphere() writes
-/// "SpherePosition", scaled to unit length, instead of the points. A parser gets the same numbers
-/// from the text.
+/// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSphere() writes the array
+/// "SpherePosition", scaled to unit length, instead of the points. Parsers read exactly the written
+/// numbers.
 /// @throws std::invalid_argument if a polygon is not a triangle. makeSPHARMSphere() also throws if
 ///   "SpherePosition" is missing, or a position is zero or not finite
 /// @throws Aborted

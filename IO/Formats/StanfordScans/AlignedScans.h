@@ -18,7 +18,8 @@ namespace conformal
 {
 struct AlignedScansOptions
 {
-  /// Whether to rotate scans by the rotation R instead of its inverse; see parseAlignedScans()
+  /// Whether each scan is rotated by its quaternion in the list. If false, it is rotated by the
+  /// inverse of its quaternion
   bool InvertRotation = false;
   bool AllowExternalFiles = false; ///< whether scans may be outside of the folder of the list
   bool RequireAllScans = false;    ///< whether a missing scan is an error
@@ -31,22 +32,21 @@ struct OpenedScan
   std::string Identity; ///< text that identifies the file, equal for all paths to this file
 };
 
-/// Function that opens the file of a scan. Its argument is the name of the scan in the list of
-/// scans.
+/// Function that opens the file of a scan. The argument is the name of the scan in the list.
 using OpenScan = std::function<OpenedScan(const std::string& name)>;
 
 /// Read a list of range scans, and the PLY files of the scans. The result is a cloud (points
 /// without polygons) of all scans, as Float64.
 ///
 /// Each line of the list is "bmesh NAME TX TY TZ QI QJ QK QL" or "mesh NAME ...". NAME is a PLY
-/// file, T = (TX, TY, TZ) is a translation, and (QI, QJ, QK, QL) is a quaternion with scalar part
+/// file. T = (TX, TY, TZ) is a translation, and (QI, QJ, QK, QL) is a quaternion with scalar part
 /// QL. Let R be the rotation matrix of the quaternion. A point p of the scan becomes R^-1 p + T. If
 /// InvertRotation is true, p becomes R p + T. Blank lines, comments after "#", and lines "camera"
 /// are skipped.
 ///
 /// The point array "ScanId" (Int32) contains the index of the scan of each point. The index counts
-/// the scans of the list from 0, including missing scans. A point array of the scans is kept if
-/// every scan has an array of the same name, type and number of components.
+/// the scans of the list from 0, including missing scans. A point array is kept if every scan has
+/// an array of the same name, type and number of components.
 ///
 /// If the list contains the same file twice, the result is an error. Missing scans are omitted and
 /// counted in MissingScans. If RequireAllScans is true or no scan exists, a missing scan is an
@@ -56,7 +56,7 @@ SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
   const AlignedScansOptions& options = {}, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Return the names of the scans in a list, as written in the list. The function stops at the first
-/// line with an unknown keyword. It opens no scan and parses no numbers.
+/// line with an unknown keyword. Scans are not opened, and numbers are not parsed.
 std::vector<std::string> namesOfAlignedScans(ByteReader& input);
 
 /// Test whether the first bytes of a file identify a list of aligned scans.

@@ -1,4 +1,4 @@
-/// Open the scan files that a list of range scans names.
+/// Open scan files by their names in a list of range scans.
 
 #ifndef ConformalScanFolder_h
 #define ConformalScanFolder_h

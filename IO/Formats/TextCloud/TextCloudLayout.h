@@ -42,7 +42,8 @@ bool startsWithNumber(std::string_view line, char delimiter);
 std::string describeNoPoint(
   std::string_view line, const TextCloudLayout& layout, bool decimalComma);
 
-/// Exception for a text whose first lines are not points. Line is counted from 1.
+/// Exception for a text whose first lines are not points. Line is the number of the wrong line,
+/// counted from 1.
 class NoTextCloud : public std::invalid_argument
 {
 public:

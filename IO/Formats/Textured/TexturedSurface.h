@@ -23,14 +23,14 @@ struct TexturedSurface
   /// Whether the picture is repeated for texture coordinates outside of [0, 1]. Otherwise, the
   /// pixels of its border are repeated
   bool RepeatsTexture = false;
-  std::string Name;           ///< name of the surface, for glTF; no name if empty
+  std::string Name;           ///< name of the surface, for glTF; may be empty
   double MetersPerUnit = 1.0; ///< unit of the positions [m], for glTF; finite and above 0
 };
 
 /// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
 /// positions become floats, and v is counted from the top. glTF measures lengths in meters. The
-/// node of the surface is therefore scaled by MetersPerUnit. This number is also "metersPerUnit" in
-/// the extras of the asset.
+/// node of the surface is therefore scaled by MetersPerUnit. MetersPerUnit is also written as
+/// "metersPerUnit" in the extras of the asset.
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
 /// are relative to the center of the bounding box. The node is then translated to this center.

@@ -39,8 +39,8 @@ inline std::string bytesOf(const conformal::NamedArray& array)
   return std::string(reinterpret_cast<const char*>(array.Values.data()), array.Values.size());
 }
 
-/// Divide a file into different numbers of pieces. Expect that each piece has all arrays, and that
-/// the values of consecutive pieces equal the values of the whole file.
+/// Divide a file into different numbers of pieces. Expect that each piece has all arrays. The
+/// values of consecutive pieces must equal the values of the whole file.
 inline void ExpectPiecesMakeTheWhole(const std::string& bytes, const ParsePiece& parse)
 {
   std::size_t numberRead = 0;
@@ -83,8 +83,9 @@ inline void ExpectPiecesMakeTheWhole(const std::string& bytes, const ParsePiece&
   }
 }
 
-/// Divide a large file into 4 pieces. Expect that each parser reads a quarter of the bytes, the
-/// bytes that identify the format, and at most two windows of the reader.
+/// Divide a large file into 4 pieces. Expect that the parser of each piece reads about a quarter of
+/// the bytes. The parser may also read the bytes that identify the format, and two windows of the
+/// reader.
 inline void ExpectPiecesReadTheirShare(const std::string& bytes, const ParsePiece& parse)
 {
   constexpr std::uint64_t count = 4;

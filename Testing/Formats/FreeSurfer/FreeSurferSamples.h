@@ -19,8 +19,8 @@ inline const std::vector<std::int32_t>& TetrahedronIds()
   return ids;
 }
 
-// Return a surface file of triangles. All surfaces have the same polygons, so that the surface with
-// scale 1 can be the sphere of a scaled surface.
+// Return a surface file of triangles. The polygons do not depend on the scale. The surface of scale
+// 1 can therefore be the sphere of the surface of another scale.
 inline std::string FreeSurferTriangles(float scale = 1.0F)
 {
   Bytes file(true,

@@ -13,8 +13,8 @@ inline const std::string& PlainOFF()
   return text;
 }
 
-// Return a text file with all prefixes except 4 and n, with comments, and with all kinds of colors
-// of faces.
+// Return a text file with all prefixes except 4 and n. The file has comments, and all kinds of
+// colors of faces.
 inline const std::string& RichOFF()
 {
   static const std::string text = "STCNOFF # all of it\n# points\n4 3 # no edges\n\n"

@@ -17,8 +17,8 @@ inline const std::string& NumberedPlates()
   return text;
 }
 
-// Return a .ver file with both counts on the first line, and with a separate line for the number of
-// corners of each plate.
+// Return a .ver file with both counts on the first line. The number of corners of each plate is on
+// a separate line.
 inline const std::string& VerPlates()
 {
   static const std::string text = "  4   4\n 0 0 0\n 1.5 0 0\n 0 1 0\n 0 0 1e-3\n"
