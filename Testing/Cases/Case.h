@@ -87,9 +87,8 @@ struct Property
 /// File that a writer writes in a mode.
 struct File
 {
-  std::string Ending; ///< extension of the file name; empty if the algorithm is no writer
-  /// Function that makes a reader of the file; null if the file has no points
-  std::function<Algorithm(const std::string& path)> Read = {};
+  std::string Ending; ///< none for an algorithm that is no writer
+  std::function<Algorithm(const std::string& path)> Read = {}; ///< none where it gives no points
   bool KeepsPoints = true; ///< whether each point of the surface is a point of the file
 
   /// Function that checks the file, beyond the checks of readers. The result is a description of a

@@ -1,4 +1,4 @@
-// List all readers of the module IO/Surface, each with valid and broken files.
+// Every reader of the module with files of its own.
 #ifndef ReaderCases_h
 #define ReaderCases_h
 
@@ -39,7 +39,7 @@ struct ReaderCase
   std::function<int(const char*)> CanReadFile;
   std::vector<std::string> Files;
   std::vector<std::string> BadFiles;
-  std::vector<std::pair<std::string, std::string>> Beside; // names and bytes of further files
+  std::vector<std::pair<std::string, std::string>> Beside; // names and bytes of what files name
 };
 
 template <typename Reader>
@@ -54,7 +54,7 @@ ReaderCase CaseOf(std::vector<std::string> files, std::vector<std::string> badFi
   return result;
 }
 
-/// Return files that no reader of the module reads.
+/// What no reader of ours reads.
 inline std::vector<std::string> FilesOfNobody()
 {
   return { "", " ", "\n\n\n", std::string(100, '\0'), std::string(100, '\xFF'), "\xEF\xBB\xBF",

@@ -1,4 +1,4 @@
-// List all writers of surfaces, each with the further inputs that it needs.
+// Every writer of surfaces, with what it needs beside the surface.
 #ifndef WriterCases_h
 #define WriterCases_h
 
@@ -23,7 +23,7 @@
 
 namespace contract
 {
-/// Writer, and the extensions of all files that it writes. The last extension is that of FileName.
+/// A writer, and what the names of its files end in; that of FileName is the last.
 struct WriterSetUp
 {
   vtkSmartPointer<vtkSurfaceFileWriter> Writer;
@@ -31,7 +31,7 @@ struct WriterSetUp
 
   std::string label() const { return this->Writer->GetClassName() + this->Endings.back(); }
 
-  // Write a surface to a file. The error message is stored in Message.
+  // Write a surface to a file; an error is kept in Message.
   int write(vtkPolyData* surface, const std::string& path)
   {
     Observed observed(this->Writer);
@@ -54,8 +54,7 @@ struct WriterSetUp
   std::string Message = {};
 };
 
-/// Return all writers of surfaces. A writer that can write several sets of files occurs once for
-/// each set.
+/// Every writer of surfaces, once for each of its sets of files.
 inline std::vector<WriterSetUp> WriterSetUps()
 {
   std::vector<WriterSetUp> setUps = { { vtkSmartPointer<vtkConformalOFFWriter>::New() },
@@ -65,7 +64,7 @@ inline std::vector<WriterSetUp> WriterSetUps()
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(20, 20, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::mt19937 random; // noise, so that the compressed file is not small
+  std::mt19937 random; // noise, so that the file is not small
   for (vtkIdType i = 0; i < picture->GetPointData()->GetScalars()->GetNumberOfValues(); ++i)
   {
     picture->GetPointData()->GetScalars()->SetVariantValue(i, static_cast<unsigned char>(random()));
@@ -86,8 +85,7 @@ inline std::vector<WriterSetUp> WriterSetUps()
   return setUps;
 }
 
-/// Return all writers of WriterSetUps(). Also return the writers with a property "Content" once for
-/// each of its other values.
+/// Every writer of surfaces, once for each of its sets of files and contents.
 inline std::vector<WriterSetUp> WriterSetUpsOfAllContents()
 {
   std::vector<WriterSetUp> setUps = WriterSetUps();
