@@ -12,7 +12,7 @@ public:
   CommaLocale()
   {
     std::locale::global(std::locale(std::locale(), new Comma)); // for streams, on every system
-    std::setlocale(LC_ALL, "de_DE.UTF-8");                      // for strtod, if it is installed
+    std::setlocale(LC_ALL, "de_DE.UTF-8");                      // for strtod, if installed
   }
   ~CommaLocale()
   {

@@ -177,7 +177,7 @@ inline std::vector<int> spread(const Mesh& mesh, int count, int first)
 /// @param[in] length  number of rings of triangles in each tube
 inline void addHandles(Mesh& mesh, int count, int edges, double apart, int length)
 {
-  const auto isEven = [&](int point) // no vertex of five neighbors near it
+  const auto isEven = [&](int point) // no vertex with five neighbors nearby
   {
     Mesh copy = mesh;
     return static_cast<int>(cutDisk(copy, point, edges).size()) == 6 * edges;

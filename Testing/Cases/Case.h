@@ -31,7 +31,8 @@ using Maker = std::function<Algorithm()>;
 /// Mode::Ports does not list.
 using Setter = std::function<void(vtkAlgorithm*, vtkPolyData* good)>;
 
-/// Kind of data of an input port. Nothing means that the port is optional and is left empty.
+/// Kind of data of an input port. The value Nothing means that the port is optional and is left
+/// empty.
 enum class Data
 {
   Surface,
@@ -146,8 +147,8 @@ struct ScaledRun
   /// need not be listed.
   std::map<std::string, int> Powers = {};
 
-  /// Relative tolerance for scales that are no powers of two. HUGE_VAL if the result depends on
-  /// rounding, because several choices are equally good.
+  /// Relative tolerance for scales that are no powers of two. The tolerance is HUGE_VAL if rounding
+  /// decides between choices that are equally good.
   double Tolerance = 1e-9;
 
   std::vector<std::string> Ignored = {}; ///< arrays that depend on the unit in another way

@@ -35,7 +35,8 @@ public:
   /// smallest double.
   double number();
 
-  /// Return a surface. It may be open or damaged, and may have a damaged map to the sphere.
+  /// Return a surface. The surface may be open or damaged, and may have a damaged map to the
+  /// sphere.
   vtkSmartPointer<vtkPolyData> surface();
 
   /// Return a picture of a few pixels.

@@ -36,9 +36,9 @@ struct Input
   std::string Message = {}; ///< part of the error message that classes must report; or empty
 };
 
-/// Return a closed surface of 10 f^2 + 2 points around (0, 0, 0), of length 2, where f is the
-/// frequency. The surface has a map to the sphere, texture coordinates, normals, colors and
-/// numbers. It also has the field data that images of the sphere need.
+/// Return a closed surface of 10 f^2 + 2 points around (0, 0, 0), where f is the frequency. The
+/// length of the surface is 2. The surface has a map to the sphere, texture coordinates, normals,
+/// colors, numbers, and the field data that images of the sphere need.
 vtkSmartPointer<vtkPolyData> Ellipsoid(double scale = 1.0, int frequency = 4);
 
 /// Return a picture of 16 x 16 pixels of 3 bytes each.

@@ -49,8 +49,8 @@ public:
   std::string first() const; ///< first error, or else first warning
 };
 
-/// Input arrays of a filter. Values in output arrays may be infinite or NaN only if they come from
-/// these arrays. Names lists the input arrays with a value that is not finite, or larger than
+/// Input arrays of a filter. Values of output arrays may be infinite or NaN only if the values come
+/// from input arrays. Names lists the input arrays with a value that is not finite, or larger than
 /// 1e300. Output arrays of these names may be interpolated.
 struct Given
 {

@@ -32,8 +32,9 @@ SurfacePointer BumpyCloud(double scale, int size = 3000);
 /// along z.
 vtkSmartPointer<vtkSphericalTextureMap> Painted(double scale);
 
-/// Return a surface like a head, of 10 f^2 + 2 points around (10, 0, 0). Its map is the direction
-/// from (10, 0, 0). A mesh of this surface can be learned from a sphere, without a hull.
+/// Return a surface like a head, of 10 f^2 + 2 points around (10, 0, 0), where f is the frequency.
+/// The map of each point is the direction from (10, 0, 0). A mesh of this surface can be learned
+/// from a sphere, without a hull.
 SurfacePointer Head(int frequency);
 
 /// Return a surface of six long limbs around (10, 0, 0). A mesh that is learned from a sphere would

@@ -46,7 +46,7 @@ protected:
   }
 
   /// Expect that the number of threads does not change the points of the mean. If the name of an
-  /// array is given, its values must not change either.
+  /// array is given, the values of this array must not change either.
   void ExpectThreadsChangeNoBit(const char* array = nullptr)
   {
     vtkNew<vtkPolyData> alone;

@@ -35,9 +35,9 @@ inline vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
   return surface;
 }
 
-/// Return a head with a nose, an ear and a tail, and with a point array "Height". Its map to the
+/// Return a head with a nose, an ear and a tail, and with a point array "Height". The map to the
 /// sphere is rotated about the z axis.
-/// @param[in] angle  angle of this rotation [radians]
+/// @param[in] angle  angle of the rotation [radians]
 inline vtkNew<vtkPolyData> Head(int frequency, double angle)
 {
   vtkNew<vtkGeodesicSphereSource> source;

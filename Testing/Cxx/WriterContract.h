@@ -32,8 +32,8 @@ vtkSmartPointer<Array> NumbersOf(const char* name, int components, vtkIdType tup
   return array;
 }
 
-/// Return a sphere of triangles with float points. It has normals, texture coordinates, colors, a
-/// map to the sphere, and numbers.
+/// Return a sphere of triangles with float points. The surface has normals, texture coordinates,
+/// colors, a map to the sphere, and numbers.
 inline vtkSmartPointer<vtkPolyData> RichSphere()
 {
   vtkNew<vtkSphereSource> source;

@@ -45,8 +45,8 @@ struct Target
 
   std::string Name;
 
-  /// Function that makes the target and returns its path, with the given extension. The result is
-  /// empty if this system cannot make the target.
+  /// Function that makes the target and returns its path, with the given extension. If the system
+  /// cannot make the target, the result is empty.
   std::function<std::optional<std::string>(const Folder&, const std::string& ending)> Make;
   Expectations Expectation = MustRefuse;
 

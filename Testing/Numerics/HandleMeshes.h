@@ -46,8 +46,8 @@ inline conformal::Mesh sphereWithHandles(int count, int frequency = 40)
   return toCore(mesh);
 }
 
-/// Build a torus of major radius 1. It has `around` by `along` quadrilaterals, each divided into
-/// two triangles. `radius` is the minor radius.
+/// Build a torus of major radius 1. The torus has `around` by `along` quadrilaterals, each divided
+/// into two triangles. `radius` is the minor radius.
 inline conformal::Mesh torus(int around, int along, double radius = 0.4)
 {
   conformal::Mesh mesh;

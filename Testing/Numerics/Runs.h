@@ -38,7 +38,7 @@ inline conformal::Run stoppingAt(double fraction)
   return { {}, [fraction](double done) { return done < fraction; } };
 }
 
-/// Observer that checks progress: it must never decrease, and must remain in [0, 1].
+/// Observer that checks that progress never decreases, and remains in [0, 1].
 class Watch
 {
 public:

@@ -278,8 +278,8 @@ inline void ExpectSameBits(vtkDataArray* a, vtkDataArray* b)
     0);
 }
 
-/// Expect that the first rank has the expected surface. Other ranks must have its arrays without
-/// values.
+/// Expect that the first rank has the expected surface. Other ranks must have the arrays of the
+/// surface, without values.
 inline void ExpectOnFirstRank(vtkPolyData* surface, vtkPolyData* expected)
 {
   ASSERT_GT(expected->GetNumberOfPoints(), 0);

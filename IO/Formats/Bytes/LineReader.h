@@ -14,9 +14,9 @@
 
 namespace conformal
 {
-/// Reader of lines that end with LF, CR or CRLF. The last line may have no line end. A line has at
-/// most LongestLine bytes. The current line is consumed only when the next line is read. Error
-/// messages thus refer to the current line.
+/// Reader of lines that end with LF, CR or CRLF. The last line may have no line end. The maximum
+/// length of a line is LongestLine (ParseLimits.h). The current line is consumed only when the next
+/// line is read. Error messages thus refer to the current line.
 class LineReader
 {
 public:

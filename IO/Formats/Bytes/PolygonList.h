@@ -19,7 +19,7 @@ std::int64_t checkedId(const ByteReader& input, std::int64_t id, std::uint64_t n
 bool hasRepeatedId(const std::int64_t* ids, std::size_t count);
 
 /// Builder of the polygons of a surface. Polygons of fewer than 3 ids, or with a repeated id, are
-/// dropped and counted in DroppedPolygons.
+/// dropped and counted in SurfaceData::DroppedPolygons.
 class PolygonList
 {
 public:

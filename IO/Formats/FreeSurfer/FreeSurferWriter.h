@@ -27,7 +27,7 @@ std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {}
 
 /// Write values at points, an array of 1 component, as a FreeSurfer curv file in the new format.
 /// Values are written as floats.
-/// @param[in] numberOfPolygons  number of polygons of the surface with the values
+/// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong
 /// @return the bytes of the file
 /// @throws Aborted
 std::string makeFreeSurferCurv(

@@ -17,10 +17,10 @@ namespace conformal
 SurfaceResult parseGIFTISurface(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Read all arrays of a GIFTI file except those of intent POINTSET and TRIANGLE. The result is a
-/// surface without points; each array becomes a point array of this surface. The name of an array
-/// is the entry "Name" of its metadata. If this entry is missing, the array is named by its intent,
-/// such as "Shape". Repeated names are numbered.
+/// Read all arrays of a GIFTI file except the points (POINTSET) and the triangles (TRIANGLE). The
+/// result is a surface without points; each array becomes a point array of this surface. The name
+/// of an array is the entry "Name" of its metadata. If this entry is missing, the array is named by
+/// its intent, such as "Shape". Repeated names are numbered.
 SurfaceResult parseGIFTIArrays(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 }

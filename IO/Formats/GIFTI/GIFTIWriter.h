@@ -30,16 +30,16 @@ std::string makeGIFTIGeometry(
 /// Write a surface, mapped to a sphere of radius 100, as a compressed GIFTI file. The file contains
 /// points, as floats, and triangles. The position of each point is 100 times its tuple in the array
 /// "SpherePosition". The argument `structure` and the result are as for makeGIFTISurface().
-/// @throws std::invalid_argument as makeGIFTIGeometry(). Also thrown if there is no array
-///   "SpherePosition", or one of its positions is zero or not finite
+/// @throws std::invalid_argument as makeGIFTIGeometry(). Also thrown if "SpherePosition" is
+///   missing, or a position is zero or not finite
 /// @throws Aborted
 std::string makeGIFTISphere(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
 /// Write all point arrays of 1 component as a compressed GIFTI file, as floats. Points and
 /// triangles are omitted. The argument `structure` and the result are as for makeGIFTISurface().
-/// @throws std::invalid_argument if the surface has no such array, or a finite value exceeds the
-///   range of floats
+/// @throws std::invalid_argument if no array has 1 component, or a finite value exceeds the range
+///   of floats
 /// @throws Aborted
 std::string makeGIFTIShape(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});

@@ -12,7 +12,7 @@
 
 namespace conformal
 {
-/// Minimum and maximum of numbers. Both are finite.
+/// Minimum and maximum of numbers, both of them finite.
 struct PageRange
 {
   double Low = 0.0;

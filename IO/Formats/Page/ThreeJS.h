@@ -14,8 +14,8 @@ std::string findThreeJS();
 /// Read a build of three.js as a classic script or a CommonJS module, such as three.js,
 /// three.min.js or three.cjs.
 /// @param[in] fileName  path of the build; if empty, the path of findThreeJS()
-/// @throws std::invalid_argument if the file cannot be read or is not such a build. The message
-///   contains the name of the package to install
+/// @throws std::invalid_argument if the file cannot be read, or is neither a classic script nor a
+///   CommonJS module of three.js. The message contains the name of the package to install
 std::string readThreeJS(const std::string& fileName);
 }
 

@@ -14,8 +14,8 @@
 namespace conformal
 {
 /// Read a plate model from a text file. The text contains the number of vertices, a row for each
-/// vertex, the number of plates (triangles), and a row for each plate. Both numbers may be on the
-/// first line.
+/// vertex, the number of plates (triangles), and a row for each plate. The numbers of vertices and
+/// plates may be on the first line.
 ///
 /// The row of a vertex is X Y Z or I X Y Z. The index I counts from 0 or 1. The row of a plate is A
 /// B C, I A B C, or 3 A B C. A, B and C are the numbers of its three vertices. In .ver files, the 3

@@ -18,8 +18,8 @@ namespace conformal
 {
 struct AlignedScansOptions
 {
-  /// Whether each scan is rotated by its quaternion in the list. If false, it is rotated by the
-  /// inverse of its quaternion
+  /// Whether each scan is rotated by its quaternion in the list. If false, each scan is rotated by
+  /// the inverse of its quaternion
   bool InvertRotation = false;
   bool AllowExternalFiles = false; ///< whether scans may be outside of the folder of the list
   bool RequireAllScans = false;    ///< whether a missing scan is an error
@@ -49,8 +49,8 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// an array of the same name, type and number of components.
 ///
 /// If the list contains the same file twice, the result is an error. Missing scans are omitted and
-/// counted in MissingScans. If RequireAllScans is true or no scan exists, a missing scan is an
-/// error.
+/// counted in SurfaceData::MissingScans. If RequireAllScans is true or no scan exists, a missing
+/// scan is an error.
 /// @param[in] open  function that opens the file of a scan
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
   const AlignedScansOptions& options = {}, const ParseLimits& limits = {}, const Run& run = {});

@@ -66,7 +66,7 @@ public:
 /// and z. The other columns are then classified by the number of columns, and by the values in the
 /// first hundred lines:
 /// - 4 columns: intensity;
-/// - 6 columns: normals if all of them have unit length, otherwise colors if all values are
+/// - 6 columns: normals if all normals have unit length, otherwise colors if all values are
 ///   integers in [0, 255];
 /// - 7 columns: intensity and colors, or colors and intensity;
 /// - 9 columns: normals and colors, or colors and normals.

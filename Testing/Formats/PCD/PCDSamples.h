@@ -20,8 +20,8 @@ inline const std::string& AsciiPCD()
   return text;
 }
 
-// Return a header of an old version without WIDTH. It has fields of several numbers, padding, and
-// fields of 8 bytes.
+// Return a header of an old version without WIDTH. The header has fields of several numbers,
+// padding, and fields of 8 bytes.
 inline std::string PCDHead(const std::string& format)
 {
   return "VERSION 0.5\nCOLUMNS normal_x x y z _ normal_y normal_z rgba pair stamp\n"
