@@ -1,4 +1,4 @@
-// A locale that writes 0.5 as 0,5, for as long as the object lives.
+// Set a locale with a decimal comma, such as 0,5, while the object exists.
 #ifndef CommaLocale_h
 #define CommaLocale_h
 
@@ -11,8 +11,8 @@ class CommaLocale
 public:
   CommaLocale()
   {
-    std::locale::global(std::locale(std::locale(), new Comma)); // for streams, always
-    std::setlocale(LC_ALL, "de_DE.UTF-8");                      // for strtod, where it is installed
+    std::locale::global(std::locale(std::locale(), new Comma)); // for streams, on every system
+    std::setlocale(LC_ALL, "de_DE.UTF-8");                      // for strtod, if installed
   }
   ~CommaLocale()
   {

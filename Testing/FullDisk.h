@@ -1,4 +1,5 @@
-// While it lives, no file can grow beyond a size, as if the disk were full there.
+// Simulate a full disk. While the object exists, no file can become larger than a given size
+// [bytes].
 #ifndef FullDisk_h
 #define FullDisk_h
 

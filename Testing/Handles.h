@@ -1,4 +1,4 @@
-/// Meshes with handles, glued on by code.
+/// Make meshes with handles, by joining a tube to two holes of a mesh.
 #ifndef ConformalTestHandles_h
 #define ConformalTestHandles_h
 
@@ -12,7 +12,7 @@
 
 namespace handles
 {
-/// Points and triangles, counter-clockwise seen from outside.
+/// Points and triangles. Seen from outside, triangles are counter-clockwise.
 struct Mesh
 {
   std::vector<std::array<double, 3>> Points;
@@ -30,7 +30,7 @@ inline double distance(const Mesh& mesh, int a, int b)
   return std::sqrt(square);
 }
 
-/// Mark what is within so many edges of a point.
+/// Mark the points that a path of at most `edges` edges connects to a point.
 inline std::vector<char> within(const Mesh& mesh, int point, int edges)
 {
   std::vector<char> isNear(mesh.Points.size(), 0);
@@ -49,14 +49,14 @@ inline std::vector<char> within(const Mesh& mesh, int point, int edges)
   return isNear;
 }
 
-/// Take the disk of so many edges around a point away.
-/// @return its rim, in the direction of the triangles that are left
+/// Remove the triangles of a disk around a point. The radius of the disk is `edges` edges.
+/// @return the points of the rim, in the direction of the remaining triangles
 inline std::vector<int> cutDisk(Mesh& mesh, int point, int edges)
 {
   const std::vector<char> inner = within(mesh, point, edges - 1);
   const auto isInner = [&](const std::array<int, 3>& ids)
   { return inner[ids[0]] || inner[ids[1]] || inner[ids[2]]; };
-  std::map<int, int> after; // along the rim, against the disk's own direction
+  std::map<int, int> after; // next point on the rim, against the direction of the disk
   for (const auto& ids : mesh.Triangles)
   {
     for (int k = 0; k < 3 && isInner(ids); ++k)
@@ -82,12 +82,13 @@ inline std::vector<int> cutDisk(Mesh& mesh, int point, int edges)
   return rim;
 }
 
-/// Take two disks away and join their rims by a tube.
-/// @param[in] edges   radius of the disks
+/// Remove two disks, and join their rims by a tube.
+/// @param[in] a, b    points at the centers of the disks
+/// @param[in] edges   radius of the disks, in edges
 /// @param[in] length  number of rings of triangles in the tube
-/// @param[in] isBent  whether it stands out as half a ring does, away from the origin, or is
-/// straight
-/// @return the number of corners around the tube
+/// @param[in] isBent  whether the tube is an arch that points away from the origin; otherwise it is
+///   straight
+/// @return the number of points around the tube
 inline int addTube(Mesh& mesh, int a, int b, int edges, int length, bool isBent)
 {
   std::vector<int> first = cutDisk(mesh, a, edges), last = cutDisk(mesh, b, edges);
@@ -151,7 +152,8 @@ inline int addTube(Mesh& mesh, int a, int b, int edges, int length, bool isBent)
   return static_cast<int>(size);
 }
 
-/// So many points of a mesh, spread over it: each as far from those before as can be.
+/// Return `count` points of a mesh that are spread over the mesh. Each point has the largest
+/// possible distance from the points before it.
 inline std::vector<int> spread(const Mesh& mesh, int count, int first)
 {
   std::vector<int> taken = { first };
@@ -168,11 +170,14 @@ inline std::vector<int> spread(const Mesh& mesh, int count, int first)
   return taken;
 }
 
-/// Glue handles onto a sphere, spread over it: tubes of 6 edges around for each edge of their
-/// radius, between two places so far apart, standing out from the sphere.
+/// Add handles that are spread over a sphere. Each handle is an arched tube between two points of
+/// the sphere, with 6 times `edges` edges around.
+/// @param[in] edges   radius of the disks that are removed, in edges
+/// @param[in] apart   distance between the ends of a handle
+/// @param[in] length  number of rings of triangles in each tube
 inline void addHandles(Mesh& mesh, int count, int edges, double apart, int length)
 {
-  const auto isEven = [&](int point) // no vertex of five neighbors near it
+  const auto isEven = [&](int point) // no vertex with five neighbors nearby
   {
     Mesh copy = mesh;
     return static_cast<int>(cutDisk(copy, point, edges).size()) == 6 * edges;

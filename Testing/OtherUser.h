@@ -1,4 +1,5 @@
-// While it lives, root is a user without rights; any other user stays what he is.
+// Change the user from root to a user without access rights, while the object exists. Any other
+// user is not changed.
 #ifndef OtherUser_h
 #define OtherUser_h
 
@@ -30,13 +31,13 @@ public:
       (seteuid(0) != 0 || setegid(this->Group) != 0 ||
         setgroups(this->Groups.size(), this->Groups.data()) != 0))
     {
-      _exit(1); // no test may go on as another
+      _exit(1); // no test may continue as another user
     }
   }
   OtherUser(const OtherUser&) = delete;
   void operator=(const OtherUser&) = delete;
 
-  /// Whether the user is not root, and can enter the folder.
+  /// Test whether the user is not root, and can enter a folder.
   bool isHere(const std::string& folder) const
   {
     return (!this->IsRoot || this->IsChanged) &&

@@ -1,4 +1,5 @@
-// A folder for a test's files, with a blank and an umlaut in its name, gone with the object.
+// Create a folder for the files of a test, with a blank and an umlaut in its name. The destructor
+// removes the folder.
 #ifndef TemporaryFolder_h
 #define TemporaryFolder_h
 
@@ -28,13 +29,13 @@ public:
   TemporaryFolder(const TemporaryFolder&) = delete;
   void operator=(const TemporaryFolder&) = delete;
 
-  /// Path of a file in the folder.
+  /// Return the path of a file in the folder.
   std::string file(const std::string& name) const
   {
     return (this->Path / std::filesystem::u8path(name)).u8string();
   }
 
-  /// Write a file; returns its path.
+  /// Write a file, and return its path.
   std::string write(const std::string& name, std::string_view bytes) const
   {
     std::ofstream file(std::filesystem::u8path(this->file(name)), std::ios::binary);
@@ -42,7 +43,7 @@ public:
     return this->file(name);
   }
 
-  /// Write files of these names and bytes.
+  /// Write several files, each given by its name and its bytes.
   void write(const std::vector<std::pair<std::string, std::string>>& files) const
   {
     for (const auto& [name, bytes] : files)

@@ -1,4 +1,4 @@
-// Convert errors of files to codes of vtkErrorCode.
+// Convert errors of reading and writing files to the error codes of VTK (vtkErrorCode).
 #ifndef GlueFileErrors_h
 #define GlueFileErrors_h
 
@@ -23,8 +23,8 @@ public:
 };
 
 /// @{
-/// Return the code of vtkErrorCode for the result of reading or writing a file. The code after an
-/// abort is NoError.
+/// Return the code of vtkErrorCode for the result of reading or writing a file. If the operation
+/// was aborted, the code is NoError.
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 unsigned long ErrorCodeOf(conformal::WriteCode code);
 ///@}

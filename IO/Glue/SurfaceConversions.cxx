@@ -30,7 +30,7 @@ namespace glue
 {
 namespace
 {
-// The type of ours that holds all numbers of a VTK type.
+// Return the ScalarType that can represent all numbers of a VTK type.
 conformal::ScalarType TypeOf(int type)
 {
   const bool isLong = type == VTK_LONG || type == VTK_LONG_LONG || type == VTK_ID_TYPE;
@@ -89,7 +89,7 @@ int VTKTypeOf(conformal::ScalarType type)
   return VTK_DOUBLE;
 }
 
-// The arrays take over the parser's memory.
+// Convert a parsed array to an array of VTK, which adopts the memory.
 vtkSmartPointer<vtkDataArray> ToArray(conformal::NamedArray& values)
 {
   auto array =
@@ -113,8 +113,9 @@ vtkSmartPointer<vtkTypeInt64Array> ToArray(conformal::OwnedArray<std::int64_t>& 
   return array;
 }
 
-// Arrays in a row. vtkFieldData::AddArray compares the name of each with those of all before it,
-// which takes a minute for 60,000; no two of a parser's arrays have the same.
+// List of arrays that is filled without a search for equal names. vtkFieldData::AddArray compares
+// the name of each array with all names before it. For 60,000 arrays, this costs a minute. Parsed
+// arrays have unique names, so that no search is needed.
 class ArrayList : public vtkDataSetAttributes
 {
 public:
@@ -129,7 +130,8 @@ public:
   }
 };
 
-// A single column may have a name of VTK's; only whole ones become what VTK means.
+// Add parsed arrays to the attributes of a VTK data set. An array becomes active normals, texture
+// coordinates or colors only if it has the right number of components.
 void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes* data)
 {
   vtkNew<ArrayList> list;
@@ -151,7 +153,8 @@ void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes*
       list->SetActiveAttribute(index, vtkDataSetAttributes::SCALARS);
     }
   }
-  // A data set looks for an array of ghosts whenever one is added: once is enough.
+  // At each change, a data set searches its arrays for ghosts. Observers are therefore disabled
+  // until all arrays have been added.
   vtkNew<vtkCallbackCommand> quiet;
   quiet->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   quiet->AbortFlagOnExecuteOn();
@@ -161,7 +164,8 @@ void AddArrays(std::vector<conformal::NamedArray>& arrays, vtkDataSetAttributes*
   data->Modified();
 }
 
-// Ids of 4 bytes where they suffice: for a large cloud they would else be most of its memory.
+// Return a vertex cell for each point. Ids have 4 bytes if possible, since the ids need most of the
+// memory of a large cloud.
 template <typename Ids>
 vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
 {
@@ -184,7 +188,7 @@ vtkSmartPointer<vtkCellArray> VertexOfEachPoint(vtkIdType count)
     : VertexOfEachPoint<vtkTypeInt64Array>(count);
 }
 
-// Any array of numbers, in VTK's own memory or not.
+// Copy an array of numbers, with any memory layout.
 conformal::NamedArray ToNamedArray(vtkDataArray* array, const std::string& name)
 {
   const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
@@ -262,9 +266,10 @@ bool HasStripsWithoutTriangles(vtkCellArray* strips)
   return false;
 }
 
-// What vtkTriangleFilter cuts in time that is linear, and without reading past the end: polygons of
-// many corners are triangles, since its way takes time that grows with the square of the corners
-// (those that cannot be cut so are left to it), and strips of fewer than 3 points are left out.
+// Change a surface so that vtkTriangleFilter is fast and reads no invalid memory. Polygons of more
+// than 500 corners are triangulated here: for vtkTriangleFilter, the cost is quadratic in the
+// number of corners. Polygons for which this triangulation fails are kept. Strips of fewer than 3
+// points are removed.
 vtkSmartPointer<vtkPolyData> ForTriangleFilter(vtkPolyData* input)
 {
   constexpr vtkIdType manyCorners = 500;
@@ -274,7 +279,7 @@ vtkSmartPointer<vtkPolyData> ForTriangleFilter(vtkPolyData* input)
     return input;
   }
   vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIdList> sources; // for each new cell the old one
+  vtkNew<vtkIdList> sources; // id of the old cell for each new cell
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
   for (vtkIdType i = 0; i < firstPolygon; ++i)
   {

@@ -1,5 +1,5 @@
-// Convert surfaces and pictures of VTK to the data that writers of file formats read. Convert
-// surfaces from parsers to VTK.
+// Convert surfaces of VTK to the data that writers of file formats read, and data of parsers to
+// surfaces of VTK. Also access the pixels of a picture of VTK.
 #ifndef GlueSurfaceConversions_h
 #define GlueSurfaceConversions_h
 
@@ -13,27 +13,29 @@ class vtkUnsignedCharArray;
 
 namespace glue
 {
-/// Return the surface itself if all its cells are triangles. Otherwise, return a triangulated copy
-/// that contains only triangles.
+/// Return a surface whose polygons are all triangles. If the input has only triangles as polygons,
+/// and no strips, the result is the input itself. Otherwise, the result is a triangulated copy
+/// without vertex cells and line cells.
 /// @pre the surface passed the checks of Glue/Checks.h
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
-/// Copy points, polygons and named arrays of numbers. The active normals, texture coordinates and
-/// colors (3 or 4 unsigned chars) are named "Normals", "TCoords" and "RGB" or "RGBA". Strips become
-/// triangles. Vertices and lines are skipped. Cell arrays are skipped unless all cells are
-/// polygons.
+/// Copy the points, polygons and numeric arrays of a VTK surface. The active normals and texture
+/// coordinates are named "Normals" and "TCoords". Active scalars of 3 or 4 unsigned chars are
+/// colors, named "RGB" or "RGBA". Strips become triangles. Vertex cells and line cells are skipped.
+/// If the surface has cells that are not polygons, its cell arrays are skipped.
 /// @pre the surface passed the checks of Glue/Checks.h
 /// @throws WriteError (FileErrors.h) if the surface has no points, or a coordinate is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
-/// Move the points, polygons and arrays of a parsed file into an empty surface. Arrays named
-/// "Normals", "TCoords", "RGB" or "RGBA" become active. A surface without polygons is a cloud, and
-/// gets a vertex cell for each point.
+/// Move the points, polygons and arrays of a parsed file into an empty VTK surface. The arrays
+/// "Normals", "TCoords", "RGB" and "RGBA" become the active normals, texture coordinates and
+/// scalars. If the file has no polygons, each point gets a vertex cell.
 /// @param[in,out] data  parsed data; the contents are moved into the surface
 void SetSurfaceData(vtkPolyData* surface, conformal::SurfaceData& data);
 
-/// Return the pixels of a picture that can be a texture: one slice of unsigned char, RGB or RGBA.
-/// @throws WriteError if the picture is null or of another kind
+/// Return the pixels of a picture that can be a texture. The picture must be a 2D image of unsigned
+/// chars, RGB or RGBA.
+/// @throws WriteError (FileErrors.h) if the picture is null or of another kind
 vtkUnsignedCharArray* PixelsOf(vtkImageData* picture);
 }
 

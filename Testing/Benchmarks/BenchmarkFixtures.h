@@ -1,4 +1,4 @@
-// Clouds made by code and threads, shared by the benchmarks.
+// Make clouds and threads for the benchmarks.
 #ifndef BenchmarkFixtures_h
 #define BenchmarkFixtures_h
 
@@ -14,7 +14,7 @@
 
 namespace fixtures
 {
-/// A head-like closed surface: an ellipsoid with smooth bumps, scattered evenly.
+/// Return random points of a closed surface like a head: an ellipsoid with smooth bumps.
 inline conformal::Points bumpyCloud(conformal::Index size, conformal::Random& random)
 {
   conformal::Points points(size, 3);
@@ -36,7 +36,8 @@ inline conformal::Points bumpyCloud(conformal::Index size)
   return bumpyCloud(size, random);
 }
 
-/// Threads that take one block after the other.
+/// Return a run with `count` threads. Each thread runs the next block when its last block is
+/// finished.
 inline conformal::Run threads(int count)
 {
   return { [count](conformal::Index blocks, const std::function<void(conformal::Index)>& body)

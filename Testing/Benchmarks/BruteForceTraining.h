@@ -1,5 +1,5 @@
-// The CSM Learning Algorithm as it is written: every neuron is asked for its distance, every
-// neuron is moved, nothing is cut off. What trainConformalSOM is measured against.
+// Train a conformal self-organizing map exactly by the published algorithm, to measure the speed of
+// trainConformalSOM(). Each step computes the distances of all neurons, and moves all neurons.
 #ifndef BruteForceTraining_h
 #define BruteForceTraining_h
 
@@ -14,9 +14,9 @@
 
 namespace reference
 {
-/// Online training without priorities; the patterns drawn are those trainConformalSOM draws.
-/// The arrays run through the vector units of the build.
-/// @return #N by 3 weights in the unit of training
+/// Train a network online: one sample in each step, without priorities. The samples are drawn as by
+/// trainConformalSOM(). Loops over neurons use the vector instructions of the processor.
+/// @return weights of the #N neurons in units of the training: #N by 3
 inline conformal::Points trainByBruteForce(
   const conformal::TrainingSamples& samples, const conformal::OnlineTrainingOptions& options)
 {

@@ -1,5 +1,5 @@
-// What the tests of all classes try: one file vtkX.cxx defines the case of vtkX, and nothing else
-// names it.
+// Describe how the tests run each class of the library. The file vtkX.cxx of this folder defines
+// the case of the class vtkX. The tests find the cases of all classes in this folder.
 #ifndef CasesCase_h
 #define CasesCase_h
 
@@ -27,10 +27,12 @@ namespace cases
 using Algorithm = vtkSmartPointer<vtkAlgorithm>;
 using Maker = std::function<Algorithm()>;
 
-/// Set properties of an algorithm; the surface is valid data for inputs that no port lists.
+/// Function that sets properties of an algorithm. The surface `good` is valid data for inputs that
+/// Mode::Ports does not list.
 using Setter = std::function<void(vtkAlgorithm*, vtkPolyData* good)>;
 
-/// What a port takes. Nothing: it is optional and left empty.
+/// Kind of data of an input port. The value Nothing means that the port is optional and is left
+/// empty.
 enum class Data
 {
   Surface,
@@ -42,67 +44,71 @@ enum class Data
 struct Port
 {
   Data Takes = Data::Surface;
-  unsigned int Reads = 0; ///< faults of the input that the class must report
-  bool IsTried = true;    ///< or only filled with valid data
+  unsigned int Reads = 0; ///< faults (Inputs.h) of the input that the class must report
+  bool IsTried = true;    ///< whether faulty inputs are tried; otherwise the input is always valid
   bool IsVariant = false; ///< whether another mode reads the same arrays in the same way
-  std::string Name = {};  ///< of the mode with this port tried, if not the mode's own
+  std::string Name = {};  ///< name of the mode when this port is tried; Mode::Name if empty
 };
 
-/// A port that takes a surface, and must report these faults of it.
+/// Return a port for a surface. The class must report the faults `reads` of the surface.
 Port Surface(unsigned int reads, const std::string& name = {});
 
-/// Like Surface(), for a mode that reads its arrays as another mode of the class does.
+/// Return a port for a surface, in a variant of another mode. Both modes read the same arrays in
+/// the same way.
 Port Variant(unsigned int reads, const std::string& name = {});
 
-/// A port that gets a valid surface only.
+/// Return a port that always gets a valid surface.
 Port Good();
 
-/// A port that takes places on a body.
+/// Return a port for positions on a body, by longitude and latitude.
 Port Places(unsigned int reads, const std::string& name);
 
-/// A port that takes a picture.
+/// Return a port for a picture.
 Port Picture(const std::string& name = {});
 
-/// A port that is left empty.
+/// Return a port that is left empty.
 Port Nothing();
 
-/// A property and the values at which it is tried; Properties.h has those for each type.
+/// Property of an algorithm, and the values with which the tests run the algorithm. Properties.h
+/// makes properties with extreme values for each type.
 struct Property
 {
   std::string Name;
   std::vector<std::pair<std::string, std::function<void(vtkAlgorithm*)>>> Values;
 
-  /// Whether it may be a count, the last of its values being the largest: work without end, which
-  /// must stop when asked to.
+  /// Whether the property may be a count, and its last value is the largest count. With this value,
+  /// the algorithm would run practically forever. The tests abort the algorithm, which must then
+  /// stop.
   bool IsCount = false;
 
-  /// Whether its values are numbers of type double.
+  /// Whether the values are numbers of type double.
   bool IsNumber = false;
 };
 
-/// What a writer writes in a mode.
+/// File that a writer writes in a mode.
 struct File
 {
   std::string Ending;                          ///< none for an algorithm that is no writer
   std::vector<std::string> EndingsBeside = {}; ///< of further files that the writer makes
   std::function<Algorithm(const std::string& path)> Read = {}; ///< none where it gives no points
-  bool KeepsPoints = true; ///< whether every point is one of the file
+  bool KeepsPoints = true; ///< whether each point of the surface is a point of the file
 
-  /// What a file of this ending must not be, where no reader finds that; empty if nothing is wrong.
+  /// Function that checks the file, beyond the checks of readers. The result is a description of a
+  /// fault, or an empty text.
   std::function<std::string(const std::string& path)> WhatIsWrong = {};
 };
 
-/// A class with its properties set in one way: fast, on a surface of some hundred points.
+/// Class with its properties set in one way. A run is fast: the surfaces have some hundred points.
 struct Mode
 {
-  std::string Name; ///< may be empty if the class has no other
+  std::string Name; ///< name of the mode; may be empty for the only mode of a class
   std::vector<Port> Ports;
   Setter Set = {};
 
   /// Whether the first output is a closed surface of genus zero.
   bool IsClosed = false;
 
-  /// Whether its points have no unit, so that they are the same for inputs of any scale.
+  /// Whether the output points have no unit. Inputs of any scale then have equal output points.
   bool IsUnitless = false;
 
   /// Whether Set() adds further inputs.
@@ -110,50 +116,54 @@ struct Mode
 
   std::vector<Property> Properties = {};
 
-  /// An array that is the same for maps to the sphere by vectors of any length.
+  /// Name of an output array that does not depend on the lengths of the vectors in
+  /// "SpherePosition". If the name is empty, the tests omit this check.
   std::string ResultOfMap = {};
 
-  /// Whether it is tried on inputs that differ in unit.
+  /// Whether the mode is tested with inputs that have different units.
   bool MixesUnits = false;
 
-  /// Whether it writes areas, which leave the range of doubles long before lengths do.
+  /// Whether the mode writes areas. Areas exceed the range of doubles at much smaller scales than
+  /// lengths.
   bool WritesAreas = false;
 
   cases::File File = {};
 
-  /// Whether a run takes tenths of a second: numbers of its properties are tried by Testing/Hostile
-  /// alone.
+  /// Whether a run needs tenths of a second. For a slow mode, only Testing/Hostile tries the
+  /// numbers of the properties.
   bool IsSlow = false;
 
-  /// Whether inputs can differ in scale.
+  /// Test whether the mode has several surfaces as inputs, which can have different scales.
   bool hasOthers() const;
 };
 
-/// A class on the same surfaces in another unit of length.
+/// Run of a class with the same surfaces in any unit of length.
 struct ScaledRun
 {
   std::string Name;
-  std::function<Algorithm(double scale)> Make; ///< all coordinates are multiplied by the scale
+  /// Function that makes the algorithm. All coordinates are multiplied by the scale
+  std::function<Algorithm(double scale)> Make;
 
-  /// Powers of the scale by which arrays are multiplied: 1 for lengths, 2 for areas. Those that all
-  /// filters write need not be listed.
+  /// Power of the scale for each array: 1 for lengths, 2 for areas. Arrays that all filters write
+  /// need not be listed.
   std::map<std::string, int> Powers = {};
 
-  /// Between units that are no powers of two. HUGE_VAL if rounding decides between equal choices.
+  /// Relative tolerance for scales that are no powers of two. The tolerance is HUGE_VAL if rounding
+  /// decides between choices that are equally good.
   double Tolerance = 1e-9;
 
   std::vector<std::string> Ignored = {}; ///< arrays that depend on the unit in another way
 };
 
-/// A run of some tenths of a second, long enough for a progress bar to move.
+/// Run of some tenths of a second, long enough to test the progress of a class.
 struct ProgressRun
 {
   std::string Name;
   std::function<Maker()>
-    Prepare; ///< makes the inputs once, and algorithms of them as often as asked
+    Prepare; ///< makes the inputs once; returns a function that makes algorithms
 };
 
-/// A default or a constant of the class, and whether the core has the same.
+/// Default or constant of the class, and whether the core has the same value.
 struct Mirror
 {
   std::string Name;
@@ -174,32 +184,36 @@ struct Case
   std::vector<ScaledRun> Scaled = {};
   std::vector<ProgressRun> Progress = {};
 
-  /// Files of real scans, on which progress is measured too.
+  /// Files of real scans, with which the tests also measure progress.
   std::vector<std::string> Scans = {};
 
-  /// Make algorithms of a fuzzer's bytes, and run them.
+  /// Make algorithms from the bytes of a fuzzer, and run them.
   std::function<void(fuzz::FilterSource&)> Fuzz = {};
 
   std::function<std::vector<Mirror>()> Mirrors = {};
 
-  /// Whether the class is no algorithm, and an algorithm made for the tests asks it.
+  /// Whether the class is no algorithm, so that an algorithm that exists only for tests calls the
+  /// class.
   bool IsProbe = false;
 
   bool isWriter() const { return !this->Modes.empty() && !this->Modes.front().File.Ending.empty(); }
 
-  /// The algorithm in a mode, with an input on one port and valid data of a scale and a number of
-  /// points on the others; without a tried port, -1, on all.
+  /// Make the algorithm of a mode.
+  /// @param[in] port       port with the data `input`; -1 for none
+  /// @param[in] scale      scale of the valid surfaces at all other ports
+  /// @param[in] frequency  frequency f of these surfaces, which have 10 f^2 + 2 points
   Algorithm make(const Mode& mode, int port = -1, vtkDataObject* input = nullptr,
     double scale = 1.0, int frequency = 4) const;
 
-  /// The class, and the mode or the tried port in parentheses.
+  /// Return the name of the class, with the name of the mode or of the tried port in parentheses.
   std::string name(const Mode& mode, int port = 0) const;
 };
 
-/// The cases of all classes, by the files of this folder.
+/// Return the cases of all classes.
 const std::vector<Case>& All();
 
-/// The case of a class; throws std::out_of_range if there is none.
+/// Return the case of a class.
+/// @throws std::out_of_range if there is no case
 const Case& Of(const std::string& className);
 
 template <typename Type>
@@ -208,7 +222,7 @@ Case CaseOf(const char* className)
   return { className, []() -> Algorithm { return vtkSmartPointer<Type>::New(); } };
 }
 
-/// A setter that needs no further input.
+/// Return a setter that does not use the valid surface.
 template <typename Type>
 Setter Set(const std::function<void(Type*)>& set)
 {
@@ -222,7 +236,7 @@ Setter SetWith(const std::function<void(Type*, vtkPolyData*)>& set)
   { set(static_cast<Type*>(algorithm), good); };
 }
 
-/// A run of progress on an input that is made when it is needed.
+/// Return a progress run. The input is made when the run is prepared.
 template <typename Type>
 ProgressRun Run(
   const std::string& name, const std::function<vtkSmartPointer<vtkPolyData>()>& input,
@@ -242,7 +256,7 @@ ProgressRun Run(
     } };
 }
 
-/// A scaled run of a class whose inputs are set with its properties.
+/// Return a scaled run of a class. The function `set` sets both the inputs and the properties.
 template <typename Type>
 ScaledRun Scaled(const std::string& name, const std::function<void(Type*, double scale)>& set,
   const std::map<std::string, int>& powers = {}, double tolerance = 1e-9)

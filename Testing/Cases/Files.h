@@ -1,4 +1,4 @@
-// Writers with the readers of their files.
+// Make modes of writers, with the readers of their files.
 #ifndef CasesFiles_h
 #define CasesFiles_h
 
@@ -9,7 +9,7 @@
 
 namespace cases
 {
-/// A reader of a file.
+/// Return a reader for a file.
 template <typename Reader>
 Algorithm Reading(const std::string& path)
 {
@@ -18,7 +18,10 @@ Algorithm Reading(const std::string& path)
   return reader;
 }
 
-/// A writer of surfaces to files of this ending, with its properties set in one way.
+/// Return a mode of a writer of surfaces, with properties set in one way.
+/// @param[in] ending  extension of the file name
+/// @param[in] read    function that makes a reader for a file
+/// @param[in] reads   faults (Inputs.h) of the surface that the writer must report
 inline Mode Writes(const char* ending, const std::function<Algorithm(const std::string&)>& read,
   unsigned int reads = BadIds, const Setter& set = {})
 {
@@ -28,7 +31,7 @@ inline Mode Writes(const char* ending, const std::function<Algorithm(const std::
   return mode;
 }
 
-/// Like Writes(), where not each point is one of the file.
+/// Return a mode like Writes(), for files that do not contain each point of the surface.
 inline Mode WritesOther(const char* ending,
   const std::function<Algorithm(const std::string&)>& read, unsigned int reads = BadIds,
   const Setter& set = {})
@@ -38,7 +41,7 @@ inline Mode WritesOther(const char* ending,
   return mode;
 }
 
-/// Properties at texts that files must not take as they are.
+/// Return a property with texts that a file must not contain unchanged.
 template <typename Writer>
 Property Texts(const char* name, const std::vector<std::string>& texts,
   const std::function<void(Writer*, const std::string&)>& set)
@@ -51,7 +54,7 @@ Property Texts(const char* name, const std::vector<std::string>& texts,
   return Values<Writer, std::string>(name, values, set);
 }
 
-/// Numbers of contents, most of which there are not.
+/// Return the property "Content" with numbers, most of which are invalid.
 template <typename Writer>
 Property Contents(const std::function<void(Writer*, const int&)>& set)
 {

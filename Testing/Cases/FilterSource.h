@@ -1,4 +1,4 @@
-// Surfaces, clouds and numbers made of a fuzzer's bytes.
+// Make surfaces, clouds and numbers from the bytes of a fuzzer.
 #ifndef FilterSource_h
 #define FilterSource_h
 
@@ -12,7 +12,7 @@ class vtkPolyData;
 
 namespace fuzz
 {
-/// Takes choices from bytes; when there are no more, all choices are the first.
+/// Source of choices from bytes. When all bytes are used, every choice is the first one.
 class FilterSource
 {
 public:
@@ -25,19 +25,21 @@ public:
   int byte() { return this->Next < this->End ? *this->Next++ : 0; }
   bool flag() { return this->byte() % 2 == 1; }
 
-  /// In [0, count).
+  /// Return an integer in [0, count).
   int below(int count) { return this->byte() % count; }
 
-  /// In [low, high].
+  /// Return a number in [low, high].
   double between(double low, double high) { return low + (high - low) * this->byte() / 255.0; }
 
-  /// Small and round, of any bits, or one that is known for trouble.
+  /// Return a number: small and round, of arbitrary bits, or a special value such as NaN or the
+  /// smallest double.
   double number();
 
-  /// Closed or not, perhaps damaged, with a map to the sphere that may be damaged too.
+  /// Return a surface. The surface may be open or damaged, and may have a damaged map to the
+  /// sphere.
   vtkSmartPointer<vtkPolyData> surface();
 
-  /// A picture of a few pixels.
+  /// Return a picture of a few pixels.
   vtkSmartPointer<vtkImageData> picture();
 
 private:

@@ -1,4 +1,4 @@
-// What every fuzzer asks of a filter.
+// Run a filter in a fuzzer, and check its result.
 #ifndef FuzzFilter_h
 #define FuzzFilter_h
 
@@ -21,7 +21,8 @@ inline void require(const cases::Outcome& outcome, const char* what)
   }
 }
 
-/// Run a filter; abort if it gave neither a whole and finite result nor a message and none.
+/// Run a filter. Abort the process unless the filter returns a valid and finite result, or a
+/// message and an empty result.
 /// @param[in] isClosed  whether a result must be a closed surface of genus zero
 inline void run(vtkAlgorithm* filter, bool isClosed = false)
 {

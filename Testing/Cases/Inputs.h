@@ -1,4 +1,4 @@
-// Small inputs of all tests of all classes: valid ones, and broken and extreme ones.
+// Make small inputs for the tests of all classes. Inputs are valid, broken or extreme.
 #ifndef CasesInputs_h
 #define CasesInputs_h
 
@@ -14,15 +14,15 @@ class vtkPolyData;
 
 namespace cases
 {
-/// What is wrong with an input.
+/// Faults of an input.
 enum Fault : unsigned int
 {
-  BadPoints = 1, ///< not finite
-  BadIds = 2,    ///< cells of points that are not there
-  BadMap = 4,    ///< no direction for each point in SpherePosition
+  BadPoints = 1, ///< a coordinate is not finite
+  BadIds = 2,    ///< a cell has the id of a point that does not exist
+  BadMap = 4,    ///< "SpherePosition" is missing, or a position has no direction
 
-  /// Arrays that do not fit the points or cells, or offsets that do not fit the ids: every class
-  /// refuses them, whatever it reads.
+  /// The size of an array does not match the points or cells, or offsets do not match the ids.
+  /// Every class must report this fault.
   Inconsistent = 8
 };
 
@@ -31,34 +31,36 @@ struct Input
   std::string Name;
   std::function<vtkSmartPointer<vtkDataObject>()> Make;
   unsigned int Faults = 0;
-  double Scale = 1.0;       ///< of Ellipsoid(), if it is nothing else
-  bool IsArray = false;     ///< whether it is Ellipsoid() with other arrays
-  std::string Message = {}; ///< part of the error of classes that must refuse it, if not empty
+  double Scale = 1.0;       ///< scale, if the input is a scaled Ellipsoid()
+  bool IsArray = false;     ///< whether the input is Ellipsoid() with other arrays
+  std::string Message = {}; ///< part of the error message that classes must report; or empty
 };
 
-/// A closed surface of 10 f^2 + 2 points around (0, 0, 0), 2 long, with a map, texture coordinates,
-/// normals, colors, numbers, and the field data that images of the sphere need.
+/// Return a closed surface of 10 f^2 + 2 points around (0, 0, 0), where f is the frequency. The
+/// length of the surface is 2. The surface has a map to the sphere, texture coordinates, normals,
+/// colors, numbers, and the field data that images of the sphere need.
 vtkSmartPointer<vtkPolyData> Ellipsoid(double scale = 1.0, int frequency = 4);
 
-/// A picture of 16 x 16 pixels, 3 bytes each.
+/// Return a picture of 16 x 16 pixels of 3 bytes each.
 vtkSmartPointer<vtkImageData> SmallPicture();
 
-/// The ellipsoid's points at longitudes and latitudes in degrees.
+/// Return a surface with the arrays of Ellipsoid(). The coordinates of its points are longitude,
+/// latitude [degrees] and 0.
 vtkSmartPointer<vtkPolyData> PlacesOnABody();
 
-/// Meshes and clouds, each with arrays as the ellipsoid has them.
+/// Return meshes and clouds. Each has the same arrays as Ellipsoid().
 std::vector<Input> Meshes();
 
-/// The ellipsoid with arrays of any sort.
+/// Return copies of the ellipsoid with different arrays, valid and broken.
 std::vector<Input> Arrays();
 
-/// The ellipsoid at the ends of what numbers can say.
+/// Return scaled copies of the ellipsoid, up to the limits of the range of doubles.
 std::vector<Input> Scales();
 
-/// Meshes(), Arrays() and Scales().
+/// Return the inputs of Meshes(), Arrays() and Scales().
 std::vector<Input> Surfaces();
 
-/// Pictures of any sort.
+/// Return pictures, valid and broken.
 std::vector<Input> Pictures();
 }
 

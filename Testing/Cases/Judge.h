@@ -1,4 +1,4 @@
-// What to think of what a filter did.
+// Evaluate the result of a filter: its outputs and its messages.
 #ifndef CasesJudge_h
 #define CasesJudge_h
 
@@ -14,13 +14,13 @@ namespace cases
 {
 enum class Verdict
 {
-  Fine,      ///< a whole and finite result
-  Refused,   ///< a message and an empty result; or stopped when asked to
-  Skipped,   ///< cannot be tried on this machine
-  Crash,     ///< died of a signal, a sanitizer or an exception
-  Hang,      ///< over the limit of time
+  Fine,      ///< a valid and finite result
+  Refused,   ///< a message and an empty result, or an aborted run
+  Skipped,   ///< the test is not possible on this machine
+  Crash,     ///< ended by a signal, a sanitizer or an exception
+  Hang,      ///< exceeded the time limit
   NotFinite, ///< a result with NaN or infinity
-  Wrong,     ///< a result that is not whole, or neither result nor message
+  Wrong,     ///< an invalid result, or neither result nor message
 };
 constexpr int NumberOfVerdicts = 7;
 
@@ -35,7 +35,8 @@ inline bool isBad(Verdict verdict)
   return verdict >= Verdict::Crash;
 }
 
-/// Errors and warnings of all of VTK, from when it was made on; nothing is printed. One at a time.
+/// Collect the errors and warnings of VTK while the object exists, and print none of them. Only one
+/// object may exist at a time.
 class Messages
 {
 public:
@@ -45,11 +46,12 @@ public:
   void operator=(const Messages&) = delete;
   int errors() const;
   int warnings() const;
-  std::string first() const; ///< of the errors, or else of the warnings
+  std::string first() const; ///< first error, or else first warning
 };
 
-/// What a filter was given and may pass on as it is: arrays of the inputs, and copies and
-/// interpolations, by name, of those with values that are not finite or nearly so.
+/// Input arrays of a filter. Values of output arrays may be infinite or NaN only if the values come
+/// from input arrays. Names lists the input arrays with a value that is not finite, or larger than
+/// 1e300. Output arrays of these names may be interpolated.
 struct Given
 {
   std::set<const void*> Arrays;
@@ -59,15 +61,18 @@ struct Given
   bool has(vtkAbstractArray* array) const;
 };
 
-/// What is wrong with an output: ids and arrays that do not fit, and values that are not finite
-/// and were not given. Fine if nothing is; empty ones are fine.
+/// Check an output. Ids must be in their range, arrays must have the right size, and values must be
+/// finite. Values that come from the inputs `given` may be infinite or NaN. An empty output is
+/// fine.
 Outcome JudgeData(vtkDataObject* data, const Given& given);
 
-/// Whether the triangles of a surface are a closed, oriented one of Euler number 2.
+/// Test whether the polygons and strips of a surface form a closed, oriented surface of Euler
+/// number 2.
 bool IsClosedSphere(vtkPolyData* surface);
 
-/// The whole of it: an error comes with empty outputs, a result is whole and finite, and nothing
-/// is empty without a word.
+/// Check a run of a filter. If there is an error, all outputs must be empty. Otherwise, the outputs
+/// must be valid and finite. If all outputs are empty, there must be a message, unless the inputs
+/// are empty or the run was aborted.
 /// @param[in] isClosed  whether the first output must be a closed surface of genus zero
 Outcome JudgeFilter(vtkAlgorithm* filter, const Messages& messages, bool isClosed);
 }

@@ -1,4 +1,4 @@
-// Properties with the values that they are not made for, through their setters.
+// Make properties with extreme and invalid values, for the tests of all classes.
 #ifndef CasesProperties_h
 #define CasesProperties_h
 
@@ -13,7 +13,7 @@
 
 namespace cases
 {
-/// Numbers that are known for trouble.
+/// Numbers that often cause errors.
 inline constexpr std::array<std::pair<const char*, double>, 14> Extremes = {
   std::pair("NaN", std::numeric_limits<double>::quiet_NaN()),
   std::pair("inf", std::numeric_limits<double>::infinity()),
@@ -30,7 +30,7 @@ inline std::vector<std::pair<std::string, double>> ExtremeValues()
   return { Extremes.begin(), Extremes.end() };
 }
 
-/// Ids of points, most of which are not there.
+/// Return ids of points. Most of these points do not exist.
 inline std::vector<std::pair<std::string, vtkIdType>> ExtremeIds()
 {
   std::vector<std::pair<std::string, vtkIdType>> ids;
@@ -42,7 +42,7 @@ inline std::vector<std::pair<std::string, vtkIdType>> ExtremeIds()
   return ids;
 }
 
-/// A property that takes values of any type by a function of its own.
+/// Return a property with values of any type. The function `set` sets a value.
 template <typename Filter, typename Value>
 Property Values(const char* name, const std::vector<std::pair<std::string, Value>>& values,
   const std::function<void(Filter*, const Value&)>& set)
@@ -95,7 +95,7 @@ Property Switch(const char* name, void (Filter::*set)(bool))
   return property;
 }
 
-/// Names of arrays; Text is const char* or std::string.
+/// Return a property that is the name of an array. Text is const char* or std::string.
 template <typename Filter, typename Text>
 Property Name(const char* name, void (Filter::*set)(Text))
 {
@@ -174,7 +174,8 @@ Property Vector2(const char* name, void (Filter::*set)(Value, Value))
   return property;
 }
 
-/// Extreme values of each of four numbers, the others as they are by default.
+/// Return a property of four numbers. In each value, one number is extreme, and the others have
+/// their defaults.
 template <typename Filter>
 Property Vector4(const char* name, void (Filter::*set)(double, double, double, double),
   const std::array<double, 4>& defaults)

@@ -1,4 +1,5 @@
-// Valid surfaces, clouds and pictures of any unit and size, for scaled runs and runs of progress.
+// Make valid surfaces, clouds and pictures of any unit and size, for the scaled runs and progress
+// runs of Case.h.
 #ifndef CasesSurfaces_h
 #define CasesSurfaces_h
 
@@ -13,39 +14,43 @@ namespace cases
 {
 using SurfacePointer = vtkSmartPointer<vtkPolyData>;
 
-/// Multiply all coordinates.
+/// Multiply all coordinates by a scale.
 void Scale(vtkPointSet* surface, double scale);
 
-/// A unit sphere of 10 f^2 + 2 points with its map.
+/// Return a unit sphere of 10 f^2 + 2 points with its map, where f is the frequency.
 SurfacePointer Sphere(int frequency);
 
-/// A closed mesh without symmetry, of 10 f^2 + 2 points, with its map to the sphere. Coordinates
-/// are multiples of 2^-20 times the scale, so that small scales keep their bits.
+/// Return a closed mesh without symmetry, with a map to the sphere. The mesh has 10 f^2 + 2 points,
+/// where f is the frequency. Coordinates are multiples of 2^-20 times the scale, so that they are
+/// exact also at small scales.
 SurfacePointer BumpyMesh(double scale, int frequency = 6);
 
-/// Points of the same object, without triangles.
+/// Return random points of the surface of BumpyMesh(), without triangles.
 SurfacePointer BumpyCloud(double scale, int size = 3000);
 
-/// Texture coordinates of the mesh, of a view from nearly above.
+/// Return a filter that computes texture coordinates of BumpyMesh(), for an oblique view mostly
+/// along z.
 vtkSmartPointer<vtkSphericalTextureMap> Painted(double scale);
 
-/// A surface like a head, of 10 f^2 + 2 points, away from the origin and mapped by its directions:
-/// no part of it needs a hull.
+/// Return a surface like a head, of 10 f^2 + 2 points around (10, 0, 0), where f is the frequency.
+/// The map of each point is the direction from (10, 0, 0). A mesh of this surface can be learned
+/// from a sphere, without a hull.
 SurfacePointer Head(int frequency);
 
-/// A surface of six long limbs: drawn from the sphere, a network would stretch.
+/// Return a surface of six long limbs around (10, 0, 0). A mesh that is learned from a sphere would
+/// have long triangles on the limbs.
 SurfacePointer Limbs(int frequency);
 
-/// The points of a surface alone.
+/// Return the points of a surface, without polygons and arrays.
 SurfacePointer PointsOf(vtkPolyData* surface);
 
-/// The surface with point scalars Heights.
+/// Add the point scalars "Heights" to a surface, and return the surface.
 SurfacePointer Colored(const SurfacePointer& surface);
 
-/// The surface with texture coordinates by longitude and latitude.
+/// Return a surface with texture coordinates from longitude and latitude.
 SurfacePointer WithTexture(const SurfacePointer& surface);
 
-/// A picture of 512 x 512 pixels.
+/// Return a picture of 512 x 512 pixels.
 vtkSmartPointer<vtkImageData> LargePicture();
 }
 

@@ -1,4 +1,4 @@
-// What every filter owes its users, said once.
+// Check what all filters have in common: arrays, updates, messages, and aborted runs.
 #ifndef FilterContract_h
 #define FilterContract_h
 
@@ -21,7 +21,9 @@
 
 namespace contract
 {
-/// A named array with so many components and tuples, all finite. Pass dataType -1 for any type.
+/// Expect an array with a name, type, number of components and number of tuples. All numbers must
+/// be finite.
+/// @param[in] dataType  type of VTK, or -1 for any type
 inline void ExpectArray(
   vtkFieldData* data, const char* name, int dataType, int components, vtkIdType tuples)
 {
@@ -42,7 +44,7 @@ inline void ExpectArray(
   }
 }
 
-/// A point array "SpherePosition": 3 doubles of unit length, one for each of the points.
+/// Expect a point array "SpherePosition", with 3 doubles of unit length for each point.
 inline void ExpectSpherePosition(vtkPolyData* surface)
 {
   ExpectArray(
@@ -55,7 +57,8 @@ inline void ExpectSpherePosition(vtkPolyData* surface)
   }
 }
 
-/// Update() runs once until something changes; modify() must make it run again.
+/// Expect that Update() runs the filter only after a change. The function modify() must cause a
+/// further run.
 template <typename Modify>
 void ExpectRunsOnlyWhenModified(vtkAlgorithm* filter, Modify modify)
 {
@@ -68,7 +71,7 @@ void ExpectRunsOnlyWhenModified(vtkAlgorithm* filter, Modify modify)
   EXPECT_GT(filter->GetOutputDataObject(0)->GetMTime(), first);
 }
 
-/// PrintSelf names the property.
+/// Expect that PrintSelf() prints a property.
 inline void ExpectPrints(vtkObject* object, const std::string& property)
 {
   std::ostringstream text;
@@ -76,7 +79,8 @@ inline void ExpectPrints(vtkObject* object, const std::string& property)
   EXPECT_NE(text.str().find(property + ":"), std::string::npos) << property;
 }
 
-/// Asked to stop on the way, the filter leaves nothing and reports nothing.
+/// Expect that an aborted run of a filter has an empty output and no message. The next run must be
+/// complete.
 inline void ExpectStopsWhenAsked(vtkAlgorithm* filter)
 {
   vtkNew<vtkCallbackCommand> stop;
@@ -101,7 +105,7 @@ inline void ExpectStopsWhenAsked(vtkAlgorithm* filter)
   EXPECT_GT(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
 }
 
-/// Counts errors and warnings of a filter and of its executive, and keeps their texts.
+/// Record of the errors and warnings of a filter and of its executive.
 class Observed
 {
 public:
@@ -118,13 +122,14 @@ public:
   std::string WarningMessage() const { return this->Observer->GetWarningMessage(); }
   void Clear() { this->Observer->Clear(); }
 
-  /// There was an error with this text.
+  /// Expect an error whose message contains a text.
   void ExpectError(const std::string& text) const
   {
     EXPECT_TRUE(this->Error());
     EXPECT_NE(this->ErrorMessage().find(text), std::string::npos) << this->ErrorMessage();
   }
-  /// No error, and a warning with this text, or none if it is empty.
+  /// Expect no error, and a warning whose message contains a text. If the text is empty, expect no
+  /// warning.
   void ExpectWarning(const std::string& text) const
   {
     EXPECT_FALSE(this->Error()) << this->ErrorMessage();
@@ -138,7 +143,7 @@ private:
   vtkNew<vtkTest::ErrorObserver> Executive;
 };
 
-/// A filter, run as often as asked, and what it says of the last run.
+/// Test fixture with a filter, and with the messages of its last run.
 template <typename Class>
 class FilterTest : public testing::Test
 {

@@ -1,4 +1,4 @@
-// What filters of many mapped surfaces are tested with, once.
+// Test filters whose input is many surfaces with maps to the sphere.
 #ifndef ManySurfaces_h
 #define ManySurfaces_h
 
@@ -20,7 +20,8 @@ inline vtkPolyData* BlockOf(vtkMultiBlockDataSetAlgorithm* filter, unsigned int 
   return vtkPolyData::SafeDownCast(filter->GetOutput()->GetBlock(i));
 }
 
-/// Surfaces in the blocks of a data set go into a filter whose output port 1 is their mean.
+/// Test fixture with a filter and its input, a data set with a surface in each block. Output port 1
+/// of the filter is the mean of the surfaces.
 template <typename Class>
 class OfManySurfaces : public FilterTest<Class>
 {
@@ -44,7 +45,8 @@ protected:
     EXPECT_EQ(this->Mean()->GetPointData()->GetNumberOfArrays(), 0);
   }
 
-  /// The mean's points and an array of it, if one is named.
+  /// Expect that the number of threads does not change the points of the mean. If the name of an
+  /// array is given, the values of this array must not change either.
   void ExpectThreadsChangeNoBit(const char* array = nullptr)
   {
     vtkNew<vtkPolyData> alone;

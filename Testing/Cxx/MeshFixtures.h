@@ -1,4 +1,4 @@
-// Meshes to be broken, shared by the tests of what reads meshes.
+// Make meshes, and change their polygons, for tests of filters that read meshes.
 #ifndef MeshFixtures_h
 #define MeshFixtures_h
 
@@ -17,7 +17,8 @@
 
 namespace fixtures
 {
-/// A mapped ellipsoid of three different axes, away from the origin; 10 f^2 + 2 points.
+/// Return an ellipsoid with three different axes and a map to the sphere, with its center at (10,
+/// 0, 0). The mesh has 10 f^2 + 2 points, where f is the frequency.
 inline vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
 {
   vtkNew<vtkGeodesicSphereSource> source;
@@ -34,7 +35,9 @@ inline vtkNew<vtkPolyData> Ellipsoid(int frequency = 4)
   return surface;
 }
 
-/// A head with a nose, an ear and a tail, its map turned about z, and its array Height.
+/// Return a head with a nose, an ear and a tail, and with a point array "Height". The map to the
+/// sphere is rotated about the z axis.
+/// @param[in] angle  angle of the rotation [radians]
 inline vtkNew<vtkPolyData> Head(int frequency, double angle)
 {
   vtkNew<vtkGeodesicSphereSource> source;
@@ -66,8 +69,9 @@ inline vtkNew<vtkPolyData> Head(int frequency, double angle)
   return head;
 }
 
-/// A body of two lobes of different size with a neck between them, as some comets are, around the
-/// origin; mapped by where its points are seen from there. 10 f^2 + 2 points.
+/// Return a body of two lobes of different size, connected by a neck, like some comets. The origin
+/// is inside. The map of each point is the direction from the origin. The body has 10 f^2 + 2
+/// points, where f is the frequency.
 inline vtkNew<vtkPolyData> TwoLobes(int frequency)
 {
   vtkNew<vtkGeodesicSphereSource> source;
@@ -86,7 +90,8 @@ inline vtkNew<vtkPolyData> TwoLobes(int frequency)
   return surface;
 }
 
-/// Polygons written anew, changed one by one: change(cell, ids) returns whether to keep it.
+/// Change the polygons of a surface one by one. The function change(cell, ids) may change the ids
+/// of a polygon. If the function returns false, the polygon is removed.
 template <typename Change>
 void ChangePolygons(vtkPolyData* surface, Change change)
 {
@@ -103,7 +108,7 @@ void ChangePolygons(vtkPolyData* surface, Change change)
   surface->SetPolys(changed);
 }
 
-/// Every so manieth triangle, from the first on, turned over.
+/// Reverse the orientation of the triangles 0, step, 2 step and so on.
 inline void TurnOverEvery(vtkIdType step, vtkPolyData* surface)
 {
   ChangePolygons(surface,
@@ -119,7 +124,7 @@ inline void TurnOverEvery(vtkIdType step, vtkPolyData* surface)
     });
 }
 
-/// A unit sphere with so many handles, 12 edges around each.
+/// Return a unit sphere with `count` handles. Each handle has 12 edges around.
 inline vtkNew<vtkPolyData> SphereWithHandles(int count, int frequency = 40)
 {
   vtkNew<vtkGeodesicSphereSource> source;

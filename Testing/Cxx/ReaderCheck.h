@@ -1,4 +1,4 @@
-// Whether a surface that a reader gave can be trusted.
+// Check whether the output of a reader is valid.
 #ifndef ReaderCheck_h
 #define ReaderCheck_h
 
@@ -30,7 +30,8 @@ inline bool IsFinite(vtkDataArray* array)
   return true;
 }
 
-/// What is wrong with it; empty if nothing is.
+/// Return a description of the first fault of a surface. A fault is an id out of range, an array of
+/// a wrong length, or a number that is not finite. If there is no fault, return an empty text.
 inline std::string WhatIsWrong(vtkPolyData* surface)
 {
   const vtkIdType points = surface->GetNumberOfPoints();

@@ -1,4 +1,4 @@
-// Reads a file with any reader of the module, and keeps what was said.
+// Read a file with any reader of the module IO/Surface, and record the messages.
 #ifndef ReaderContract_h
 #define ReaderContract_h
 

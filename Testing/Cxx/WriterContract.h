@@ -1,4 +1,4 @@
-// A surface with arrays of every sort, and what every writer does with it.
+// Make a surface with all kinds of arrays, and check that writers keep them.
 #ifndef WriterContract_h
 #define WriterContract_h
 
@@ -32,7 +32,8 @@ vtkSmartPointer<Array> NumbersOf(const char* name, int components, vtkIdType tup
   return array;
 }
 
-/// Triangles of float points with normals, texture coordinates, colors, a sphere map, numbers.
+/// Return a sphere of triangles with float points. The surface has normals, texture coordinates,
+/// colors, a map to the sphere, and numbers.
 inline vtkSmartPointer<vtkPolyData> RichSphere()
 {
   vtkNew<vtkSphereSource> source;
@@ -92,7 +93,7 @@ inline void ExpectSamePolygons(vtkPolyData* a, vtkPolyData* b)
   }
 }
 
-/// Write in a comma locale and read back.
+/// Write a surface and read the file. The locale has a decimal comma.
 template <typename Reader>
 Reading WrittenAndRead(
   vtkSurfaceFileWriter* writer, vtkPolyData* surface, const TemporaryFolder& folder)
@@ -108,7 +109,8 @@ Reading WrittenAndRead(
   return Read<Reader>(path);
 }
 
-/// The map to the sphere, which formats of cortical surfaces keep as floats.
+/// Expect the same map to the sphere, within the rounding of floats. File formats of cortical
+/// surfaces store the map as floats.
 inline void ExpectSameSphere(vtkPolyData* read, vtkPolyData* written)
 {
   ExpectSpherePosition(read);

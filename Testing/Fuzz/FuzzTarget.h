@@ -1,4 +1,4 @@
-// What every fuzzer asks of a parser.
+// Run a parser in a fuzzer, and check its result.
 #ifndef FuzzTarget_h
 #define FuzzTarget_h
 
@@ -60,7 +60,8 @@ inline void requireWhole(const conformal::SurfaceData& data, bool hasPoints)
   }
 }
 
-/// Parse bytes; abort if the outcome is neither whole data nor a refusal that says where and why.
+/// Parse bytes. Abort the process unless the result is valid data, or an empty result with an error
+/// message and a position.
 template <typename Parse>
 int run(const std::uint8_t* bytes, std::size_t size, Parse parse, bool hasPoints = true)
 {

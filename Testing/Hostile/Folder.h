@@ -1,4 +1,5 @@
-// A folder of hostile places to write to, and what is in it before and after.
+// Create a folder for tests of writers. Its files are difficult to write, such as links, pipes and
+// read-only files.
 #ifndef HostileFolder_h
 #define HostileFolder_h
 
@@ -11,8 +12,8 @@
 
 namespace hostile
 {
-/// A folder of its own, gone with the object, and the current one of the process, so that a writer
-/// without a name for its file writes here. Nothing outside of it is ever touched.
+/// Temporary folder, which the destructor removes. The folder is the current folder of the process,
+/// so that a writer without a file name writes here. Files outside of the folder are never changed.
 class Folder
 {
 public:
@@ -24,14 +25,15 @@ public:
   std::string file(const std::string& name) const { return (this->Path / name).string(); }
   void write(const std::string& name, const std::string& bytes) const;
 
-  /// Type, mode, target and bytes of all in it, by name.
+  /// Return the contents of the folder, by name. Each text contains the type and mode of a file.
+  /// The target of a link, or the bytes of a file, follow.
   std::map<std::string, std::string> contents() const;
 
 private:
   std::filesystem::path Path;
 };
 
-/// A place to write to.
+/// Target of a writer: a path to a new or an existing file.
 struct Target
 {
   enum Expectations
@@ -43,11 +45,12 @@ struct Target
 
   std::string Name;
 
-  /// Makes it, for files of this ending, and returns the path; none if it cannot be made here.
+  /// Function that makes the target and returns its path, with the given extension. If the system
+  /// cannot make the target, the result is empty.
   std::function<std::optional<std::string>(const Folder&, const std::string& ending)> Make;
   Expectations Expectation = MustRefuse;
 
-  /// Whether it has no name for a file at all; the path is null then.
+  /// Whether the writer gets no file name, so that the path is null.
   bool IsNull = false;
 };
 

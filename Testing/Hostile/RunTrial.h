@@ -1,4 +1,4 @@
-// Runs trials in processes of their own, with limits of time and memory.
+// Run each trial in a separate process, with limits of time and memory.
 #ifndef HostileRunTrial_h
 #define HostileRunTrial_h
 
@@ -8,7 +8,7 @@
 
 namespace hostile
 {
-/// What became of a trial, and what it cost.
+/// Outcome of a trial, and its CPU time.
 struct Ended
 {
   const hostile::Trial* Trial;
@@ -16,7 +16,8 @@ struct Ended
   double CPUSeconds;
 };
 
-/// Run trials, so many at a time; report each when it has ended, in the order of the list.
+/// Run trials, at most `jobs` at the same time. Each trial is reported after it has ended, in the
+/// order of the list.
 void RunTrials(
   const std::vector<Trial>& trials, int jobs, const std::function<void(const Ended&)>& report);
 }

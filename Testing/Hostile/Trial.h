@@ -1,4 +1,5 @@
-// One run of the harness: what it is called, how it is made, and how it may end.
+// Define the trials of the test program "Hostile". A trial runs a class once, with one input or one
+// value of a property.
 #ifndef HostileTrial_h
 #define HostileTrial_h
 
@@ -17,27 +18,27 @@ using cases::Verdict;
 
 struct Trial
 {
-  std::string Class; ///< what is tried: a row of the table
-  std::string SetUp; ///< the mode it is tried in
-  std::string Input; ///< what it is tried on
+  std::string Class; ///< name of the class, a row of the table of results
+  std::string SetUp; ///< name of the class and its mode
+  std::string Input; ///< name of the input, or of the property and its value
   std::function<Outcome()> Run;
-  int CPUSeconds = 0; ///< limit of its own, if not 0
-  int Megabytes = 0;  ///< limit of memory of its own, if not 0
+  int CPUSeconds = 0; ///< limit of CPU time [s]; 0 for the default limit
+  int Megabytes = 0;  ///< limit of memory [MB]; 0 for the default limit
 
   std::string name() const { return this->SetUp + "/" + this->Input; }
 };
 
-/// Try a mode of a class on an input of port 0.
+/// Run a mode of a class with an input at port 0.
 Outcome RunOn(const cases::Case& of, const cases::Mode& mode, const cases::Input& input);
 
-/// Filters and sources, in all their modes.
+/// Return trials of all modes of filters and sources.
 std::vector<Trial> FilterTrials();
 
-/// Writers, in all their modes.
+/// Return trials of all modes of writers.
 std::vector<Trial> WriterTrials();
 
-/// Filters that are bad in every way, by which the harness itself is tested; the input is the
-/// word for the verdict that is due.
+/// Return trials of filters with a known verdict, to test the program itself. Trial::Input is the
+/// word for the expected verdict.
 std::vector<Trial> VillainTrials();
 
 const char* WordFor(Verdict verdict);

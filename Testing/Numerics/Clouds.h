@@ -1,4 +1,4 @@
-/// Clouds shared by tests.
+/// Make point clouds for tests.
 
 #ifndef ConformalTestClouds_h
 #define ConformalTestClouds_h
@@ -10,7 +10,7 @@
 
 namespace clouds
 {
-/// Select the points that pass a test, in their order.
+/// Return the points that satisfy a condition, in unchanged order.
 inline conformal::Points where(
   const conformal::Points& all, const std::function<bool(const conformal::Vector3&)>& test)
 {
@@ -26,7 +26,7 @@ inline conformal::Points where(
   return points.topRows(size);
 }
 
-/// Generate coordinates in [0, 1) in random order.
+/// Return random points in the unit cube [0, 1)^3.
 inline conformal::Points inUnitCube(conformal::Index size, unsigned int seed)
 {
   conformal::Random random(seed);

@@ -1,4 +1,4 @@
-/// Meshes with handles for tests of the core.
+/// Make meshes with handles for tests of the core.
 #ifndef ConformalTestHandleMeshes_h
 #define ConformalTestHandleMeshes_h
 
@@ -38,7 +38,7 @@ inline Mesh sphere(int frequency)
   return fromCore(conformal::makeGeodesicSphere(frequency));
 }
 
-/// Build a sphere with handles of 12 edges around.
+/// Build a unit sphere with `count` handles. Each handle has 12 edges around.
 inline conformal::Mesh sphereWithHandles(int count, int frequency = 40)
 {
   Mesh mesh = sphere(frequency);
@@ -46,8 +46,8 @@ inline conformal::Mesh sphereWithHandles(int count, int frequency = 40)
   return toCore(mesh);
 }
 
-/// Build a torus of major radius 1 with `around` by `along` quads, each divided into two triangles.
-/// `radius` is the minor radius.
+/// Build a torus of major radius 1. The torus has `around` by `along` quadrilaterals, each divided
+/// into two triangles. `radius` is the minor radius.
 inline conformal::Mesh torus(int around, int along, double radius = 0.4)
 {
   conformal::Mesh mesh;

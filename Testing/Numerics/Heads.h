@@ -1,4 +1,4 @@
-/// Bodies for tests of registration, and known warps of their maps.
+/// Make surfaces for tests of registration, and deform their sphere maps by a known function.
 
 #ifndef ConformalTestHeads_h
 #define ConformalTestHeads_h
@@ -11,8 +11,9 @@
 
 namespace heads
 {
-/// Compute the distance of the surface of a head from its center. A nose, an ear and a tail exclude
-/// symmetry under rotations and reflections.
+/// Compute the distance from the center of a head to its surface, in the direction n. The head has
+/// a nose, an ear and a tail, so that it has no symmetry.
+/// @param[in] nose  height of the nose
 inline double radiusAt(const conformal::Vector3& n, double nose = 0.7)
 {
   using conformal::Vector3;
@@ -22,7 +23,8 @@ inline double radiusAt(const conformal::Vector3& n, double nose = 0.7)
     0.9 * bump({ -0.8, -0.3, -0.6 }, 0.25);
 }
 
-/// Build a flattened head, with directions from its center as its sphere map.
+/// Build a flattened head. The sphere map of each point is the direction of the geodesic sphere
+/// from which the point was made.
 inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
 {
   conformal::RegisteredSurface result;
@@ -36,7 +38,8 @@ inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
   return result;
 }
 
-/// Apply a smooth deformation of the sphere, then a rotation.
+/// Deform the sphere smoothly, then rotate it.
+/// @param[in] angle  angle of the rotation [radians]
 inline conformal::Vector3 warped(const conformal::Vector3& n, double angle)
 {
   using conformal::Vector3;
@@ -53,7 +56,7 @@ inline conformal::RegisteredSurface withWarpedMap(
   return surface;
 }
 
-/// Compute the mean distance of corresponding unit vectors, as an angle in degrees.
+/// Compute the mean distance of corresponding unit vectors, converted to an angle [degrees].
 inline double meanAngle(const conformal::Points& a, const conformal::Points& b)
 {
   return (a - b).rowwise().norm().mean() * 180.0 / conformal::Pi;

@@ -1,4 +1,4 @@
-/// Simulation of several ranks by threads.
+/// Simulate several ranks (processes) by threads.
 
 #ifndef ConformalTestRanks_h
 #define ConformalTestRanks_h
@@ -12,7 +12,8 @@
 
 namespace ranks
 {
-/// Sum over all ranks, distributed when the last rank has contributed.
+/// Sum of numbers over all ranks. Each call of sum() waits until all ranks have called sum(), and
+/// then returns the total.
 class Meeting
 {
 public:
@@ -50,7 +51,8 @@ private:
   std::condition_variable Changed;
 };
 
-/// Run body(reduce) once for each rank, concurrently.
+/// Run body(reduce) once for each rank, in concurrent threads. The argument `reduce` connects the
+/// ranks.
 inline void run(int size, const std::function<void(const conformal::Reduce&)>& body)
 {
   Meeting meeting(size);

@@ -1,5 +1,5 @@
-/// Execution contexts for tests: threads in an unusual order, and progress callbacks that check
-/// their input.
+/// Make execution contexts for tests: threads in an unusual order, and progress callbacks that
+/// check their input.
 
 #ifndef ConformalTestRuns_h
 #define ConformalTestRuns_h
@@ -13,8 +13,8 @@
 
 namespace runs
 {
-/// Run blocks on two threads, each from its last block to its first: results must not depend on the
-/// order.
+/// Return a run with two threads. Each thread runs its blocks from the last to the first. Results
+/// must not depend on this order.
 inline conformal::Run backwards()
 {
   return { [](conformal::Index count, const std::function<void(conformal::Index)>& body)
@@ -32,13 +32,13 @@ inline conformal::Run backwards()
     } };
 }
 
-/// Abort when the given fraction is done.
+/// Return a run that is aborted when the progress reaches a fraction.
 inline conformal::Run stoppingAt(double fraction)
 {
   return { {}, [fraction](double done) { return done < fraction; } };
 }
 
-/// Check that progress never decreases and stays within [0, 1].
+/// Observer that checks that progress never decreases, and remains in [0, 1].
 class Watch
 {
 public:
@@ -54,7 +54,7 @@ public:
       } };
   }
 
-  /// Return the last fraction; 0 before the first report.
+  /// Return the last reported progress, or 0 before the first report.
   double last() const { return this->Fractions.empty() ? 0.0 : this->Fractions.back(); }
   int calls() const { return static_cast<int>(this->Fractions.size()); }
   const std::vector<double>& fractions() const { return this->Fractions; }

@@ -1,4 +1,4 @@
-/// Shapes parameterized by the sphere, shared by tests.
+/// Make and move shapes for tests. The shapes are functions of a direction.
 
 #ifndef ConformalTestShapes_h
 #define ConformalTestShapes_h
@@ -22,7 +22,9 @@ conformal::Points over(const conformal::Points& directions, Place place)
   return points;
 }
 
-/// Scale, rotate about a general axis, then translate.
+/// Scale points, rotate them about the axis (1, 2, -0.5), then translate them.
+/// @param[in] angle  angle of the rotation [radians]
+/// @param[in] by     translation
 inline conformal::Points moved(
   const conformal::Points& points, double angle, const conformal::Vector3& by, double scale = 1.0)
 {

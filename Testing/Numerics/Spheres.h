@@ -1,4 +1,4 @@
-/// Clouds on the unit sphere, shared by tests.
+/// Make point clouds on the unit sphere, for tests.
 
 #ifndef ConformalTestSpheres_h
 #define ConformalTestSpheres_h
@@ -12,14 +12,15 @@
 
 namespace spheres
 {
-/// Select the points of a geodesic sphere that pass a test.
+/// Return the points of a geodesic sphere that satisfy a condition.
 inline conformal::Points geodesicWhere(
   int frequency, const std::function<bool(const conformal::Vector3&)>& test)
 {
   return clouds::where(conformal::makeGeodesicSphere(frequency).Positions, test);
 }
 
-/// Sample the sphere at random, with uniform density, or with a hundredth of it for x below 0.
+/// Return random points on the sphere, with uniform density. If `sparseHalf` is true, the density
+/// for x < 0 is a hundredth of the density for x > 0.
 inline conformal::Points random(conformal::Index size, bool sparseHalf = false)
 {
   conformal::Random random(5);
@@ -37,7 +38,7 @@ inline conformal::Points random(conformal::Index size, bool sparseHalf = false)
   return points;
 }
 
-/// Spread points evenly along a spiral.
+/// Return points that are evenly distributed along a spiral.
 inline conformal::Points spiral(conformal::Index size)
 {
   conformal::Points points(size, 3);

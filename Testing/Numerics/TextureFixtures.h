@@ -1,4 +1,4 @@
-// Models and views shared by tests of textures.
+// Make models and views for tests of textures.
 #ifndef TextureFixtures_h
 #define TextureFixtures_h
 
@@ -6,7 +6,7 @@
 
 namespace fixtures
 {
-// Build an egg with a dent, a model without symmetry.
+// Build an egg without symmetry, from directions n.
 inline conformal::Points egg(const conformal::Points& n)
 {
   conformal::Points points(n.rows(), 3);

@@ -1,4 +1,5 @@
-// Clouds, whole and as the parts that processes have of them.
+// Make point clouds, divide them among ranks (processes), and compare the results of the ranks with
+// those of one process.
 #ifndef Clouds_h
 #define Clouds_h
 
@@ -45,7 +46,8 @@ inline int NumberOfRanks()
   return Controller()->GetNumberOfProcesses();
 }
 
-/// A point for each pair of random numbers in [0, 1).
+/// Return a cloud with `size` points. The function `place` computes each point from two random
+/// numbers in [0, 1).
 inline vtkSmartPointer<vtkPolyData> Make(
   vtkIdType size, const std::function<void(double, double, double*)>& place)
 {
@@ -77,7 +79,8 @@ inline vtkSmartPointer<vtkPolyData> Ellipsoid(vtkIdType size)
     });
 }
 
-/// A bent sausage with round ends; learned from a sphere it spans a web.
+/// Return points on a bent tube with round ends. A mesh that is learned from a sphere spans a
+/// spurious membrane between the ends.
 inline vtkSmartPointer<vtkPolyData> Horseshoe(vtkIdType size)
 {
   constexpr double tube = 0.3;
@@ -96,7 +99,7 @@ inline vtkSmartPointer<vtkPolyData> Horseshoe(vtkIdType size)
     });
 }
 
-/// A cloud of which nobody has seen what lies high.
+/// Return the points of a cloud with z < 0.5.
 inline vtkSmartPointer<vtkPolyData> WithoutTop(vtkPolyData* cloud)
 {
   constexpr double top = 0.5;
@@ -125,7 +128,8 @@ inline void AddPriorities(vtkPolyData* cloud)
   cloud->GetPointData()->AddArray(array);
 }
 
-/// Colors of three bytes, and a number, for each point: the active scalars and "Height".
+/// Add colors of three bytes as active scalars, and an array "Height" of numbers, to the points of
+/// a cloud.
 inline void AddColors(vtkPolyData* cloud)
 {
   vtkNew<vtkUnsignedCharArray> colors;
@@ -144,7 +148,7 @@ inline void AddColors(vtkPolyData* cloud)
   cloud->GetPointData()->AddArray(heights);
 }
 
-/// The mesh that one process alone learns of the cloud.
+/// Return the mesh that a single process learns from a cloud.
 inline vtkSmartPointer<vtkPolyData> Learned(vtkPolyData* cloud)
 {
   vtkNew<vtkConformalSOM> network;
@@ -156,7 +160,7 @@ inline vtkSmartPointer<vtkPolyData> Learned(vtkPolyData* cloud)
   return network->GetOutput();
 }
 
-/// Triangles that share no points, over the points of a mesh.
+/// Return the corners of all triangles of a mesh: three separate points for each triangle.
 inline vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* mesh)
 {
   vtkNew<vtkPoints> points;
@@ -175,7 +179,7 @@ inline vtkSmartPointer<vtkPolyData> Soup(vtkPolyData* mesh)
   return soup;
 }
 
-/// Triangles of each three points.
+/// Add triangles to the points of Soup(). Each three consecutive points become a triangle.
 inline void AddSoupTriangles(vtkPolyData* points)
 {
   vtkNew<vtkCellArray> triangles;
@@ -186,7 +190,7 @@ inline void AddSoupTriangles(vtkPolyData* points)
   points->SetPolys(triangles);
 }
 
-/// How a cloud may be spread, as the end of each rank's part.
+/// Return the end index of the part of each rank, for equal parts.
 inline std::vector<vtkIdType> EvenCuts(vtkIdType size)
 {
   std::vector<vtkIdType> ends;
@@ -197,7 +201,8 @@ inline std::vector<vtkIdType> EvenCuts(vtkIdType size)
   return ends;
 }
 
-/// The first rank has nothing, the second the first third; with two ranks, all.
+/// Return the end index of the part of each rank, for unequal parts. The first rank has no points,
+/// and the second rank has the first third. Further ranks but the last have no points.
 inline std::vector<vtkIdType> UnevenCuts(vtkIdType size)
 {
   std::vector<vtkIdType> ends(NumberOfRanks(), size / 3);
@@ -206,7 +211,8 @@ inline std::vector<vtkIdType> UnevenCuts(vtkIdType size)
   return ends;
 }
 
-/// This rank's part. Without points there are no arrays either, as readers leave it.
+/// Return the part of this rank. If the part has no points, it also has no arrays, as the output of
+/// a reader.
 inline vtkSmartPointer<vtkPolyData> OwnPart(vtkPolyData* cloud, const std::vector<vtkIdType>& ends)
 {
   auto part = vtkSmartPointer<vtkPolyData>::New();
@@ -231,7 +237,7 @@ inline vtkSmartPointer<vtkPolyData> OwnPart(vtkPolyData* cloud, const std::vecto
   return part;
 }
 
-/// The same values as some of a larger array, from a place on.
+/// Expect that an array equals a part of a larger array, from the tuple `begin` on.
 inline void ExpectSameBitsFrom(vtkDataArray* part, vtkDataArray* whole, vtkIdType begin)
 {
   ASSERT_NE(part, nullptr);
@@ -247,7 +253,8 @@ inline void ExpectSameBitsFrom(vtkDataArray* part, vtkDataArray* whole, vtkIdTyp
   }
 }
 
-/// Field data of so many numbers, each that of the same name elsewhere.
+/// Expect at least `count` numbers in field data. Each number must equal the expected number of the
+/// same name.
 inline void ExpectSameFigures(vtkFieldData* figures, vtkFieldData* expected, int count)
 {
   EXPECT_GE(figures->GetNumberOfArrays(), count);
@@ -271,7 +278,8 @@ inline void ExpectSameBits(vtkDataArray* a, vtkDataArray* b)
     0);
 }
 
-/// The first rank has that surface, the others have its arrays without values.
+/// Expect that the first rank has the expected surface. Other ranks must have the arrays of the
+/// surface, without values.
 inline void ExpectOnFirstRank(vtkPolyData* surface, vtkPolyData* expected)
 {
   ASSERT_GT(expected->GetNumberOfPoints(), 0);
@@ -296,7 +304,8 @@ inline void ExpectOnFirstRank(vtkPolyData* surface, vtkPolyData* expected)
   }
 }
 
-/// Every rank has a piece, together they have all of that surface, each triangle once.
+/// Expect that each rank has a piece of the expected surface. Together, the pieces must contain
+/// each triangle exactly once.
 inline void ExpectInPieces(vtkPolyData* piece, vtkPolyData* expected)
 {
   auto* pointIds = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetGlobalIds());

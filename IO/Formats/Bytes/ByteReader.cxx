@@ -10,9 +10,9 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t WindowBytes = std::size_t(1) << 20; // fits the second cache of processors
+constexpr std::size_t WindowBytes = std::size_t(1) << 20; // fits the second-level cache
 
-// Count line ends in [begin, end), where `last` is the byte before begin: CRLF is one.
+// Count line ends in [begin, end). The byte before `begin` is `last`. CRLF counts as one line end.
 std::uint64_t countLineEnds(const char* begin, const char* end, char last)
 {
   if (begin == end)

@@ -13,16 +13,16 @@
 
 namespace conformal
 {
-/// Window in memory that moves over the input file. Only a piece of the file is in memory, so that
-/// it stays in the cache of the processor while it is parsed. If another process truncates the file
-/// in the meantime, the file is treated as a short file, without a crash.
+/// Reader of an input through a window, the piece of the input that is in memory. A small window
+/// stays in the cache of the processor during parsing. If another process truncates the file during
+/// reading, the reader does not crash. The truncated file is treated as a short file.
 class ByteReader
 {
 public:
-  /// Function that fills a buffer and returns the number of bytes. A number smaller than requested
-  /// means the end of the input.
+  /// Function that reads the next bytes into a buffer and returns their number. If this number is
+  /// smaller than `size`, the input has ended.
   using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
-  /// Function that moves to an offset in the input. The next bytes are read from there.
+  /// Function that moves to an offset in the input. The next call of Read begins at this offset.
   using Seek = std::function<void(std::uint64_t offset)>;
 
   ByteReader() = default;
@@ -49,21 +49,22 @@ public:
   /// Advance by a number of bytes that peek() has returned.
   void advance(std::size_t count) { this->Begin += count; }
 
-  /// Advance by any number of bytes. Binary data are skipped by a seek if possible.
+  /// Advance by any number of bytes. In binary data, the reader calls Seek if possible.
   /// @return false if the input ends before these bytes
   bool skip(std::uint64_t count);
 
-  /// Stop counting lines for error messages. The rest of the input is binary, or a text whose lines
-  /// are counted elsewhere.
+  /// Stop counting lines for error messages. Call this function if the rest of the input is binary,
+  /// or if the caller counts lines.
   void beginBinary() { this->Binary = true; }
 
-  /// Return the line number of the next byte, counted from 1; 0 in binary data. LF, CR and CRLF end
-  /// lines. The whole window is scanned: call this function for errors only.
+  /// Return the line number of the next byte, counted from 1. In binary data, return 0. LF, CR and
+  /// CRLF end lines. The function counts lines in the whole window. Call this function for errors
+  /// only.
   std::uint64_t line() const;
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;
 
-  /// Throw if the input is empty. Every parser calls this function first.
+  /// Require that the input is not empty. Every parser calls this function first.
   /// @throws ParseError if the input is empty
   void requireBytes();
 
@@ -73,7 +74,7 @@ private:
   Read Source;
   Seek Jump;
   std::vector<char> Buffer;
-  const char* Window = nullptr; ///< first byte in memory
+  const char* Window = nullptr; ///< first byte of the window
   const char* Begin = nullptr;  ///< next byte
   const char* End = nullptr;
   std::uint64_t WindowOffset = 0;

@@ -1,4 +1,4 @@
-/// Colors read from a file, given as bytes or as fractions.
+/// Convert colors of a file to bytes. In the file, colors are bytes or fractions.
 
 #ifndef ConformalColorList_h
 #define ConformalColorList_h
@@ -12,7 +12,7 @@
 namespace conformal
 {
 /// List of colors of 3 or 4 numbers. Files do not state the range of the numbers. If no number
-/// exceeds 1, colors are fractions; otherwise they are bytes.
+/// exceeds 1, all numbers are fractions in [0, 1]. Otherwise, they are bytes in [0, 255].
 class ColorList
 {
 public:
@@ -27,13 +27,14 @@ public:
   /// @throws ParseError if a number is not in [0, 255]
   void add(const double* color, std::size_t components);
 
-  /// Append white in place of a missing color.
+  /// Append a missing color, which take() returns as white.
   void addMissing();
 
-  /// Test whether any color was appended that is not missing.
+  /// Test whether the list contains a color that is not missing.
   bool hasAny() const { return this->HasAny; }
 
-  /// Return the array of all colors, named "RGB", or "RGBA" if a color has 4 numbers.
+  /// Return the array of all colors (UInt8). If a color has 4 numbers, the array is named "RGBA",
+  /// otherwise "RGB".
   NamedArray take();
 
 private:

@@ -1,4 +1,5 @@
-/// Part of the points of a file, read by one of several ranks.
+/// Divide the points of a file into parts, so that each of several ranks (processes) reads one
+/// part.
 
 #ifndef ConformalFilePiece_h
 #define ConformalFilePiece_h
@@ -7,19 +8,19 @@
 
 namespace conformal
 {
-/// One of Count equal parts of a file; the default is the whole file. Data that cannot be divided
+/// One of Count equal parts of a file. The default is the whole file. Data that cannot be divided
 /// belong to the first part.
 struct FilePiece
 {
-  std::uint64_t Number = 0; ///< in [0, Count)
-  std::uint64_t Count = 1;  ///< at most 2^32
+  std::uint64_t Number = 0; ///< index of the part, in [0, Count)
+  std::uint64_t Count = 1;  ///< number of parts, at most 2^32
 
   bool isFirst() const { return this->Number == 0; }
   bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
-  /// Return the index of the first of this part's items, if the file has `size` items. end()
-  /// returns the index of the first item of the next part.
+  /// Return the index of the first item of this part, if the file has `size` items. The function
+  /// end() returns the index of the first item of the next part.
   std::uint64_t begin(std::uint64_t size) const { return this->cut(size, this->Number); }
   std::uint64_t end(std::uint64_t size) const { return this->cut(size, this->Number + 1); }
 

@@ -1,4 +1,4 @@
-/// Read the numbers in the body of a file, binary or text.
+/// Read the numbers after the header of a file, as bytes or as text.
 
 #ifndef ConformalFileValues_h
 #define ConformalFileValues_h
@@ -16,7 +16,8 @@
 
 namespace conformal
 {
-/// Read numbers stored as bytes, in the byte order of this machine or in swapped order.
+/// Read numbers that are stored as bytes, in the byte order of this machine or in the opposite
+/// order.
 class BinaryValues
 {
 public:
@@ -56,7 +57,7 @@ public:
 
   void endRecord() {}
 
-  /// Return the minimum number of bytes of a number and its separator.
+  /// Return the minimum size of a number in the file, with its separator if there is one [bytes].
   static std::size_t minimumBytes(ScalarType type) { return sizeOf(type); }
 
 private:
@@ -64,9 +65,9 @@ private:
   bool Swap;
 };
 
-/// Read numbers stored as words between blanks. A record ends at the end of a line; line ends
-/// within a record count as blanks. If the format has comments, a comment extends from a hash to
-/// the end of the line.
+/// Read numbers that are stored as text, separated by blanks or line ends. Each record must end at
+/// the end of a line. If `hasRemarks` is true, the text may have comments, from "#" to the end of
+/// the line.
 class TextValues
 {
 public:
@@ -128,7 +129,7 @@ public:
     return text.empty() || isBlank(text[0]) || (this->HasRemarks && isRemark(text));
   }
 
-  /// Require the end of the text.
+  /// Check that the text has been read completely.
   /// @throws ParseError unless only blanks and comments remain
   void endFile()
   {

@@ -1,5 +1,4 @@
-/// Check whether coordinates can be stored as 32-bit floats, for writers of formats that have no
-/// doubles.
+/// Check whether coordinates can be stored as 32-bit floats, for file formats that have no doubles.
 
 #ifndef ConformalFloatRange_h
 #define ConformalFloatRange_h
@@ -15,11 +14,13 @@
 
 namespace conformal
 {
-/// Reject coordinates outside of the range of floats. Also reject coordinates if all are so small
-/// that floats would round them to a few digits or to 0. A small coordinate is accepted if others
-/// are large; it may become 0.
-/// @param[in] coordinate  called with each index below count
-/// @throws std::invalid_argument
+/// Reject coordinates that floats cannot represent. The coordinates are rejected if one of them
+/// exceeds the range of floats. The coordinates are also rejected if floats would round all of them
+/// to a few digits or to 0. If other coordinates are large, a small coordinate is accepted,
+/// although floats may round it to 0.
+/// @param[in] count       number of coordinates
+/// @param[in] coordinate  function that returns the coordinate of an index below `count`
+/// @throws std::invalid_argument if the coordinates are rejected
 template <typename Coordinate>
 void requireFloatRange(std::size_t count, Coordinate coordinate)
 {
@@ -41,12 +42,12 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
   }
 }
 
-/// Effect of rounding points to floats, in the unit of their coordinates.
+/// Effect of rounding the points of a surface to floats. All members are in the unit of the points.
 struct FloatRounding
 {
-  double MaximumShift = 0.0; ///< maximum shift of a coordinate
-  std::array<double, 3> Low = { 0.0, 0.0, 0.0 };
-  std::array<double, 3> High = { 0.0, 0.0, 0.0 };
+  double MaximumShift = 0.0;                      ///< maximum change of a coordinate by rounding
+  std::array<double, 3> Low = { 0.0, 0.0, 0.0 };  ///< minimum corner of the bounding box
+  std::array<double, 3> High = { 0.0, 0.0, 0.0 }; ///< maximum corner of the bounding box
 
   /// Return the diagonal of the bounding box.
   double size() const
@@ -55,23 +56,26 @@ struct FloatRounding
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Test whether a coordinate is shifted by more than ToleratedShift times size(). Otherwise
-  /// points stay distinct if they are farther apart than twice this limit. The result is false if
-  /// all points coincide.
+  /// Test whether rounding changes a coordinate by more than ToleratedShift times size().
+  /// Otherwise, two points remain distinct if their distance exceeds twice this limit. If all
+  /// points coincide, the result is false.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
-  /// Own construction: a maximum relative shift, because the effect of rounding grows with the
-  /// distance of the surface from the origin. For a surface around the origin, floats shift points
-  /// by 3e-8 of the size. At a distance of about 200 times the size, the shift reaches this limit.
+  /// Maximum tolerated change of a coordinate, relative to the size of the surface. Own
+  /// construction: the limit is relative, because rounding changes coordinates more if the surface
+  /// is far from the origin. If the surface is around the origin, rounding changes coordinates by
+  /// at most 3e-8 of the size. At a distance of about 200 times the size, the change reaches this
+  /// limit.
   static constexpr double ToleratedShift = 1e-5;
 };
 
 /// Measure the effect of rounding coordinates to floats.
 /// @param[in] count       number of coordinates, 3 for each point
-/// @param[in] coordinate  called with each index below count; in the range of floats
+/// @param[in] coordinate  function that returns the coordinate of an index below `count`; all
+///   coordinates must be in the range of floats
 template <typename Coordinate>
 FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
 {
@@ -89,9 +93,9 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
   return result;
 }
 
-/// Reject points whose shape floats would change.
-/// @throws std::invalid_argument if isTooCoarse(); the message has the shift, the size, and a
-///   remedy
+/// Reject a surface if rounding to floats would change its coordinates too much.
+/// @throws std::invalid_argument if isTooCoarse(). The message contains the change of coordinates,
+///   the size of the surface, and a remedy
 inline void requireFinePositions(const FloatRounding& rounding)
 {
   if (!rounding.isTooCoarse())

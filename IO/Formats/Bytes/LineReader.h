@@ -14,13 +14,13 @@
 
 namespace conformal
 {
-/// Reader of lines that end with LF, CR or CRLF. A line has at most LongestLine bytes. The last
-/// line may end with the input. The current line is consumed only when the next line is read, so
-/// that error messages refer to the current line.
+/// Reader of lines that end with LF, CR or CRLF. The last line may have no line end. The maximum
+/// length of a line is LongestLine (ParseLimits.h). The current line is consumed only when the next
+/// line is read. Error messages thus refer to the current line.
 class LineReader
 {
 public:
-  /// Construct a reader; a byte order mark at the start is skipped.
+  /// Construct a reader. A byte order mark at the start of the input is skipped.
   explicit LineReader(ByteReader& input)
     : Input(input)
   {
@@ -62,16 +62,16 @@ public:
   /// Test whether the current line has only blanks.
   bool isBlankLine() const { return this->Text.find_first_not_of(" \t\v\f") == Text.npos; }
 
-  /// Consume the current line. The next byte of the input is then the first byte after the line
-  /// end.
+  /// Consume the current line. Afterwards, the next byte of the input is the first byte after the
+  /// line end.
   void finish()
   {
     this->Input.advance(this->Passed);
     this->Passed = 0;
   }
 
-  /// Reject the current line.
-  /// @throws ParseError that quotes the line
+  /// Throw an error that the current line is not as expected.
+  /// @throws ParseError with a message that quotes the line
   [[noreturn]] void failExpecting(const std::string& expected) const
   {
     this->Input.fail(
@@ -79,17 +79,17 @@ public:
   }
 
 private:
-  // Next position of a line end character, cached until it is passed. A text usually has only one
-  // kind of line end. Without the cache, the other kind would be searched in the whole rest of the
-  // text at every line.
+  // Position of the next LF or of the next CR in the input. The position is kept until the reader
+  // has passed it. Most texts have only one kind of line end. Without the kept position, the reader
+  // would search the rest of the text for the other kind at every line.
   struct NextPlace
   {
     const char Letter;
     std::uint64_t Offset = 0; ///< offset in the input
     bool IsFound = false;     ///< false if the character does not occur before Offset
 
-    // Return the position of the character in a window that begins at an offset, or the size of the
-    // window if the character does not occur there.
+    // Return the position of the character in a window of the input that begins at the offset
+    // `begin`. If the window does not contain the character, return the size of the window.
     std::size_t find(std::string_view window, std::uint64_t begin)
     {
       if (!this->IsFound || this->Offset < begin)
@@ -110,7 +110,7 @@ private:
   std::size_t Passed = 0; ///< number of bytes of the current line, with its line end
 };
 
-/// Words of a line, separated by blanks.
+/// Reader of the words of a line, which are separated by blanks.
 class LineWords
 {
 public:
@@ -145,7 +145,7 @@ private:
   std::string_view Rest;
 };
 
-/// Test whether a line with this first word is blank or a comment.
+/// Test whether a line is blank or a comment, by its first word.
 inline bool isIgnored(std::string_view firstWord)
 {
   return firstWord.empty() || isRemark(firstWord);

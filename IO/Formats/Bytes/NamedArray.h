@@ -1,4 +1,4 @@
-/// Named array of numbers, and functions for lists of such arrays.
+/// Define a named array of numbers, and functions for lists of such arrays.
 
 #ifndef ConformalNamedArray_h
 #define ConformalNamedArray_h
@@ -13,7 +13,8 @@
 
 namespace conformal
 {
-/// Array with a name. It has #T tuples of Components numbers; all numbers have one type.
+/// Array of numbers with a name. All numbers have the same type. The array is divided into tuples
+/// of Components numbers.
 struct NamedArray
 {
   std::string Name;
@@ -28,7 +29,8 @@ struct NamedArray
 /// Construct an array without values.
 NamedArray makeArray(const std::string& name, ScalarType type, std::size_t components);
 
-/// Append a tuple with the type and number of components of the array.
+/// Append a tuple to an array.
+/// @param[in] tuple  Components numbers of the type of the array
 inline void append(NamedArray& array, const void* tuple)
 {
   const std::size_t bytes = array.tupleBytes();
@@ -39,7 +41,7 @@ inline void append(NamedArray& array, const void* tuple)
 /// Make names of arrays unique. For example, a second array "Shape" gets the name "Shape2".
 void makeNamesUnique(std::vector<NamedArray>& arrays);
 
-/// Replace values that are not finite by 0.
+/// Replace the values of an array that are not finite by 0.
 /// @return the number of replaced values
 std::uint64_t replaceNonFinite(NamedArray& array);
 }

@@ -1,4 +1,4 @@
-/// Conversion of numbers to and from text, equal in every locale.
+/// Convert numbers to text and back, equally in every locale.
 
 #ifndef ConformalNumberText_h
 #define ConformalNumberText_h
@@ -18,14 +18,16 @@ inline bool isBlank(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Test whether a text starts a comment, which extends to the end of its line.
+/// Test whether a text starts with "#", the beginning of a comment that extends to the end of the
+/// line.
 inline bool isRemark(std::string_view text)
 {
   return !text.empty() && text[0] == '#';
 }
 
-/// Test whether a number outside of the range of T is too small. Such a number is read as zero,
-/// whereas a number that is too large is rejected.
+/// Test whether a number is too small for the type T. The number must be outside of the range of T,
+/// thus either too small or too large. readNumber() reads a number that is too small as zero, and
+/// rejects a number that is too large.
 template <typename T>
 bool isUnderflow(std::string_view text)
 {
@@ -34,11 +36,11 @@ bool isUnderflow(std::string_view text)
       text.substr(text.find_first_not_of("+-0"), 1) == ".");
 }
 
-/// Read a decimal number without exponent that needs only one rounding. If T represents both the
-/// integer of all digits and the power of ten exactly, their quotient is the nearest T (W. D.
-/// Clinger, How to read floating point numbers accurately, 1990). This holds for nearly all numbers
-/// of a scan; from_chars is three times slower.
-/// @return the end of the number; null if it is not a number, has too many digits, or has an
+/// Read a decimal number without exponent, rounded only once. The number is the integer of all
+/// digits, divided by a power of ten. If T represents both numbers exactly, the quotient is the
+/// nearest T (W. D. Clinger, How to read floating point numbers accurately, 1990). This condition
+/// holds for nearly all numbers of a scan. std::from_chars is three times slower.
+/// @return the end of the number. Null if the text is not a number, has too many digits, or has an
 ///   exponent
 template <typename T>
 const char* readShortDecimal(const char* begin, const char* end, T& value)
@@ -49,7 +51,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
   constexpr std::uint64_t maximum = std::uint64_t(1) << std::numeric_limits<T>::digits;
   if (FLT_EVAL_METHOD != 0)
   {
-    return nullptr; // products would be rounded twice
+    return nullptr; // quotients would be rounded twice
   }
   const bool isNegative = begin != end && *begin == '-';
   const char* c = begin + (isNegative ? 1 : 0);
@@ -84,7 +86,8 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
 
 /// Read one number at the start of a text. The number must be followed by a blank, the delimiter,
 /// or the end of the text.
-/// @return the length of the number; 0 if the text does not start with a number in the range of T
+/// @return the length of the number [bytes]; 0 if the text does not start with a number in the
+///   range of T
 template <typename T>
 std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
 {
@@ -117,7 +120,7 @@ std::size_t readNumber(std::string_view text, T& value, char delimiter = ' ')
   return error == std::errc() ? length : 0;
 }
 
-/// Append the shortest text from which the same number is read back.
+/// Append the shortest text that readNumber() converts to the same number.
 template <typename T>
 void appendNumber(std::string& text, T value)
 {

@@ -1,4 +1,4 @@
-/// Array allocated with malloc, so that another owner can adopt it without a copy.
+/// Store an array in memory from malloc, so that another owner can adopt the memory without a copy.
 
 #ifndef ConformalOwnedArray_h
 #define ConformalOwnedArray_h
@@ -68,7 +68,8 @@ public:
     }
   }
 
-  /// Release the memory to the caller, to be freed with std::free. The array is empty afterwards.
+  /// Transfer the memory to the caller, who must free it with std::free. Afterwards, the array is
+  /// empty.
   T* release()
   {
     this->Size = this->Capacity = 0;

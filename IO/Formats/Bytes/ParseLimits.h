@@ -1,4 +1,4 @@
-/// Limits on the memory that a parser may allocate.
+/// Limit the memory that a parser may allocate.
 
 #ifndef ConformalParseLimits_h
 #define ConformalParseLimits_h
@@ -12,9 +12,9 @@
 
 namespace conformal
 {
-/// Maximum length of a line, a sequence of blanks, a comment or a tag [bytes]. It is sufficient for
-/// a polygon of a million corners. A longer text is rejected. A file without line ends is thus
-/// never in memory as a whole.
+/// Maximum length of a line, a sequence of blanks, a comment or a tag [bytes]. A longer text is an
+/// error. The limit is sufficient for a line with a polygon of a million corners. Because of this
+/// limit, a file without line ends is never in memory as a whole.
 constexpr std::size_t LongestLine = std::size_t(16) << 20;
 
 /// Return the error message for text that is longer than LongestLine.
@@ -26,17 +26,22 @@ inline std::string tooLongMessage(const char* what)
 
 struct ParseLimits
 {
-  /// Maximum memory [bytes] that one count in a file may request.
+  /// Maximum memory for the records of one count in a file [bytes].
   std::uint64_t MaximumMemory = std::numeric_limits<std::ptrdiff_t>::max();
 
-  /// Check a count of records read from a file, before memory is allocated for the records. The
-  /// records must fit into the rest of the input if each has minimumRecordBytes there. They must
-  /// fit into MaximumMemory if each needs memoryPerRecord.
+  /// Check a count of records that a file states, before memory is allocated for the records. The
+  /// rest of the input must contain at least minimumRecordBytes for each record. The memory for all
+  /// records must not exceed MaximumMemory.
   ///
-  /// If the count exceeds the rest of the input, the error is usually PrematureEnd, as for a
-  /// truncated file. The error is Malformed if the records would need more than a gigabyte and more
-  /// than a thousand times the rest of the input.
-  /// @param[in] what  name of the records, for the message
+  /// If the rest of the input is too short, the error is usually PrematureEnd, as for a truncated
+  /// file. The error is Malformed if the records would need more than 1 GiB and more than 1000
+  /// times the rest of the input. If the memory would exceed MaximumMemory, the error is
+  /// OutOfMemory.
+  /// @param[in] what                name of the records, for the error message
+  /// @param[in] count               number of records
+  /// @param[in] minimumRecordBytes  minimum size of a record in the file [bytes]; 0 if unknown
+  /// @param[in] memoryPerRecord     memory for each record [bytes]; 0 if none is allocated
+  /// @return the count
   /// @throws ParseError
   std::size_t checkedCount(const ByteReader& input, const std::string& what, std::uint64_t count,
     std::uint64_t minimumRecordBytes, std::uint64_t memoryPerRecord) const;

@@ -1,4 +1,4 @@
-/// Outcome of reading a file: the error and its position in the file.
+/// Describe the outcome of reading a file: the error and its position in the file.
 
 #ifndef ConformalParseStatus_h
 #define ConformalParseStatus_h
@@ -18,19 +18,20 @@ enum class ParseCode
   FileNotFound,
   CannotOpen,       ///< the file may not be read, or it is a directory, pipe or device
   UnrecognizedType, ///< the file does not have the format of this parser
-  PrematureEnd,     ///< the file ends before all data that its header states
+  PrematureEnd,     ///< the file ends before all expected data
   Malformed,        ///< the file violates the rules of its format
   OutOfMemory,
   Aborted ///< the progress callback of the run returned false
 };
 
-/// Outcome of parsing. Line is counted from 1; it is 0 in binary data.
+/// Outcome of parsing a file. Line is the number of the line with the error, counted from 1. In
+/// binary data, Line is 0.
 struct ParseStatus
 {
   ParseCode Code = ParseCode::Ok;
   std::uint64_t Line = 0;
   std::uint64_t Offset = 0; ///< number of bytes before the error
-  std::string Message;      ///< description of the found and the expected data
+  std::string Message;      ///< description of the data that were found and expected
 
   bool ok() const { return this->Code == ParseCode::Ok; }
 
@@ -38,7 +39,8 @@ struct ParseStatus
   std::string text() const;
 };
 
-/// Exception inside parsers. The public functions of parsers return its status instead.
+/// Exception that parsers throw internally. The public functions of parsers catch this exception
+/// and return its status.
 class ParseError : public std::exception
 {
 public:
@@ -53,7 +55,8 @@ private:
   ParseStatus Status;
 };
 
-/// Quote text of a file for a message, shortened and with printable characters only.
+/// Quote text of a file for a message. Long text is truncated, and each character that is not
+/// printable becomes "?".
 std::string quoted(std::string_view text);
 
 /// Run a parser and return its status: Ok, the status of a ParseError, OutOfMemory, or Aborted.

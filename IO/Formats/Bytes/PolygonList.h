@@ -1,4 +1,4 @@
-/// Polygons read from a file, one point id after another.
+/// Append polygons of a file to a surface, one point id after another.
 
 #ifndef ConformalPolygonList_h
 #define ConformalPolygonList_h
@@ -18,8 +18,8 @@ std::int64_t checkedId(const ByteReader& input, std::int64_t id, std::uint64_t n
 /// Test whether a polygon has a point id twice.
 bool hasRepeatedId(const std::int64_t* ids, std::size_t count);
 
-/// Append polygons to a surface. Polygons of fewer than 3 ids, or with a repeated id, are dropped
-/// and counted.
+/// Builder of the polygons of a surface. Polygons of fewer than 3 ids, or with a repeated id, are
+/// dropped and counted in SurfaceData::DroppedPolygons.
 class PolygonList
 {
 public:
@@ -35,8 +35,9 @@ public:
     this->Begin = data.PolygonIds.size();
   }
 
-  /// Reserve memory for polygons, and for the ids of triangles. The memory is limited by the size
-  /// of the input, since each id needs at least one byte there.
+  /// Reserve memory for `count` polygons, and for the ids of `count` triangles. Each id needs at
+  /// least one byte in the input. The number of reserved ids is therefore limited by the remaining
+  /// input.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);
@@ -49,7 +50,7 @@ public:
     this->Data.PolygonIds.push(checkedId(this->Input, id, this->NumberOfPoints));
   }
 
-  /// Finish the polygon.
+  /// Finish the current polygon.
   /// @return whether the polygon was kept
   bool end()
   {

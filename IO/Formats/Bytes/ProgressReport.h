@@ -1,4 +1,4 @@
-/// Progress of a parser, as the fraction of the input that has been read.
+/// Report the progress of a parser, as the fraction of the input that has been read.
 
 #ifndef ConformalProgressReport_h
 #define ConformalProgressReport_h
@@ -19,8 +19,9 @@ public:
   {
   }
 
-  /// Report progress after every hundredth of the input. Call this function often.
-  /// @throws Aborted
+  /// Report progress if another hundredth of the input has been read. Parsers call this function
+  /// often.
+  /// @throws Aborted if the progress callback of the run returns false
   void tick()
   {
     const std::uint64_t offset = this->Input.offset();

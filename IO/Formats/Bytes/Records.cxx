@@ -115,7 +115,8 @@ Records::Records(std::vector<RecordField> fields, bool hasPoints)
 }
 
 //------------------------------------------------------------------------------
-// A search through all fields for each name would be quadratic.
+// Map names to fields. Without this map, each name would be searched in all fields, at quadratic
+// cost.
 void Records::collectNames()
 {
   for (std::size_t i = 0; i < this->Fields.size(); ++i)
@@ -129,7 +130,8 @@ void Records::collectNames()
 }
 
 //------------------------------------------------------------------------------
-// Find the only field of each name; empty unless all exist and have no array yet.
+// Find the field of each name. The result is empty if a name is missing or repeated, or its field
+// is already assigned to an array.
 std::vector<std::size_t> Records::find(const std::vector<std::string>& names) const
 {
   std::vector<std::size_t> found;

@@ -1,4 +1,6 @@
-/// Convert records to named arrays and back, record by record or field by field.
+/// Convert the records of a file to named arrays, record by record or field by field. A record is
+/// the data of one point or polygon, and a field is one number of a record. The names of fields
+/// that writers use are also in this file.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -23,29 +25,28 @@ struct RecordField
   bool IsKept = true; ///< if false, the field has no array and its bytes are skipped
 };
 
-/// Known list of fields that form one array, with the names that programs use for them.
+/// List of field names that form one array. For example, nx, ny and nz form "Normals".
 struct KnownFields
 {
   const char* Array;
   std::vector<std::string> Names; ///< one name for each component
-  bool (*Fits)(ScalarType);       ///< predicate for the type of all fields
+  bool (*Fits)(ScalarType);       ///< returns whether all fields may have a type
 };
 
-/// Return the known fields of normals, colors and texture coordinates. If there are several lists
-/// for one array, writers use the first list.
+/// Return the lists of field names for normals, colors and texture coordinates. Several lists may
+/// form the same array. Writers use the first of these lists.
 const std::vector<KnownFields>& knownFields();
 
-/// Assignment of the fields of a record to arrays. Fields that belong together share an array (see
-/// parsePLY()). Adjacent fields of one type also share an array if they have one name, or names
-/// NAME_0, NAME_1 and so on. Every other field has its own array. If a record is discarded, the
-/// next record overwrites it.
+/// Arrays that are filled from records. Fields of one list of knownFields() share an array if they
+/// have one type. Adjacent fields of one type also share an array if they have the same name. Names
+/// NAME_0, NAME_1 and so on also count as the same name. Every other field has its own array. To
+/// discard a record, write the next record to the same index.
 class Records
 {
 public:
   /// Assign the fields to arrays.
   /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
-  /// @throws std::invalid_argument if hasPoints, and there is not exactly one field for each of x,
-  ///   y, z
+  /// @throws std::invalid_argument if hasPoints is true, and x, y or z is missing or repeated
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
@@ -74,15 +75,15 @@ public:
       });
   }
 
-  /// Test whether packed records have the same layout in a file and in the arrays, except for the
-  /// byte order.
+  /// Test whether copy() can be used: every field has the same type in the file and in its array.
   bool canCopy() const { return !this->Runs.empty(); }
 
-  /// Copy packed binary records to the records from `first` on.
+  /// Copy packed binary records to the arrays, from the index `first` on. If `swap` is true, the
+  /// byte order is reversed.
   void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
 
-  /// Copy one field of many records. The stride is the distance between records in the file
-  /// [bytes].
+  /// Copy one field of many records to its array, from the index `first` on. The stride is the
+  /// distance between two records in the file [bytes].
   void copyField(std::size_t field, const char* from, std::size_t stride,
     std::size_t numberOfRecords, std::size_t first, bool swap);
 
@@ -103,7 +104,7 @@ private:
     std::size_t Component = 0;
   };
 
-  // Adjacent bytes of a record that are also adjacent in a tuple of an array.
+  // Range of bytes of a record that is also contiguous in a tuple of an array.
   struct Run
   {
     std::size_t Array;
@@ -124,29 +125,31 @@ private:
   std::vector<RecordField> Fields;
   std::vector<Slot> Slots; ///< destination of each field
   std::vector<NamedArray> Arrays;
-  /// Index of the field of each name; None if several fields, or an array, have the name
+  /// Index of the field with each name. The index is None if several fields or an array have the
+  /// name
   std::map<std::string, std::size_t> Names;
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;
 };
 
-/// Return the name of a component of an array. It is the name of the array, or "array" if that is
-/// empty. If the array has several components, "_" and the number of the component follow.
+/// Return the field name of a component of an array, such as "Shape" or "Shape_0". The field name
+/// begins with the name of the array, or with "array" if the array has no name. If the array has
+/// several components, "_" and the index of the component follow.
 std::string componentName(const NamedArray& array, std::size_t component);
 
 /// Set of unique names of the fields of a record.
 class FieldNames
 {
 public:
-  /// @param[in] refused  further characters not allowed in names; blanks and control characters are
-  ///   never allowed
+  /// @param[in] refused  characters that are not allowed in names, besides blanks and control
+  ///   characters
   explicit FieldNames(std::string_view refused = {})
     : Refused(refused)
   {
   }
 
-  /// Add a unique name: replace each character that is not allowed by "_", then append "_" until
-  /// the name is unique.
+  /// Add a field name and return it, changed so that it is valid and unique. Each character that is
+  /// not allowed is replaced by "_". Then "_" is appended until the name is unique.
   std::string add(std::string wanted);
 
 private:

@@ -1,4 +1,4 @@
-/// Types of numbers in files.
+/// Define the types of numbers in files.
 
 #ifndef ConformalScalarType_h
 #define ConformalScalarType_h
@@ -23,8 +23,8 @@ enum class ScalarType
   UInt64
 };
 
-/// Call f with a zero of the C++ type for a ScalarType. A generic lambda deduces the C++ type from
-/// this zero.
+/// Call f with a zero of the C++ type that corresponds to a ScalarType. If f is a generic lambda,
+/// the compiler deduces the C++ type from this zero.
 template <typename Function>
 decltype(auto) withType(ScalarType type, Function&& f)
 {

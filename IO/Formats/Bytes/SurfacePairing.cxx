@@ -14,7 +14,7 @@ bool areSame(const OwnedArray<T>& a, const OwnedArray<T>& b)
   return a.size() == b.size() && std::equal(a.data(), a.data() + a.size(), b.data());
 }
 
-// Open and parse a file; return false if the surface was not read, there is no file, or parsing
+// Open and parse a file. Return false if the surface was not read, the path is empty, or parsing
 // failed.
 bool readBeside(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse,
   SurfaceResult& beside)

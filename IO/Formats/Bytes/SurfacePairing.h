@@ -1,4 +1,4 @@
-/// Add the data of other files to a surface: its positions on the sphere, and values at its points.
+/// Add the data of further files to a surface: positions on the sphere, or values at points.
 
 #ifndef ConformalSurfacePairing_h
 #define ConformalSurfacePairing_h
@@ -11,16 +11,22 @@
 
 namespace conformal
 {
-/// Parser of an opened file.
+/// Function that parses an opened file.
 using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
-/// Read a sphere file with the same polygons as the surface. The points of the sphere become the
-/// array "SpherePosition" (Float64, unit length) of the surface; an existing array is replaced.
-/// Nothing is done if the file name is empty or the surface was not read. If reading the sphere
-/// fails, its status becomes the status of the surface.
+/// Read a sphere file and add its points to a surface, as the array "SpherePosition" (Float64). The
+/// sphere must have the same number of points and the same polygons as the surface. The vectors are
+/// scaled to unit length. An existing array "SpherePosition" is replaced.
+///
+/// If the path is empty, or the status of the surface is an error, the function does nothing. If
+/// reading the sphere fails, the surface becomes empty and gets the status of the sphere.
 void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 
-/// Read a file of point arrays and append these arrays to the surface, with unique names.
+/// Read a file of point arrays and append these arrays to a surface, with unique names. Each array
+/// must have one tuple for each point of the surface.
+///
+/// If the path is empty, or the status of the surface is an error, the function does nothing. If
+/// reading the file fails, the surface becomes empty and gets the status of the file.
 void addPointArrays(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 }
 

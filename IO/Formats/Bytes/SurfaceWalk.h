@@ -18,7 +18,8 @@
 
 namespace conformal
 {
-/// Find the array with a given name, type and number of components. Return null if there is none.
+/// Find the array with a given name, a given number of components, and a type that satisfies
+/// fits(). Return null if there is no such array.
 template <typename Fits>
 const NamedArray* findArray(
   const std::vector<NamedArray>& arrays, std::string_view name, std::size_t components, Fits fits)
@@ -29,14 +30,14 @@ const NamedArray* findArray(
   return found == arrays.end() ? nullptr : &*found;
 }
 
-/// Find the array "RGBA", or else the array "RGB". Return null if there is neither.
+/// Find the array "RGBA", or else the array "RGB". Return null if both are missing.
 inline const NamedArray* findColors(const std::vector<NamedArray>& arrays)
 {
   const NamedArray* colors = findArray(arrays, "RGBA", 4, isByte);
   return colors ? colors : findArray(arrays, "RGB", 3, isByte);
 }
 
-/// Return one number of an array. The index is counted through all tuples.
+/// Return one number of an array as a double. The index counts the numbers of all tuples.
 inline double valueOf(const NamedArray& array, std::size_t index)
 {
   return withType(array.Type,
@@ -66,9 +67,10 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
-/// Return "SpherePosition", scaled to the sphere of radius 100 that neuroimaging uses for cortical
-/// surfaces.
-/// @throws std::invalid_argument if there is no such array, or a position is zero or not finite
+/// Array "SpherePosition" of a surface, scaled to a sphere of radius 100. Neuroimaging uses this
+/// radius for spheres of cortical surfaces.
+/// @throws std::invalid_argument if there is no array "SpherePosition", or a position is zero or
+///   not finite
 class CorticalSphere
 {
 public:
@@ -81,7 +83,7 @@ public:
     }
   }
 
-  /// Return one coordinate. The index is counted through the coordinates of all points.
+  /// Return one coordinate. The index counts the coordinates of all points.
   double coordinate(std::size_t index) const { return Radius * valueOf(*this->Positions, index); }
 
 private:
@@ -99,7 +101,8 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
   }
 }
 
-/// Append bytes as fractions of 255. The same bytes are read back from these fractions.
+/// Append the bytes of a color as fractions of 255. Readers convert these fractions to the same
+/// bytes.
 inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
   constexpr float whole = 255.0F;
@@ -115,8 +118,8 @@ inline std::size_t numberOfPolygons(const SurfaceData& surface)
   return surface.PolygonOffsets.size() > 0 ? surface.PolygonOffsets.size() - 1 : 0;
 }
 
-/// Call the first function with the index of each point. Then call the second function with the
-/// index, the ids and the number of ids of each polygon.
+/// Call usePoint with the index of each point. Then call usePolygon with the index, the ids and the
+/// number of ids of each polygon.
 /// @throws Aborted
 template <typename UsePoint, typename UsePolygon>
 void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePolygon usePolygon)
@@ -142,6 +145,7 @@ void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePoly
   }
 }
 
+/// Require that all polygons are triangles.
 /// @throws std::invalid_argument if a polygon has more than 3 corners
 inline void requireTriangles(const SurfaceData& surface)
 {

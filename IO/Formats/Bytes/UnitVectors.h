@@ -1,4 +1,4 @@
-/// Normalize vectors that should be of unit length.
+/// Scale vectors to unit length.
 
 #ifndef ConformalUnitVectors_h
 #define ConformalUnitVectors_h
@@ -7,9 +7,9 @@
 
 namespace conformal
 {
-/// Divide vectors by their length. Vectors whose length is 1 within 1e-12 are not changed, so that
-/// vectors written by this library keep their bits.
-/// @param[in,out] vectors  #V by 3, Float64
+/// Divide vectors by their length. Vectors whose length is 1 within 1e-12 are not changed. Vectors
+/// that this library has written thus remain equal bit by bit.
+/// @param[in,out] vectors  array of vectors of 3 components, Float64
 /// @return false if a vector is zero or not finite
 bool makeUnitVectors(NamedArray& vectors);
 }

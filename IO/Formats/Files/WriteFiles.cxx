@@ -47,8 +47,9 @@ void requireRegular(fs::file_type type)
   }
 }
 
-// Give a new file the owner, group, access list and permissions of an old one, as far as the system
-// allows. A group that cannot be kept gets no more than all users had.
+// Set the owner, group, access list and permissions of a new file, as far as the system allows.
+// They are set to those of an old file. If the group cannot be kept, the new group gets no
+// permissions that other users did not have.
 void copyAccess(const fs::path& oldPath, const struct stat& old, int file)
 {
   constexpr const char* accessList = "system.posix_acl_access";
@@ -69,28 +70,31 @@ void copyAccess(const fs::path& oldPath, const struct stat& old, int file)
   }
   else
   {
-    ::fremovexattr(file, accessList); // the folder may have given it one
+    ::fremovexattr(file, accessList); // the new file may have inherited a list from the folder
   }
   require(::fchmod(file, mode) == 0);
 }
 
-// A file that is written beside its place. Temporary files are removed with the object.
+// File that is written under a temporary name in the folder of its target. The destructor removes
+// temporary files.
 class StagedFile
 {
 public:
-  const std::string Path; // as given
+  const std::string Path; // path as given by the caller
 
-  // Follow links, and refuse a place that is no regular file or may not be written.
+  // Follow symbolic links to the target. Throw an error if the target is not a regular file, or may
+  // not be written.
   StagedFile(const std::string& path, const MakeName& makeName)
     : Path(path)
     , NewName(makeName)
   {
     fs::path target = fs::absolute(fs::u8path(path));
-    const fs::file_type type = fs::status(target).type(); // throws for links in a circle
+    const fs::file_type type = fs::status(target).type(); // throws if links form a circle
     requireRegular(type);
     while (fs::is_symlink(target))
     {
-      target = target.parent_path() / fs::read_symlink(target); // an absolute one replaces all
+      // An absolute link replaces the whole path.
+      target = target.parent_path() / fs::read_symlink(target);
     }
     this->Target = fs::canonical(target.parent_path()) / target.filename();
     if (type != fs::file_type::not_found)
@@ -118,8 +122,8 @@ public:
     return this->Target == other.Target || fs::equivalent(this->Target, other.Target, areNew);
   }
 
-  // Write everything to a temporary file and to the disk. The file is never open to users who have
-  // no access to the old one; a new file has the permissions of the umask.
+  // Write all bytes to a temporary file, and flush it to the disk. Users without access to the old
+  // file never have access to the temporary file. A new file has the permissions of the umask.
   void write(std::string_view bytes)
   {
     constexpr mode_t lessUmask = 0666;
@@ -146,31 +150,33 @@ public:
       require(count >= 0 || errno == EINTR);
       bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     }
-    // A full disk may be noticed only here. Some file systems have nothing to flush.
+    // Some systems report a full disk only here. Some file systems have nothing to flush (EINVAL).
     require(::fsync(file.Id) == 0 || errno == EINVAL);
   }
 
-  // Replace the old file; keep it under another name if putBack() must be possible.
+  // Rename the temporary file to the target. If `keepsOld` is true, keep the old file under another
+  // name for putBack().
   void takePlace(bool keepsOld)
   {
     if (keepsOld && this->Old)
     {
       this->Kept =
         this->claim([&](const char* name) { return ::link(this->Target.c_str(), name) == 0; });
-      if (this->Kept.empty()) // no hard links here
+      if (this->Kept.empty()) // the file system has no hard links
       {
         const fs::path name = this->Target.parent_path() / this->NewName();
         fs::rename(this->Target, name);
         this->Kept = name;
       }
     }
-    requireRegular(fs::symlink_status(this->Target).type()); // writing may have taken long
+    requireRegular(fs::symlink_status(this->Target).type()); // the target may have changed
     fs::rename(this->Temporary, this->Target);
     this->Temporary.clear();
     this->IsInPlace = true;
   }
 
-  // Undo takePlace(), also if it failed half-way. Return where the old file is if that fails.
+  // Undo takePlace(), also if takePlace() failed. If the old file cannot be restored, return a text
+  // with its current path.
   std::string putBack()
   {
     std::error_code error;
@@ -188,8 +194,8 @@ public:
   }
 
 private:
-  // Return a new name beside the target for which make() succeeds; empty, with errno, if it fails.
-  // Names that are taken are left alone.
+  // Return a new path in the folder of the target for which make() succeeds. Existing files are not
+  // changed. If make() fails, the result is empty, and errno is the error.
   template <typename Make>
   fs::path claim(Make make) const
   {
@@ -205,9 +211,9 @@ private:
   }
 
   const MakeName& NewName;
-  fs::path Target; // the path behind all links
+  fs::path Target; // path after all symbolic links
   std::optional<struct stat> Old;
-  fs::path Temporary, Kept; // the new file's and the old file's other names
+  fs::path Temporary, Kept; // temporary names of the new and of the old file
   bool IsInPlace = false;
 };
 

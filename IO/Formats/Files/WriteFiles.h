@@ -1,5 +1,5 @@
 /// Write files completely or not at all. Own construction: each file is written under a temporary
-/// name in the same folder and then renamed, because readers then find either the old or the
+/// name in the same folder, and then renamed. Readers therefore find either the old file or the
 /// complete new file.
 
 #ifndef ConformalWriteFiles_h
@@ -24,25 +24,27 @@ enum class WriteCode
 struct WriteStatus
 {
   WriteCode Code = WriteCode::Ok;
-  std::string Message; ///< error message with the file that could not be written, and the reason
+  std::string Message; ///< error message: the file that could not be written, and the reason
 
   bool ok() const { return this->Code == WriteCode::Ok; }
 };
 
-/// Function that returns a file name without folder, a different name at each call.
+/// Function that returns a different file name at each call, without a folder.
 using MakeName = std::function<std::string()>;
 
-/// Return a name for a temporary file: ".conformalsom-" and 16 random digits.
+/// Return a random name for a temporary file: ".conformalsom-" and 16 hexadecimal digits.
 std::string makeTemporaryName();
 
-/// Write files that belong together, and replace files of the same names. Files are renamed to
-/// their final names only after all of them are written. If one cannot be renamed, older files are
-/// restored. Only regular files are replaced, and only if they may be written. A symbolic link is
-/// kept, and the file to which it points is replaced. The access rights of a replaced file are
-/// kept. Its owner and group are kept as far as the system allows.
-/// @param[in] files     paths and contents
-/// @param[in] makeName  returns names of temporary files; called again while a file of the name
-///   exists
+/// Write several files that belong together. Existing files of the same names are replaced. Files
+/// are renamed to their final names only after all of them are written. If a file cannot be
+/// renamed, the old files are restored.
+///
+/// Only regular files are replaced, and only if they may be written. If a path is a symbolic link,
+/// the link is kept, and the file to which it points is replaced. The access rights of a replaced
+/// file are kept. The owner and group are also kept, as far as the system allows.
+/// @param[in] files     paths and contents of the files
+/// @param[in] makeName  function that returns names of temporary files; called again if a file of
+///   the name exists
 WriteStatus writeFiles(const std::vector<std::pair<std::string, std::string_view>>& files,
   const MakeName& makeName = makeTemporaryName);
 }

@@ -15,10 +15,10 @@ namespace conformal
 namespace
 {
 constexpr std::uint32_t TriangleMagic = 0xFFFFFE;
-constexpr std::uint32_t QuadMagic = 0xFFFFFF; // also of new curv files
+constexpr std::uint32_t QuadMagic = 0xFFFFFF; // also the magic number of new curv files
 constexpr std::uint32_t NewQuadMagic = 0xFFFFFD;
 constexpr std::size_t MagicBytes = 3;
-constexpr float OldUnit = 100.0F; // old files use hundredths
+constexpr float OldUnit = 100.0F; // old files store hundredths
 
 std::uint32_t magicOf(std::string_view start)
 {

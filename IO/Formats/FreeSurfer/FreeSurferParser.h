@@ -12,17 +12,19 @@
 
 namespace conformal
 {
-/// Read a surface file of triangles, or of quads in the old or the new format. Points are Float32.
-/// Data after the faces (the geometry of the volume) are not read.
+/// Read a FreeSurfer surface file of triangles, or of quadrilaterals in the old or the new format.
+/// Points are Float32. Data after the faces, such as the geometry of the scanned volume, are not
+/// read.
 SurfaceResult parseFreeSurferSurface(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Read a curv file in the old or the new format. The result is a surface without points whose only
-/// point array has one Float32 for each point.
+/// Read a FreeSurfer curv file, which contains values at points, in the old or the new format. The
+/// result is a surface without points. Its only point array, "Curvature", has one Float32 for each
+/// point.
 SurfaceResult parseFreeSurferCurv(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a FreeSurfer surface.
+/// Test whether the first bytes of a file identify a FreeSurfer surface.
 bool looksLikeFreeSurferSurface(std::string_view start);
 }
 

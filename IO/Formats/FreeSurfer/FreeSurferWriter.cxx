@@ -9,7 +9,8 @@ namespace conformal
 {
 namespace
 {
-// Write triangles with the points of the surface or with others.
+// Write the triangles of a surface. The function `coordinate` returns the coordinates of the
+// points.
 template <typename Coordinate>
 std::string makeFreeSurfer(const SurfaceData& surface, Coordinate coordinate, const Run& run)
 {

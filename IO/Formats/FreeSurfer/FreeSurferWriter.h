@@ -10,20 +10,25 @@
 
 namespace conformal
 {
-/// Write a triangle surface. Points are written as floats.
-/// @throws std::invalid_argument if a polygon has more than 3 corners, or floats cannot represent
-///   the points: too far apart, too close together, or too far from the origin
+/// Write a triangle mesh as a FreeSurfer surface file. Points are written as floats.
+/// @return the bytes of the file
+/// @throws std::invalid_argument if a polygon has more than 3 corners. Also thrown if floats cannot
+///   represent the points: they are too large, too small, or too far from the origin
 /// @throws Aborted
 std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run = {});
 
-/// Write the triangles as a sphere file of radius 100. Its points are those of the array
-/// "SpherePosition".
-/// @throws std::invalid_argument if "SpherePosition" is missing or a position has no direction, or
-///   a polygon has more than 3 corners
+/// Write a triangle mesh, mapped to a sphere of radius 100, as a FreeSurfer surface file. The
+/// position of each point is 100 times its tuple in the array "SpherePosition".
+/// @return the bytes of the file
+/// @throws std::invalid_argument if "SpherePosition" is missing, or a position is zero or not
+///   finite. Also thrown if a polygon has more than 3 corners
 /// @throws Aborted
 std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {});
 
-/// Write an array of 1 component as a curv file in the new format. Values are written as floats.
+/// Write values at points, an array of 1 component, as a FreeSurfer curv file in the new format.
+/// Values are written as floats.
+/// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong
+/// @return the bytes of the file
 /// @throws Aborted
 std::string makeFreeSurferCurv(
   const NamedArray& values, std::size_t numberOfPolygons, const Run& run = {});

@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-// Return the six bits of a letter, -1 if it has none.
+// Return the six bits that a base64 letter encodes, or -1 for any other character.
 int bitsOf(char c)
 {
   return c >= 'A' && c <= 'Z' ? c - 'A'
@@ -39,7 +39,7 @@ public:
   Inflater(const Inflater&) = delete;
   void operator=(const Inflater&) = delete;
 
-  // Deliver decompressed bytes piece by piece.
+  // Decompress bytes, and call `sink` for each piece of the result.
   template <typename Sink>
   void add(const unsigned char* bytes, std::size_t count, Sink sink)
   {

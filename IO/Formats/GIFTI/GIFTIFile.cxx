@@ -17,7 +17,8 @@ namespace conformal
 {
 namespace
 {
-// Position of the parser in the file. Expat 2.9 replaces these functions and deprecates them.
+// Return the position of the parser in the file. Expat 2.9 replaces these functions and deprecates
+// them.
 #if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
 std::int64_t byteIndex(XML_Parser parser)
 {
@@ -67,7 +68,7 @@ ScalarType typeOf(std::string_view name)
   throw GIFTIError("found DataType " + quoted(name) + ", expected a number of 1 to 8 bytes");
 }
 
-// Parse numbers from text that may be split anywhere.
+// Parse numbers from text that is added in pieces. A piece may end within a number.
 class TextDecoder
 {
 public:
@@ -130,7 +131,7 @@ void swapBytes(NamedArray& array)
   }
 }
 
-// Reorder from component by component to tuple by tuple.
+// Reorder numbers from column-major to row-major.
 void transpose(NamedArray& array)
 {
   const std::size_t bytes = sizeOf(array.Type);
@@ -196,7 +197,7 @@ public:
     }
     else
     {
-      constexpr std::size_t longest = 1000; // of a name; a longer text is not a name
+      constexpr std::size_t longest = 1000; // maximum length of a name
       this->Text.append(text.substr(0, longest - std::min(longest, this->Text.size())));
       this->TextBytes += text.size();
       require(this->TextBytes <= LongestLine, tooLongMessage("text outside of a Data element"));
@@ -236,8 +237,8 @@ public:
 private:
   using Sizes = std::array<std::optional<std::uint64_t>, 6>;
 
-  // The number of arrays is mandatory in version 1.0: without it, missing arrays would go
-  // undetected.
+  // Version 1.0 of the format requires the number of arrays. Without this number, a missing array
+  // would not be detected.
   void readCount(const char** attributes)
   {
     std::string_view text;
@@ -319,7 +320,7 @@ private:
     this->Arrays.push_back(std::move(array));
   }
 
-  // Maximum number of bytes that zlib makes of one byte.
+  // Maximum number of bytes to which zlib decompresses one byte.
   static constexpr std::uint64_t MaximumGrowth = 1032;
 
   void setSize(NamedArray& values, const Sizes& sizes, std::size_t dimensions)
@@ -405,7 +406,8 @@ private:
   bool HasData = false;
 };
 
-// Feed expat. An exception of a handler is stored until expat returns, since expat is C code.
+// Call expat with the pieces of the file. Expat is C code. If a handler throws an exception, the
+// exception is therefore stored until expat returns.
 class GIFTIReader
 {
 public:

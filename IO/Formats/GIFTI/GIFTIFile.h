@@ -1,4 +1,5 @@
-/// Parse all arrays of a GIFTI file, of any intent.
+/// Parse all arrays of a GIFTI file, a neuroimaging format in XML. The intent of an array states
+/// its meaning, such as POINTSET.
 
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h
@@ -17,14 +18,15 @@ namespace conformal
 struct GIFTIArray
 {
   std::string Intent; ///< intent of the array, without the prefix NIFTI_INTENT_
-  NamedArray Values;  ///< numbers of the array; the name is from the metadata and may be empty
+  NamedArray Values;  ///< numbers of the array, named as in the metadata; the name may be empty
 };
 
-/// Test whether the first bytes of a file are those of a GIFTI file.
+/// Test whether the first bytes of a file identify a GIFTI file.
 bool looksLikeGIFTI(std::string_view start);
 
-/// Read all arrays of a file. Supported encodings are ASCII, Base64Binary and GZipBase64Binary,
-/// with any order of bytes and indices. Custom entities and arrays in external files are rejected.
+/// Read all arrays of a GIFTI file. The encodings ASCII, Base64Binary and GZipBase64Binary are
+/// supported, with any byte order, and with row-major or column-major numbers. Files with custom
+/// XML entities, and files with arrays in external files, are rejected.
 /// @throws ParseError
 std::vector<GIFTIArray> readGIFTIFile(ByteReader& input, const ParseLimits& limits, const Run& run);
 }

@@ -37,7 +37,7 @@ void addArray(GIFTIArray& array, std::vector<NamedArray>& arrays)
   arrays.push_back(std::move(array.Values));
 }
 
-// Find the only array of an intent.
+// Find the array of an intent. There must be exactly one array of this intent.
 GIFTIArray& find(const ByteReader& input, std::vector<GIFTIArray>& arrays, const char* intent)
 {
   const auto isRight = [&](const GIFTIArray& array) { return isOf(array, intent); };

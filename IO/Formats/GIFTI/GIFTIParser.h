@@ -10,15 +10,17 @@
 
 namespace conformal
 {
-/// Read a surface. The array of intent POINTSET (3 floating components) defines the points and
-/// their type. The array of intent TRIANGLE (3 integers) defines the triangles. Arrays of other
-/// intents are read as in parseGIFTIArrays().
+/// Read a surface from a GIFTI file. The array of intent POINTSET (3 floating-point components)
+/// defines the points and their type. The array of intent TRIANGLE (3 integer components) defines
+/// the triangles. Arrays of other intents become point arrays; parseGIFTIArrays() defines their
+/// names.
 SurfaceResult parseGIFTISurface(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Read the arrays of numbers. They become the point arrays of a surface without points. The name
-/// of an array is "Name" of its metadata; without it, the intent, such as "Shape". Repeated names
-/// are numbered.
+/// Read all arrays of a GIFTI file except the points (POINTSET) and the triangles (TRIANGLE). The
+/// result is a surface without points; each array becomes a point array of this surface. The name
+/// of an array is the entry "Name" of its metadata. If this entry is missing, the array is named by
+/// its intent, such as "Shape". Repeated names are numbered.
 SurfaceResult parseGIFTIArrays(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 }

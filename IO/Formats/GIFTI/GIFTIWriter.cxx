@@ -44,8 +44,8 @@ const char* nameOf(ScalarType type)
   return "FLOAT64";
 }
 
-// Return the number of bytes of the first character of UTF-8 text; 0 if it is invalid or forbidden
-// in XML.
+// Return the number of bytes of the first character of a UTF-8 text. If the character is invalid or
+// forbidden in XML, return 0.
 std::size_t characterLength(std::string_view text)
 {
   constexpr std::uint32_t first[] = { 0, 0x20, 0x80, 0x800,
@@ -75,7 +75,7 @@ std::size_t characterLength(std::string_view text)
   return code < first[length] || isSurrogate || isNone ? 0 : length;
 }
 
-// Escape text for XML; control characters and bytes outside of UTF-8 cannot be represented.
+// Escape text for XML. Control characters and bytes that are not valid UTF-8 become "_".
 std::string escaped(const std::string& text)
 {
   std::string result;
@@ -101,7 +101,7 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-// Write names and values; names without a value are omitted.
+// Write metadata entries, each a name and a value. Entries without a value are omitted.
 std::string metaData(const std::vector<std::pair<const char*, std::string>>& entries)
 {
   std::string text;
@@ -116,7 +116,7 @@ std::string metaData(const std::vector<std::pair<const char*, std::string>>& ent
   return text.empty() ? "<MetaData/>" : "<MetaData>" + text + "</MetaData>";
 }
 
-// Array of a file, with its metadata.
+// Array of a file, with its intent and its metadata.
 struct FileArray
 {
   const NamedArray& Values;
@@ -153,7 +153,8 @@ std::string makeFile(
     "<!DOCTYPE GIFTI SYSTEM \"http://www.nitrc.org/frs/download.php/115/gifti.dtd\">\n"
     "<GIFTI Version=\"1.0\" NumberOfDataArrays=\"" +
     std::to_string(arrays.size()) + "\">\n" + fileMetaData + "\n<LabelTable/>\n";
-  // Compression dominates the cost.
+  // Nearly all time is spent on compression. Progress is therefore divided by the sizes of the
+  // arrays.
   double all = 0.0;
   for (const FileArray& array : arrays)
   {
@@ -216,7 +217,7 @@ std::string makePlainSurface(const SurfaceData& surface, Coordinate coordinate, 
     run);
 }
 
-// Return the numbers of an array as floats, as programs expect in a shape file.
+// Return the numbers of an array as floats, the type that programs expect in a shape file.
 NamedArray asFloats(const NamedArray& array)
 {
   NamedArray floats = makeArray(array.Name, ScalarType::Float32, 1);

@@ -10,32 +10,36 @@
 
 namespace conformal
 {
-/// Write a compressed GIFTI file with the points, the triangles and all point arrays.
-/// @param[in] structure  value of the metadata AnatomicalStructurePrimary, such as CortexLeft; if
-///   empty, there is no such metadata
+/// Write a surface as a compressed GIFTI file, with the points, the triangles and all point arrays.
+/// @param[in] structure  value of the metadata entry AnatomicalStructurePrimary, such as
+///   CortexLeft. If empty, the entry is not written
+/// @return the text of the file
 /// @throws std::invalid_argument if a polygon has more than 3 corners, or there is no polygon
 /// @throws Aborted
 std::string makeGIFTISurface(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
-/// Write only the points, as floats, and the triangles. Some programs accept only such files as
-/// surfaces.
+/// Write a surface as a compressed GIFTI file with only the points, as floats, and the triangles.
+/// Some programs do not read surfaces with further arrays. The argument `structure` and the result
+/// are as for makeGIFTISurface().
 /// @throws std::invalid_argument as makeGIFTISurface(), or if floats cannot represent the points
 /// @throws Aborted
 std::string makeGIFTIGeometry(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
-/// Write the triangles as a sphere of radius 100. Its points are those of the array
-/// "SpherePosition", as floats.
-/// @throws std::invalid_argument as makeGIFTIGeometry(), or if there is no such array or one of its
-///   positions has no direction
+/// Write a surface, mapped to a sphere of radius 100, as a compressed GIFTI file. The file contains
+/// points, as floats, and triangles. The position of each point is 100 times its tuple in the array
+/// "SpherePosition". The argument `structure` and the result are as for makeGIFTISurface().
+/// @throws std::invalid_argument as makeGIFTIGeometry(). Also thrown if "SpherePosition" is
+///   missing, or a position is zero or not finite
 /// @throws Aborted
 std::string makeGIFTISphere(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
-/// Write the point arrays of 1 component, as floats, without the surface.
-/// @throws std::invalid_argument if there is no such array, or floats cannot represent its finite
-///   values
+/// Write all point arrays of 1 component as a compressed GIFTI file, as floats. Points and
+/// triangles are omitted. The argument `structure` and the result are as for makeGIFTISurface().
+/// @throws std::invalid_argument if no array has 1 component, or a finite value exceeds the range
+///   of floats
 /// @throws Aborted
 std::string makeGIFTIShape(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});

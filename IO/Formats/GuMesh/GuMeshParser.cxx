@@ -16,8 +16,8 @@ namespace conformal
 {
 namespace
 {
-// Read a trait, key=(value), key=value or a key alone, and remove it from the text; return false if
-// there is none.
+// Read a trait and remove it from the text. A trait is key=(value), key=value or a key alone.
+// Return false if the text contains no trait.
 bool takeTrait(std::string_view& text, std::string_view& key, std::string_view& value)
 {
   constexpr std::string_view blanks = " \t\v\f";
@@ -148,7 +148,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Record the id of the next vertex. Consecutive ids need no table.
+  // Record the id of the next vertex. If all ids are consecutive, no table is needed.
   void addId(std::int64_t id)
   {
     if (this->Points == 0)
@@ -202,7 +202,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Numbers of a trait for each vertex.
+  // Trait of the vertices, with its numbers for each vertex.
   struct Trait
   {
     std::string_view Key;
@@ -270,7 +270,7 @@ private:
     ++trait.Given;
   }
 
-  // Add zeros for vertices up to the given one.
+  // Append zeros until the trait has numbers for `count` vertices.
   static void fill(Trait& trait, std::size_t count)
   {
     constexpr std::array<double, 3> zeros = {};
@@ -315,7 +315,8 @@ private:
   ProgressReport Progress;
   std::size_t Points = 0;
   std::int64_t FirstId = 0;
-  /// Table of ids that are not consecutive; its cost does not depend on the ids
+  /// Table from ids to indices of vertices, if ids are not consecutive. Its cost does not depend on
+  /// the values of the ids
   std::map<std::int64_t, std::int64_t> Table;
   Trait Normals = { "normal", makeArray("Normals", ScalarType::Float64, 3), 0 };
   Trait TCoords = { "uv", makeArray("TCoords", ScalarType::Float64, 2), 0 };

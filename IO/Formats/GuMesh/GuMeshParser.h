@@ -12,22 +12,23 @@
 
 namespace conformal
 {
-/// Read lines "Vertex ID X Y Z {traits}" and lines "Face ID V V V {traits}". The vertices of a face
-/// must precede it. Ids are any distinct numbers.
+/// Read a mesh of lines "Vertex ID X Y Z {traits}" and "Face ID V V V {traits}". A face refers to
+/// vertices by their ids V. These vertices must precede the face. Ids are any distinct integers.
 ///
-/// Points are Float64. Traits of vertices become arrays:
+/// Points are Float64. Traits are optional named values of a vertex or a face. Traits of vertices
+/// become point arrays:
 /// - normal=(x y z): "Normals";
 /// - uv=(u v): "TCoords";
 /// - rgb=(r g b): "RGB" (UInt8);
-/// - sph=(x y z), as written by H. Hoppe's programs: "SpherePosition", of unit length.
+/// - sph=(x y z), a trait of H. Hoppe's programs: "SpherePosition", scaled to unit length.
 ///
-/// All traits except sph may be missing at some vertices. The value is 0 there; a missing color is
-/// white. Trait rgb of faces becomes an array of the polygons. Other traits, and lines "Edge" and
-/// "Corner", are skipped.
+/// If only some vertices have a trait, the other vertices have the value 0, or the color white.
+/// Trait sph must be at every vertex or at none. Trait rgb of faces becomes the polygon array
+/// "RGB". Other traits, and lines "Edge" and "Corner", are skipped.
 SurfaceResult parseGuMesh(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a mesh in this format. Its first line is a
-/// vertex, except for blank lines and comments.
+/// Test whether the first bytes of a file identify a mesh in this format. The first line that is
+/// not blank or a comment must be a vertex.
 bool looksLikeGuMesh(std::string_view start);
 }
 

@@ -6,7 +6,7 @@ namespace conformal
 {
 namespace
 {
-// Trait of Gu's meshes, key=(1 2 3).
+// Append a trait of the format, such as key=(1 2 3).
 template <typename Append>
 void appendTrait(std::string& traits, const char* key, const NamedArray* array, std::size_t tuple,
   Append appendValue)

@@ -10,8 +10,10 @@
 
 namespace conformal
 {
-/// Write a mesh or a cloud. The point arrays "SpherePosition" (trait sph), "Normals", "TCoords" and
-/// "RGB" are written, and "RGB" of the polygons. Other arrays are omitted.
+/// Write a mesh, or points without polygons, in the .m format. "SpherePosition", "Normals",
+/// "TCoords" and "RGB" of the points are written as traits: named values in braces, such as sph=(x
+/// y z). "RGB" of the polygons is also a trait. Other arrays are omitted.
+/// @return the text of the file
 /// @throws std::invalid_argument if a "SpherePosition" is zero or not finite
 /// @throws Aborted
 std::string makeGuMesh(const SurfaceData& surface, const Run& run = {});

@@ -18,7 +18,8 @@ namespace conformal
 {
 namespace
 {
-// Properties from the keyword; without one the file is plain text.
+// Properties of the file that the keyword states. If there is no keyword, all properties are false,
+// and the file is text.
 struct OFFKeyword
 {
   bool HasTCoords = false;
@@ -78,7 +79,7 @@ public:
 private:
   void readKeyword()
   {
-    constexpr std::size_t longest = 16; // of a keyword and the bytes that identify it
+    constexpr std::size_t longest = 16; // length of a keyword and the next bytes
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     if (this->Input.peek(mark.size()).substr(0, mark.size()) == mark)
     {
@@ -97,7 +98,7 @@ private:
     this->Input.advance(this->Keyword.IsThere ? word.size() : 0);
   }
 
-  // Test whether BINARY follows the keyword, and skip its line then.
+  // Test whether BINARY follows the keyword. If it does, skip the rest of its line.
   bool isBinary()
   {
     constexpr std::string_view binary = "BINARY";
@@ -126,7 +127,8 @@ private:
     this->finish();
   }
 
-  // The number of edges is not used. It is missing in a line of two numbers.
+  // The number of edges is not used. If a line has only two numbers, the number of edges is
+  // missing.
   void readCounts(TextValues& text)
   {
     this->NumberOfPoints = text.next<std::uint64_t>();
@@ -227,8 +229,8 @@ private:
     ++this->Data.DroppedPoints;
   }
 
-  // Assign the numbers after the normals: colors and texture coordinates. All points have equally
-  // many.
+  // Read the numbers after the normals: colors and texture coordinates. All points must have
+  // equally many.
   const std::vector<double>& extrasOfPoint(TextValues& text, std::size_t point)
   {
     this->readLine(text);

@@ -1,5 +1,5 @@
-/// Parse OFF files of Geomview with all prefixes of the keyword. With prefix n, the number of
-/// dimensions must be 3.
+/// Parse OFF files of the program Geomview. All prefixes of the keyword OFF are supported. If the
+/// keyword has the prefix n, the number of dimensions must be 3.
 
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
@@ -13,19 +13,22 @@
 
 namespace conformal
 {
-/// Read a file of [ST][C][N][4][n]OFF [BINARY]; the keyword and the number of edges may be missing.
+/// Read an OFF file, as text or as binary data. The file begins with [ST][C][N][4][n]OFF, where
+/// brackets enclose optional prefixes. The word BINARY may follow. In a text file, this keyword and
+/// the number of edges may be missing.
 ///
-/// Points are Float64 for text and Float32 for a binary file; points of 4OFF are divided by their
-/// fourth coordinate. N becomes "Normals", ST becomes "TCoords" of the type of the points, C
-/// becomes "RGB" or "RGBA" (UInt8). In a file without prefixes, numbers after the coordinates are
-/// colors.
+/// Points are Float64 in a text file and Float32 in a binary file. With prefix 4, the first three
+/// coordinates are divided by the fourth coordinate. With prefix N, the file has "Normals". With
+/// prefix ST, the file has "TCoords". Both arrays have the type of the points. With prefix C, the
+/// file has the colors "RGB" or "RGBA" (UInt8). In a text file without prefix C, three or four
+/// additional numbers of each point are read as a color.
 ///
-/// Colors after the ids of a face become an array of the polygons. A face without color is white. A
-/// single number after the ids becomes the array "ColorIndex" (Int32), with -1 for a face without
-/// such a number.
+/// Three or four numbers after the ids of a face are a color. Colors become an array of the
+/// polygons; a face without a color is white. A single number after the ids becomes the polygon
+/// array "ColorIndex" (Int32). For a face without this number, the index is -1.
 SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of an OFF file with its keyword.
+/// Test whether the first bytes of a file identify an OFF file, by its keyword.
 bool looksLikeOFF(std::string_view start);
 }
 

@@ -10,8 +10,10 @@
 
 namespace conformal
 {
-/// Write a surface or a cloud as OFF text. The point arrays "Normals", "RGB" or "RGBA", and
-/// "TCoords" are written, and colors and "ColorIndex" of the polygons. Other arrays are omitted.
+/// Write a surface, or points without polygons, as OFF text. The point arrays "Normals", "RGB" or
+/// "RGBA", and "TCoords" are written. If the polygons have colors, their colors are written,
+/// otherwise their array "ColorIndex". Other arrays are omitted.
+/// @return the text of the file
 /// @throws Aborted
 std::string makeOFF(const SurfaceData& surface, const Run& run = {});
 }

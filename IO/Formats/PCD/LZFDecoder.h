@@ -1,4 +1,4 @@
-/// Decompress LibLZF data of PCD files, piece by piece.
+/// Decompress data of PCD files in the format of the library LibLZF, piece by piece.
 
 #ifndef ConformalLZFDecoder_h
 #define ConformalLZFDecoder_h
@@ -11,32 +11,35 @@
 
 namespace conformal
 {
-/// Decoder of LZF. A control byte c below 32 precedes c + 1 literal bytes. Any other control byte
-/// encodes, with the next one or two bytes, the length and distance of bytes to repeat.
+/// Decoder of the compression format LZF. A control byte c below 32 precedes c + 1 literal bytes,
+/// which are copied to the output. Any other control byte encodes a length n and a distance d,
+/// together with the next one or two bytes. The decoder then copies n bytes that begin d bytes
+/// before the end of the output.
 class LZFDecoder
 {
 public:
-  /// Maximum number of decompressed bytes for one byte of compressed data.
+  /// Maximum number of decompressed bytes for each byte of compressed data.
   static constexpr std::uint64_t MaximumGrowth = 88;
 
-  /// @param[in] compressedBytes  size of the block that begins at the next byte of the input
+  /// @param[in] compressedBytes  size of the compressed data [bytes], which begin at the next byte
+  ///   of the input
   LZFDecoder(ByteReader& input, std::uint64_t compressedBytes)
     : Input(input)
     , Left(compressedBytes)
   {
   }
 
-  /// Decompress a number of bytes.
-  /// @throws ParseError if the block or the input ends too early, or bytes to repeat would precede
-  ///   the data
+  /// Decompress the next `count` bytes.
+  /// @throws ParseError if the compressed data end too early, or a distance is larger than the
+  ///   number of decompressed bytes
   void read(char* bytes, std::size_t count);
 
-  /// Require the end of the block.
-  /// @throws ParseError if the block has more data
+  /// Check that all compressed data were read.
+  /// @throws ParseError if compressed data remain
   void end() const;
 
 private:
-  static constexpr std::size_t HistoryBytes = std::size_t(1) << 13; // maximum distance
+  static constexpr std::size_t HistoryBytes = std::size_t(1) << 13; // maximum distance d
 
   unsigned char nextByte();
   void nextControl();

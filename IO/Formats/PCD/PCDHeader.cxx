@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr std::size_t MaximumNumbers = 100000; // of a point; more than in any real file
+constexpr std::size_t MaximumNumbers = 100000; // numbers of a point; more than in any real file
 constexpr std::string_view Keywords[] = { "VERSION", "FIELDS", "COLUMNS", "SIZE", "TYPE", "COUNT",
   "WIDTH", "HEIGHT", "VIEWPOINT", "POINTS", "DATA" };
 

@@ -22,7 +22,8 @@ enum class PCDFormat
 
 struct PCDField
 {
-  static constexpr std::string_view Padding = "_"; ///< the only name that several fields may share
+  /// Name of padding fields. Every other name may occur only once
+  static constexpr std::string_view Padding = "_";
   std::string Name;
   ScalarType Type = ScalarType::Float32;
   std::size_t Count = 1;
@@ -38,11 +39,11 @@ struct PCDHeader
   std::uint64_t NumberOfPoints = 0;
 };
 
-/// Test whether the first bytes of a file are those of a PCD file.
+/// Test whether the first bytes of a file identify a PCD file.
 bool looksLikePCD(std::string_view start);
 
-/// Read the header up to and including the line "DATA". The input is then at the first byte of the
-/// data.
+/// Read the header of a PCD file, up to and including the line "DATA". Afterwards, the next byte of
+/// the input is the first byte of the data.
 /// @throws ParseError
 PCDHeader readPCDHeader(ByteReader& input);
 }

@@ -190,7 +190,8 @@ private:
     }
   }
 
-  // Read the size of a compressed block and check it before memory for its contents is allocated.
+  // Read the size of a compressed block. Check the size before memory for the contents is
+  // allocated.
   std::uint32_t compressedBytes(std::size_t count)
   {
     BinaryValues values(this->Input, !isLittleEndianMachine());
@@ -211,7 +212,8 @@ private:
     return compressed;
   }
 
-  // Fields are consecutive, without padding.
+  // Compressed data contain all values of the first field, then all values of the next field,
+  // without padding.
   void readCompressed(Records& records, std::size_t count, std::uint32_t compressed)
   {
     LZFDecoder decoder(this->Input, compressed);
@@ -260,7 +262,7 @@ private:
     }
   }
 
-  // Unpack bits 0xAARRGGBB, in the byte order of this machine.
+  // Unpack colors from the bits 0xAARRGGBB, in the byte order of this machine.
   NamedArray unpackColors(const NamedArray& packed)
   {
     const std::size_t components = packed.Name == "rgba" ? 4 : 3;

@@ -11,15 +11,18 @@
 
 namespace conformal
 {
-/// Read a file of version 0.5 to 0.7: ascii, binary or binary_compressed.
+/// Read a PCD file of version 0.5 to 0.7, in format ascii, binary or binary_compressed.
 ///
-/// Fields x, y, z become Points (Float32 if all three fields are, else Float64). Fields normal_x,
-/// normal_y, normal_z become "Normals". Fields rgb and rgba of four bytes and any type become the
-/// colors "RGB" and "RGBA" (UInt8). Every other field keeps its name, type and count; padding is
-/// omitted. A point that is not finite marks a pixel without a measurement: it is dropped without a
-/// message.
+/// Fields x, y, z become the coordinates. Coordinates are Float32 if all three fields are 4-byte
+/// floats, otherwise Float64. Fields normal_x, normal_y, normal_z become "Normals". A field rgb or
+/// rgba of four bytes and of any type becomes the colors "RGB" or "RGBA" (UInt8). Every other field
+/// becomes an array of the same name, type and count. Padding is omitted.
 ///
-/// @param[in] piece  part to read of a file in format "binary"; other files cannot be divided
+/// A point with a coordinate that is not finite marks a pixel without a measurement. The parser
+/// drops this point without a message.
+///
+/// @param[in] piece  part of the points to read. Only files in format "binary" can be divided. All
+///   points of other files belong to the first part
 SurfaceResult parsePCD(ByteReader& input, const FilePiece& piece = {},
   const ParseLimits& limits = {}, const Run& run = {});
 }

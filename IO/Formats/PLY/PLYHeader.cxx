@@ -14,9 +14,9 @@ namespace
 constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t SomeBytes = 4096;
 constexpr std::size_t MaximumNames =
-  100000; // of elements and properties; more than in any real file
+  100000; // names of elements and properties; more than in any real file
 
-// First words of a line, one more than any header line may have.
+// Return the first words of a line. The maximum is one word more than any header line may have.
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
   constexpr std::size_t maximum = 6;
@@ -158,7 +158,7 @@ private:
     this->HasFormat = true;
   }
 
-  // Free text, except for the size of the grid of a scanner.
+  // Read a line "obj_info". The line is free text, except for the size of the grid of a scanner.
   void readInfo(PLYHeader& header)
   {
     if (this->Words.size() == 3 && this->Words[1] == "num_cols")
@@ -219,8 +219,8 @@ private:
     return *type;
   }
 
-  // Read the next line into Text and Words, without its end. A line that ends with the input may be
-  // incomplete, unless it is the last line of a header.
+  // Read the next line into Text and Words, without its line end. If a line ends with the input,
+  // the line may be incomplete. This is permitted only for the last line of a header.
   void nextLine()
   {
     this->Text.clear();
@@ -249,7 +249,8 @@ private:
     this->Words = wordsOf(this->Text);
   }
 
-  // If the first line ends with a lone CR, all do: an LF after the last one is binary data.
+  // If the first line ends with CR alone, all lines of the header do. An LF after the last line is
+  // then binary data.
   void takeLineEnd()
   {
     const std::string_view end = this->Input.peek(2);
@@ -282,7 +283,7 @@ private:
   ByteReader& Input;
   std::string Text;
   std::vector<std::string_view> Words;
-  std::uint64_t Line = 0; ///< counted here: a query of the input at every line would be quadratic
+  std::uint64_t Line = 0; ///< counted here, since ByteReader::line() at every line is slow
   std::uint64_t Offset = 0;
   bool LoneCR = false;
   bool HasFormat = false;

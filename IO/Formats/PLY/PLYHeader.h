@@ -25,7 +25,7 @@ struct PLYProperty
   std::string Name;
   ScalarType Type = ScalarType::Float32; ///< type of the number, or of the numbers in a list
   bool IsList = false;
-  ScalarType CountType = ScalarType::UInt8; ///< type of the number that states the length of a list
+  ScalarType CountType = ScalarType::UInt8; ///< type of the length, written before each list
 };
 
 struct PLYElement
@@ -41,15 +41,15 @@ struct PLYHeader
 {
   PLYFormat Format = PLYFormat::Ascii;
   std::vector<PLYElement> Elements;
-  std::uint64_t GridColumns = 0; ///< number in the line obj_info num_cols; 0 without this line
-  std::uint64_t GridRows = 0;    ///< number in the line obj_info num_rows; 0 without this line
+  std::uint64_t GridColumns = 0; ///< number in the line "obj_info num_cols"; 0 without this line
+  std::uint64_t GridRows = 0;    ///< number in the line "obj_info num_rows"; 0 without this line
 };
 
-/// Test whether the first bytes of a file are those of a PLY file.
+/// Test whether the first bytes of a file identify a PLY file.
 bool looksLikePLY(std::string_view start);
 
-/// Read the header up to and including the line "end_header". The input is then at the first byte
-/// of the data.
+/// Read the header of a PLY file, up to and including the line "end_header". Afterwards, the next
+/// byte of the input is the first byte of the data.
 /// @throws ParseError
 PLYHeader readPLYHeader(ByteReader& input);
 }

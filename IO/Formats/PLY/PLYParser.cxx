@@ -92,7 +92,8 @@ private:
       {
         minimumBytes += values.minimumBytes(property.IsList ? property.CountType : property.Type);
       }
-      // The last number of a text has no blank after it: one byte less suffices.
+      // In a text, the last number needs no blank after it. The minimum size is therefore one byte
+      // less.
       const bool isText = this->Header.Format == PLYFormat::Ascii && minimumBytes > 0;
       const std::size_t count = this->Limits.checkedCount(this->Input,
         "records of the element " + quoted(element.Name), element.Count,
@@ -131,7 +132,8 @@ private:
     this->Data.UnreadBytes = this->Input.left();
   }
 
-  // Test whether a range of points can be read alone, and is meaningful without faces.
+  // Test whether a part of the points can be read alone. The file must be binary, without polygons,
+  // and without lists in its element "vertex".
   bool canCut() const
   {
     return this->Header.Format != PLYFormat::Ascii && !this->IsMesh &&
@@ -215,7 +217,7 @@ private:
     {
       return true;
     }
-    if (this->IsMesh) // no point was dropped, so this is its index in the file
+    if (this->IsMesh) // no point was dropped: `record` is the index in the file
     {
       this->Input.fail(ParseCode::Malformed,
         "found coordinates of vertex " + std::to_string(record) + " that are not finite");
@@ -328,7 +330,7 @@ private:
     }
   }
 
-  // List of ids of an element of cells.
+  // Find the list property of an element that contains point ids.
   const PLYProperty& idsOf(const PLYElement& element)
   {
     for (const PLYProperty& property : element.Properties)

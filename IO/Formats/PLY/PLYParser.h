@@ -1,4 +1,4 @@
-/// Parse PLY files: points with all their properties, polygons and triangle strips.
+/// Parse PLY files: points with all their properties, polygons, triangle strips and range grids.
 
 #ifndef ConformalPLYParser_h
 #define ConformalPLYParser_h
@@ -13,37 +13,46 @@ namespace conformal
 {
 struct PLYOptions
 {
-  /// Maximum edge length of triangles from a range grid; 0 for the default of appendGridTriangles()
+  /// Maximum edge length of triangles from a range grid [units of the points]. If 0, the default of
+  /// appendGridTriangles() in RangeGrid.h is used
   double MaximumEdgeLength = 0.0;
-  /// Part to read of a binary cloud without lists; other files cannot be divided
+  /// Part of the points to read. Only a binary file without polygons, and without lists in its
+  /// element "vertex", can be divided. All points of other files belong to the first part
   FilePiece Piece;
 };
 
-/// Read a PLY file: ascii, binary_little_endian or binary_big_endian, with elements in any order.
+/// Read a PLY file of format ascii, binary_little_endian or binary_big_endian. The elements of the
+/// file may be in any order.
 ///
-/// Element "vertex": properties x, y, z become Points (Float32 if all three properties are, else
-/// Float64). Related properties of one type become one array:
-/// - nx, ny, nz: "Normals" (floating);
-/// - s, t or u, v or texture_u, texture_v: "TCoords" (floating);
-/// - red, green, blue: "RGB", with alpha "RGBA" (UInt8, also diffuse_red ...);
+/// Element "vertex" defines the points. Its properties x, y, z become the coordinates. Coordinates
+/// are Float32 if all three properties are float, otherwise Float64. Related properties of one type
+/// become one array:
+/// - nx, ny, nz or normal_x, normal_y, normal_z: "Normals" (floating-point);
+/// - s, t or u, v or texture_u, texture_v: "TCoords" (floating-point);
+/// - red, green, blue, or these names with the prefix diffuse_: "RGB" (UInt8);
+/// - red, green, blue, alpha, or these names with the prefix diffuse_: "RGBA" (UInt8);
 /// - NAME_0, NAME_1 and so on: "NAME".
 ///
-/// Every other scalar property keeps its name and its type.
+/// Every other scalar property becomes an array of the same name and type.
 ///
-/// Element "face": the list vertex_indices or vertex_index defines the polygons. Scalar properties
-/// become arrays of the polygons.
+/// Element "face" defines the polygons, by the list vertex_indices or vertex_index. Its scalar
+/// properties become arrays of the polygons. If the file also has strips or a grid of triangles,
+/// these arrays are omitted.
 ///
-/// Element "tristrips": the list vertex_indices defines strips, each ended by -1. Strips are
-/// converted to triangles of one orientation. Triangles with a repeated id are omitted; they only
-/// change the direction of a strip.
+/// Element "tristrips" defines triangle strips, by the list vertex_indices. In this list, each -1
+/// ends a strip. All triangles of a strip get the same orientation. A triangle with a repeated id
+/// only changes the direction of a strip, and is omitted.
 ///
-/// Element "range_grid": the list vertex_indices has one point or none for each cell of the grid of
-/// a scanner. The lines obj_info num_cols and num_rows define the size of the grid. Adjacent points
-/// form triangles. Without these lines the element is skipped. Other elements and other lists are
-/// skipped.
+/// Element "range_grid" is the grid of cells of a range scanner. Its list vertex_indices contains
+/// one point id for each cell, or none. The header lines obj_info num_cols and obj_info num_rows
+/// state the size of the grid. Adjacent points form triangles. Without these header lines, the
+/// element is skipped.
 ///
-/// A point that is not finite is omitted from a cloud, but is an error in a mesh. Bytes after the
-/// last element are not read. They are counted from the first byte that is not a blank.
+/// Other elements and other list properties are skipped.
+///
+/// If the file has polygons, strips or a grid, a coordinate that is not finite is an error. In
+/// other files, a point with this coordinate is omitted. Bytes after the last element are not read.
+/// SurfaceData::UnreadBytes is the number of unread bytes from the first byte that is not a blank.
 SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
 }

@@ -37,7 +37,7 @@ const char* nameOf(ScalarType type)
   return "double";
 }
 
-// Properties of an element, under the names that readers recognize.
+// Properties of an element. Known arrays get the names that readers recognize.
 class PLYProperties
 {
 public:
@@ -51,7 +51,7 @@ public:
     }
   }
 
-  // Reserve a name that no array may have.
+  // Reserve a name, so that no array gets this name.
   void keepFree(const std::string& name) { this->Names.add(name); }
 
   const std::string& text() const { return this->Text; }

@@ -10,8 +10,10 @@
 
 namespace conformal
 {
-/// Write a binary little-endian PLY file with all arrays of points and polygons. Integers of 8
-/// bytes become doubles. A blank in a name becomes an underscore.
+/// Write a surface as a binary little-endian PLY file, with all arrays of its points and polygons.
+/// Integers of 8 bytes become doubles, because PLY has no integers of this size. Blanks and control
+/// characters in names become underscores.
+/// @return the bytes of the file
 /// @throws Aborted
 std::string makePLY(const SurfaceData& surface, const Run& run = {});
 }

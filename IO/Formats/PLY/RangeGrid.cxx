@@ -31,7 +31,8 @@ public:
   {
   }
 
-  // Compute the median distance of neighbors, 0 if there are none.
+  // Compute the median distance between points of neighboring cells. If there are no neighbors,
+  // return 0.
   double medianEdge() const
   {
     std::vector<float> lengths;
@@ -77,7 +78,8 @@ public:
       {
         const std::size_t cell = row * this->Columns + column;
         const std::size_t below = cell + this->Columns;
-        // List the four cells cyclically, starting at an end of the dividing diagonal.
+        // List the four cells in cyclic order, starting at one end of the diagonal that divides
+        // them.
         std::array<std::int64_t, 4> ring = { this->Grid[cell], this->Grid[below],
           this->Grid[below + 1], this->Grid[cell + 1] };
         const auto missing = std::count(ring.begin(), ring.end(), NoPoint);
@@ -126,7 +128,7 @@ void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids)
 {
-  constexpr double wideFactor = 4.0; // distance factor of neighbors on a slope of 75 degrees
+  constexpr double wideFactor = 4.0; // distance ratio of neighbors on a slope of 75 degrees
   GridTriangles triangles(points, grid, columns);
   triangles.append(
     maximumEdge > 0.0 ? maximumEdge : wideFactor * triangles.medianEdge(), offsets, ids);

@@ -1,4 +1,4 @@
-/// Triangulate the grid of a range scan.
+/// Triangulate a range scan: points in the cells of a scanner's rectangular grid.
 
 #ifndef ConformalRangeGrid_h
 #define ConformalRangeGrid_h
@@ -11,16 +11,20 @@
 
 namespace conformal
 {
-/// Append triangles between adjacent cells of the grid of a scanner that have points. Four cells
-/// form two triangles, divided by the shorter diagonal; three cells form one. A triangle with an
-/// edge longer than maximumEdge would bridge a gap of the object and is omitted. Triangles are
-/// counter-clockwise if columns run to the right and rows downward.
+/// Append triangles that connect the points of adjacent grid cells. Four points in a block of 2 by
+/// 2 cells form two triangles, divided by the shorter diagonal. Three points in a block form one
+/// triangle. A triangle with an edge longer than maximumEdge is omitted, because it would bridge a
+/// gap of the scanned object. If columns run to the right and rows run downward, the triangles are
+/// counter-clockwise.
 ///
-/// @param[in] points       #P by 3, Float32 or Float64
-/// @param[in] grid         point ids row by row, -1 for a cell without a point
+/// @param[in] points       positions of all points: #P by 3, Float32 or Float64
+/// @param[in] grid         point ids of the cells, row by row; -1 for a cell without a point
 /// @param[in] columns      number of cells in a row, at least 1
-/// @param[in] maximumEdge  maximum edge length; 0 for 4 times the median distance between neighbors
-///   in rows and columns
+/// @param[in] maximumEdge  maximum edge length [units of the points]. If 0, the maximum is 4 times
+///   the median distance of adjacent points. Points are adjacent if their cells are neighbors in a
+///   row or a column
+/// @param[in,out] offsets  number of ids up to the end of each triangle; new triangles are appended
+/// @param[in,out] ids      point ids of the triangles; new triangles are appended
 void appendGridTriangles(const NamedArray& points, const OwnedArray<std::int64_t>& grid,
   std::size_t columns, double maximumEdge, OwnedArray<std::int64_t>& offsets,
   OwnedArray<std::int64_t>& ids);

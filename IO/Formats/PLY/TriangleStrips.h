@@ -9,9 +9,10 @@
 
 namespace conformal
 {
-/// Append the triangles of strips. Every second triangle of a strip is reversed, so that all
-/// triangles have the orientation of the first triangle. Triangles with a repeated id are omitted;
-/// they only join strips or change their direction.
+/// Convert triangle strips to triangles. In a strip, each id after the second forms a triangle with
+/// the two ids before it. Every second triangle is reversed, so that all triangles have the
+/// orientation of the first triangle. Files repeat an id only to join strips or to change the
+/// direction of a strip. Triangles with a repeated id are therefore omitted.
 class TriangleStrips
 {
 public:

@@ -47,7 +47,7 @@ double valueOfCode(std::uint32_t code, const PageRange& range, std::uint32_t ste
 std::array<std::uint32_t, 2> octahedralCode(double x, double y, double z)
 {
   const double maximum = std::max({ std::abs(x), std::abs(y), std::abs(z) });
-  x /= maximum; // avoids overflow of the sum
+  x /= maximum; // avoid overflow of the sum below
   y /= maximum;
   z /= maximum;
   const double sum = std::abs(x) + std::abs(y) + std::abs(z);

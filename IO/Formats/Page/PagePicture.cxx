@@ -7,7 +7,8 @@ namespace conformal
 {
 namespace
 {
-// Old pixels covered by a new pixel along one side: from First on, by their shares.
+// Old pixels that a new pixel covers along one side. First is the first old pixel. Shares are the
+// covered fractions of the new pixel.
 struct Cover
 {
   std::size_t First = 0;

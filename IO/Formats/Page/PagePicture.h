@@ -1,4 +1,4 @@
-/// Picture of a page, reduced to the size it needs.
+/// Reduce a picture to a maximum size, for a web page.
 
 #ifndef ConformalPagePicture_h
 #define ConformalPagePicture_h
@@ -15,11 +15,12 @@ struct PagePicture
   std::vector<unsigned char> Pixels; ///< Height rows of Width by 3: red, green, blue
 };
 
-/// A picture shrunk evenly until neither side is larger than asked for; each new pixel is the mean
-/// of the area that it covers. What is small enough stays as it is. Opacity is left out.
+/// Reduce a picture so that neither side has more than `maximumSize` pixels. The ratio of the sides
+/// is kept. Each new pixel is the mean of the old pixels in its area. If the picture is small
+/// enough, its size is not changed. Opacity is omitted.
 /// @param[in] pixels       rows of pixels of 3 or 4 bytes
-/// @param[in] components   3 or 4
-/// @param[in] maximumSize  pixels along the longer side, at least 1
+/// @param[in] components   number of bytes of a pixel, 3 or 4
+/// @param[in] maximumSize  maximum number of pixels along a side, at least 1
 PagePicture shrunkPicture(const unsigned char* pixels, std::size_t width, std::size_t height,
   std::size_t components, std::size_t maximumSize);
 }

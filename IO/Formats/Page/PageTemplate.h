@@ -1,4 +1,5 @@
-/// Texts of page.html, page.css and the script. CMake compiles these files into the library.
+/// Define the texts of page.html, page.css and the script. CMake compiles these files into the
+/// library.
 
 #ifndef ConformalPageTemplate_h
 #define ConformalPageTemplate_h
@@ -7,7 +8,7 @@
 
 namespace conformal
 {
-extern const std::string_view PageHTML; ///< text of page.html, with {{NAME}} where text is inserted
+extern const std::string_view PageHTML; ///< text of page.html; text replaces each {{NAME}}
 extern const std::string_view PageCSS;
 extern const std::string_view PageScript;
 }

@@ -37,7 +37,7 @@ std::string jsonRange(const PageRange& range)
   return jsonNumbers(std::array<double, 2>{ range.Low, range.High });
 }
 
-// Return one component of an array in another order of the points.
+// Return one component of an array, in the given order of the points.
 std::vector<double> component(
   const NamedArray& array, std::size_t which, const std::vector<std::size_t>& order)
 {
@@ -50,7 +50,7 @@ std::vector<double> component(
   return values;
 }
 
-// Compute the lengths of the tuples of an array.
+// Compute the lengths of the tuples of an array, in the given order of the points.
 std::vector<double> lengths(const NamedArray& array, const std::vector<std::size_t>& order)
 {
   std::vector<double> values(order.size(), 0.0);
@@ -63,14 +63,14 @@ std::vector<double> lengths(const NamedArray& array, const std::vector<std::size
   return values;
 }
 
-// Values shown as colors of the palette.
+// Return the values of an array that the page shows by the colors of a palette.
 std::vector<double> shownValues(const NamedArray& array, const std::vector<std::size_t>& order)
 {
   return array.Components == 1 ? component(array, 0, order) : lengths(array, order);
 }
 
-// Compute their range. Values that differ only by rounding count as constant, so that noise is not
-// amplified.
+// Compute the range of shown values. Values that differ only by rounding count as constant, so that
+// noise is not amplified.
 PageRange shownRange(const NamedArray& array, const std::vector<double>& values)
 {
   PageRange range = rangeOf(values);
@@ -92,7 +92,7 @@ bool isConstant(const NamedArray& array)
   return range.Low == range.High;
 }
 
-// Build the binary data of the page and their description.
+// Builder of the binary data of a page and of their description in JSON.
 class PageBuilder
 {
 public:
@@ -127,7 +127,7 @@ public:
     this->Description += std::string(",\"") + name + "\":" + json;
   }
 
-  // Add each component of an array, and its range.
+  // Append the codes of each component of an array, and describe the ranges of the components.
   void addPlaces(const char* name, const NamedArray& array, const char* what)
   {
     std::string ranges;
@@ -162,7 +162,8 @@ public:
     }
   }
 
-  // Rotate each triangle to its smallest corner first, then sort by corners.
+  // Append the triangles. The corners of each triangle are rotated so that the smallest is first.
+  // The triangles are then sorted by their corners.
   void addTriangles()
   {
     Codes places(this->Order.size());
@@ -190,7 +191,7 @@ public:
     appendCodes(this->Bytes, codes, 4);
   }
 
-  // Return the description.
+  // Append an array, and return its description.
   std::string addArray(const NamedArray& array)
   {
     const std::string head = "{\"name\":" + jsonText(array.Name);
@@ -206,7 +207,7 @@ public:
     }
     const std::vector<double> values = shownValues(array, this->Order);
     const PageRange range = shownRange(array, values);
-    constexpr double exact = 9007199254740992.0; // integers up to this one are exact doubles
+    constexpr double exact = 9007199254740992.0; // maximum exact integer of doubles
     const double length = range.High - range.Low;
     const bool isWhole = array.Components == 1 && !isFloating(array.Type) && -exact <= range.Low &&
       range.High <= exact && length < std::numeric_limits<std::uint32_t>::max();
@@ -234,7 +235,7 @@ private:
   std::vector<std::size_t> Order; // point of the surface for each point of the page
 };
 
-// Values shown as color.
+// Return the arrays that the page can show as color.
 std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
 {
   const char* const others[] = { "SpherePosition", "Normals", "TCoords", "vtkGhostType" };
@@ -251,8 +252,8 @@ std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
   return arrays;
 }
 
-// Find the index of the array shown first. It is -1 for the picture, or for nothing if there is no
-// picture.
+// Find the index of the array that is shown first. The index is -1 if the picture is shown, or if
+// there is nothing to show.
 int firstShown(
   const std::vector<const NamedArray*>& arrays, const std::string& wanted, bool hasPicture)
 {
@@ -281,7 +282,7 @@ int firstShown(
   {
     return colors;
   }
-  // Array "OutsideImage" refers to a picture and shows nothing without one.
+  // The array "OutsideImage" refers to a picture. Without a picture, the array has no meaning.
   const auto varying = std::find_if_not(arrays.begin(), arrays.end(),
     [](const NamedArray* array) { return array->Name == "OutsideImage" || isConstant(*array); });
   return varying == arrays.end() ? -1 : static_cast<int>(varying - arrays.begin());
@@ -301,7 +302,7 @@ std::string htmlText(std::string_view text)
   return result;
 }
 
-// Fill the template with its parts. Inserted text is not searched for further names.
+// Replace each {{NAME}} of a template by its text. Inserted text is not searched for further names.
 std::string filled(std::string_view text, const std::map<std::string, std::string_view>& parts)
 {
   std::string result;

@@ -1,4 +1,4 @@
-/// Write a web page that shows a surface beside its sphere.
+/// Write a web page that shows a surface beside its map to the sphere.
 
 #ifndef ConformalSurfacePage_h
 #define ConformalSurfacePage_h
@@ -16,36 +16,41 @@ namespace conformal
 struct SurfacePageOptions
 {
   std::string Title;
-  /// Array shown first. If empty, the picture is shown first, or else colors, or else an array that
-  /// varies
+  /// Name of the array that is shown as color when the page opens. If empty, the picture is shown.
+  /// Without a picture, the array "RGB" or "RGBA" is shown, or else the first array that is not
+  /// constant
   std::string ColorArrayName;
-  /// Whether the picture is repeated outside of [0, 1]; otherwise its border is repeated there
+  /// Whether the picture is repeated for texture coordinates outside of [0, 1]. Otherwise, the
+  /// pixels of its border are repeated
   bool RepeatsTexture = false;
-  /// Initial view of the surface: directions to the right, up, and towards the viewer. They are
-  /// rows of unit length, in the coordinates of the surface.
+  /// Initial view of the surface. The rows are unit vectors that point right, up, and towards the
+  /// viewer, in the coordinates of the surface
   std::array<double, 9> SurfaceAxes = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   std::array<double, 9> SphereAxes = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }; ///< initial view of the sphere
 };
 
-/// Return the sphere positions of a surface that a page can show.
-/// @throws std::invalid_argument for a surface without triangles, with other polygons, with too
-///   many points, or without a direction for each point in "SpherePosition"
+/// Check that a page can show a surface, and return its array "SpherePosition".
+/// @throws std::invalid_argument if the surface has no polygons, polygons that are not triangles,
+///   or too many points for 32-bit ids. Also thrown if "SpherePosition" is missing, or a position
+///   is zero or not finite
 const NamedArray& requirePageSurface(const SurfaceData& surface);
 
-/// Write a self-contained HTML file. Positions in space have 16 bits for each coordinate, within
-/// the bounds of the surface. Positions on the sphere have 2 times 16 bits. Values have 65535 steps
-/// over the range of their array; integers are exact. Values that are not finite are shown as
-/// missing. Points and triangles are ordered along the sphere.
+/// Write a self-contained HTML file with rounded numbers. Each coordinate of a point is stored in
+/// 16 bits, relative to the bounds of the surface. Each position on the sphere is stored in 2 times
+/// 16 bits. The values of an array are rounded to 65535 levels between their minimum and maximum.
+/// Integers are exact if their range is below 2^32. Values that are not finite are shown as
+/// missing. Points and triangles are sorted along the sphere, so that the file is small.
 ///
-/// Arrays of 3 or 4 bytes for each point are colors. Other arrays of several components are shown
-/// by the length of their tuples. "Normals" and "vtkGhostType" are omitted.
+/// Arrays of 3 or 4 bytes for each point are shown as colors. For other arrays of several
+/// components, the page shows the lengths of the tuples. "SpherePosition", "Normals", "TCoords" and
+/// "vtkGhostType" are not shown as color.
 ///
-/// @param[in] surface  triangles with a point array "SpherePosition" and, for a picture, "TCoords",
-///   v counted from its bottom
+/// @param[in] surface  triangles with a point array "SpherePosition". If there is a picture, the
+///   surface also has "TCoords", with v counted from the bottom of the picture
 /// @param[in] jpeg     picture as a JPEG file; if empty, there is no picture
 /// @param[in] threeJS  text of a classic or CommonJS build of three.js
-/// @throws std::invalid_argument as requirePageSurface(), for a missing array, and for positions
-///   that are not finite
+/// @throws std::invalid_argument as requirePageSurface(). Also thrown if an array is missing, or a
+///   position is not finite
 /// @throws Aborted
 std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
   std::string_view threeJS, const SurfacePageOptions& options = {}, const Run& run = {});

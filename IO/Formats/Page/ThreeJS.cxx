@@ -57,7 +57,7 @@ std::string readThreeJS(const std::string& fileName)
   {
     fail("cannot be read");
   }
-  // Modules use an export statement, which a script of a page cannot contain.
+  // An ECMAScript module contains an export statement, which a script of a page may not contain.
   if (text.find("exports.WebGLRenderer") == std::string::npos)
   {
     fail("is not a classic script or CommonJS module of it");

@@ -15,7 +15,8 @@ namespace conformal
 {
 namespace
 {
-// Parse the words of a line as numbers: none if a word is not a number or there are too many.
+// Parse the words of a line as numbers. If a word is not a number, or there are more than 4 words,
+// return no numbers.
 std::vector<double> numbersOf(std::string_view line)
 {
   constexpr std::size_t maximum = 4;
@@ -35,7 +36,7 @@ std::vector<double> numbersOf(std::string_view line)
 
 bool isCount(double value)
 {
-  constexpr double maximum = 9007199254740992.0; // integers are exact up to this one
+  constexpr double maximum = 9007199254740992.0; // maximum exact integer of doubles
   return value >= 0.0 && value <= maximum && value == std::floor(value);
 }
 
@@ -96,8 +97,8 @@ private:
     this->Progress.tick();
   }
 
-  // Reject a row; the message has its number of columns if that differs from `columns`. Pass 0 for
-  // any number of columns.
+  // Reject a row. If `columns` is not 0, and the row has a different number of columns, the message
+  // contains both numbers.
   [[noreturn]] void failAtRow(std::size_t columns, const std::string& expected)
   {
     std::size_t count = 0;
@@ -245,7 +246,7 @@ SurfaceResult parsePlateModel(ByteReader& input, const ParseLimits& limits, cons
 //------------------------------------------------------------------------------
 bool looksLikePlateModel(std::string_view start)
 {
-  // Complete lines.
+  // Get the next complete line that is not blank.
   const auto takeLine = [&](std::string_view& line)
   {
     do

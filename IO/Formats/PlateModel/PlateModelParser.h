@@ -1,4 +1,5 @@
-/// Parse plate models of small bodies in the format of the Planetary Data System.
+/// Parse plate models: triangle meshes of small bodies of the solar system, in the format of the
+/// Planetary Data System.
 
 #ifndef ConformalPlateModelParser_h
 #define ConformalPlateModelParser_h
@@ -12,17 +13,21 @@
 
 namespace conformal
 {
-/// Read the number of vertices, a row for each vertex, the number of plates (triangles), and a row
-/// for each plate. Both numbers may be on the first line. Rows of vertices are X Y Z, or I X Y Z
-/// with I counting from 0 or 1. Rows of plates are A B C, I A B C, or 3 A B C. In .ver files, the 3
-/// may be on a separate line. Vertices are numbered from 1, or from 0 if a plate contains vertex 0.
+/// Read a plate model from a text file. The text contains the number of vertices, a row for each
+/// vertex, the number of plates (triangles), and a row for each plate. The numbers of vertices and
+/// plates may be on the first line.
 ///
-/// Points are Float64, in the unit of the file.
+/// The row of a vertex is X Y Z or I X Y Z. The index I counts from 0 or 1. The row of a plate is A
+/// B C, I A B C, or 3 A B C. A, B and C are the numbers of its three vertices. In .ver files, the 3
+/// may be on a separate line. Vertices are numbered from 0 if a plate contains vertex 0, otherwise
+/// from 1.
+///
+/// Points are Float64, in the length unit of the file.
 SurfaceResult parsePlateModel(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a plate model: counts, followed by rows that
-/// match the counts.
+/// Test whether the first bytes of a file identify a plate model. The bytes must contain the counts
+/// and three rows of vertices. If only one count is on the first line, the rows must have an index.
 bool looksLikePlateModel(std::string_view start);
 }
 

@@ -16,21 +16,22 @@ namespace
 {
 constexpr double RootOfHalf = 0.70710678118654752440;
 
-// Return L if the count is that of all degrees up to L, else -1.
+// Return the degree L for which `count` is (L + 1)^2. If there is no such degree, return -1.
 std::int64_t degreeOf(std::uint64_t count)
 {
   const auto root = static_cast<std::uint64_t>(std::llround(std::sqrt(static_cast<double>(count))));
   return root > 0 && root * root == count ? static_cast<std::int64_t>(root) - 1 : -1;
 }
 
-// Destination of a number of the file, and its factor.
+// Tuple in which a coefficient of the file is stored, and its factor.
 struct HarmonicPlace
 {
   std::size_t Tuple = 0;
   double Factor = 1.0;
 };
 
-// Order 0 comes first in the file, then cos and sin of each order.
+// Find the tuple of a coefficient. For each degree, the file contains order 0 first, then cos and
+// sin of each order.
 HarmonicPlace placeOf(std::size_t degree, std::size_t number)
 {
   const std::size_t order = (number + 1) / 2;
@@ -111,7 +112,7 @@ private:
     std::memcpy(array.Values.data() + place.Tuple * sizeof(tuple), tuple.data(), sizeof(tuple));
   }
 
-  // Read a number up to a blank or a delimiter, which is not consumed.
+  // Read a number that ends at a blank or a delimiter. The delimiter is not consumed.
   template <typename T>
   T next(char delimiter, const char* expected)
   {

@@ -1,4 +1,4 @@
-/// Parse and write files of spherical-harmonic coefficients of SPHARM-PDM (.coef).
+/// Parse and write files of spherical-harmonic coefficients (.coef) of the program SPHARM-PDM.
 
 #ifndef ConformalSPHARMCoefficients_h
 #define ConformalSPHARMCoefficients_h
@@ -14,29 +14,33 @@
 
 namespace conformal
 {
-/// Read "{ N,{x, y, z},{x, y, z}, ...}", where N = (L + 1)^2. Blanks and line ends may be anywhere.
+/// Read a file "{ N,{x, y, z},{x, y, z}, ...}" of N = (L + 1)^2 coefficients, where L is the
+/// maximum degree. Blanks and line ends are allowed between all numbers and signs.
 ///
-/// For each degree l the file has the coefficients of order 0, then for each m from 1 to l the
-/// "real" and the "imaginary" coefficients. Real coefficients are factors of N_lm P_lm cos(m phi),
-/// imaginary coefficients are factors of N_lm P_lm sin(m phi), with N_lm^2 = (2 l + 1) / (4 pi) (l
-/// - m)! / (l + m)!. P_lm has the Condon-Shortley phase; cos(theta) = z and phi = atan2(y, x) refer
-/// to the positions in the file _para.
+/// Let l be the degree and m the order of a spherical harmonic. Let P_lm be the associated Legendre
+/// function of cos(theta) with the Condon-Shortley phase. Let N_lm^2 = (2 l + 1) / (4 pi) (l - m)!
+/// / (l + m)!. For each l, the file contains the coefficient of order 0. The "real" and the
+/// "imaginary" coefficients of each m from 1 to l follow. Real coefficients are factors of N_lm
+/// P_lm cos(m phi). Imaginary coefficients are factors of N_lm P_lm sin(m phi). Positions (x, y, z)
+/// in the file _para define the angles, by cos(theta) = z and phi = atan2(y, x).
 ///
-/// The parser multiplies the numbers for m > 0 by (-1)^m / sqrt(2). The sum of the tuples times
-/// real orthonormal harmonics without that phase then equals the surface that SPHARM-PDM computes
-/// from the file.
+/// The parser multiplies the coefficients of each m > 0 by (-1)^m / sqrt(2). The result contains
+/// coefficients of the real orthonormal harmonics without the Condon-Shortley phase. The sum of
+/// these harmonics, each times its coefficient, equals the surface that SPHARM-PDM computes from
+/// the file.
 ///
-/// @return a surface without points, with the point array "Coefficients" (Float64, 3 components) of
-///   N tuples: for each degree l the orders from -l (sin) to l (cos)
+/// @return a surface without points. Its point array "Coefficients" (Float64, 3 components) has N
+///   tuples: for each degree l, the orders from -l (sin) to l (cos)
 SurfaceResult parseSPHARMCoefficients(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a file of coefficients.
+/// Test whether the first bytes of a file identify a file of coefficients.
 bool looksLikeSPHARMCoefficients(std::string_view start);
 
-/// Write the array of parseSPHARMCoefficients() to a file. Numbers have 15 digits, so that numbers
-/// read with at most 15 digits are written unchanged.
-/// @throws std::invalid_argument if there are not (L + 1)^2 tuples of 3 finite Float64
+/// Write coefficients as text. The array must have the layout that parseSPHARMCoefficients()
+/// returns. Numbers have 15 digits. Numbers that were read with at most 15 digits are thus written
+/// unchanged.
+/// @throws std::invalid_argument if the array does not have (L + 1)^2 tuples of 3 finite Float64
 /// @throws Aborted
 std::string makeSPHARMCoefficients(const NamedArray& coefficients, const Run& run = {});
 }

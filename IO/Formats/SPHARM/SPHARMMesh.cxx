@@ -30,7 +30,7 @@ std::string inUpperCase(std::string_view word)
   return result;
 }
 
-// Read the start of a file up to the type of its data set.
+// Data from the start of a file, up to the type of its data set.
 struct MeshHeader
 {
   bool IsBinary = false;
@@ -116,7 +116,7 @@ public:
 
 private:
   //----------------------------------------------------------------------------
-  // Read words of the text between the data.
+  // Read the words between the data. They are text, also in a binary file.
   std::string_view peekWord()
   {
     constexpr std::size_t longest = 256;
@@ -149,7 +149,7 @@ private:
     this->Input.fail(ParseCode::Malformed, "found " + quoted(word) + ", expected " + expected);
   }
 
-  // Skip the current line; return whether it had only blanks.
+  // Skip the current line. Return whether the line had only blanks.
   bool skipLine()
   {
     bool isBlankLine = true;
@@ -185,7 +185,8 @@ private:
   std::uint64_t nextCount() { return TextValues(this->Input).next<std::uint64_t>(); }
 
   //----------------------------------------------------------------------------
-  // Read numbers, as text or as big-endian bytes, which begin after the end of the line.
+  // Call `use` with a reader of numbers, as text or as big-endian bytes. Bytes begin after the end
+  // of the current line.
   template <typename Use>
   void withValues(Use use)
   {
@@ -252,7 +253,8 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Two counts come first; the next word defines their meaning.
+  // Read cells. The two counts before the cells have different meanings, which the next word
+  // defines.
   void readCells(bool isKept)
   {
     const std::uint64_t first = this->nextCount(), second = this->nextCount();
@@ -266,7 +268,8 @@ private:
     }
   }
 
-  // A binary count never reads as this keyword: it would be billions of points.
+  // Test whether the next line begins with OFFSETS. Binary data cannot be mistaken for this
+  // keyword, since the first number would be billions of points.
   bool hasOffsetsBehindLine()
   {
     constexpr std::string_view keyword = "OFFSETS";
@@ -275,7 +278,8 @@ private:
     return text.substr(0, keyword.size()) == keyword;
   }
 
-  // Read cells with the number of ids before the ids of each; these files store all of them as int.
+  // Read cells by sizes: the number of ids precedes the ids of each cell. In binary files, all
+  // numbers are 4-byte integers.
   void readCellsBySizes(std::uint64_t statedCells, std::uint64_t statedNumbers, bool isKept)
   {
     const std::uint64_t bytes = this->IsBinary ? sizeof(std::int32_t) : 2;
@@ -308,7 +312,8 @@ private:
     }
   }
 
-  // Read all offsets, then all ids, as 8-byte integers.
+  // Read cells by offsets: all offsets precede all ids. In binary files, all numbers are 8-byte
+  // integers.
   void readCellsByOffsets(std::uint64_t statedOffsets, std::uint64_t statedIds, bool isKept)
   {
     const std::vector<std::int64_t> offsets = this->readOffsets(statedOffsets);

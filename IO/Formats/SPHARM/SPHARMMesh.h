@@ -1,5 +1,5 @@
-/// Parse and write meshes of SPHARM-PDM: surfaces (files _surf) and spheres (files _para) as legacy
-/// VTK files.
+/// Parse and write meshes of the program SPHARM-PDM, in the legacy format of VTK. A surface is in a
+/// file named *_surf, and its sphere is in a file named *_para.
 
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
@@ -14,23 +14,25 @@
 
 namespace conformal
 {
-/// Read the points (float or double) and polygons of a legacy VTK file of a POLYDATA, text or
-/// binary, versions 1.0 to 5.1. Vertices and lines are skipped. Arrays, and everything after them,
-/// are not read.
+/// Read the points (float or double) and polygons of a legacy VTK file with a data set POLYDATA.
+/// The file may be text or binary, of version 1.0 to 5.1. Vertex cells and line cells are skipped.
+/// The parser stops at the first array.
 SurfaceResult parseSPHARMMesh(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are those of a legacy VTK file of a POLYDATA.
+/// Test whether the first bytes of a file identify a legacy VTK file with a data set POLYDATA.
 bool looksLikeSPHARMMesh(std::string_view start);
 
-/// Return the name of the sphere file that belongs to a surface file: "_para" replaces "_surf"
-/// before the extension, or is inserted there.
+/// Return the name of the sphere file that belongs to a surface file. If the name of the surface
+/// file ends with "_surf" before the extension, "_para" replaces "_surf". Otherwise, "_para" is
+/// inserted before the extension.
 std::string sphereNameOf(const std::string& path);
 
-/// Write the surface as text of version 3.0. makeSPHARMSphere() writes "SpherePosition" in place of
-/// the points. The same numbers are read back from the text.
-/// @throws std::invalid_argument if there are polygons other than triangles; for the sphere, also
-///   if "SpherePosition" is missing or a position has no direction
+/// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSphere() writes the array
+/// "SpherePosition", scaled to unit length, instead of the points. Parsers read exactly the written
+/// numbers.
+/// @throws std::invalid_argument if a polygon is not a triangle. makeSPHARMSphere() also throws if
+///   "SpherePosition" is missing, or a position is zero or not finite
 /// @throws Aborted
 std::string makeSPHARMSurface(const SurfaceData& surface, const Run& run = {});
 std::string makeSPHARMSphere(const SurfaceData& surface, const Run& run = {});

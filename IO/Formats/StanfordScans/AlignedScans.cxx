@@ -23,7 +23,7 @@ bool isMesh(std::string_view word)
   return word == "mesh" || word == "bmesh";
 }
 
-// Test whether a line with this first word has no data.
+// Test whether a line has no data, by its first word.
 bool isPassedOver(std::string_view word)
 {
   return isIgnored(word) || word == "camera";
@@ -38,10 +38,10 @@ bool isInside(const std::string& name)
 struct Motion
 {
   std::array<double, 3> Translation = {};
-  std::array<double, 4> Quaternion = {}; // scalar last
+  std::array<double, 4> Quaternion = {}; // scalar part last
 };
 
-// Read seven finite numbers; the quaternion must have a direction.
+// Read seven finite numbers. The quaternion must not be zero.
 bool readMotion(LineWords& words, Motion& motion)
 {
   bool isRight = true;
@@ -56,7 +56,8 @@ bool readMotion(LineWords& words, Motion& motion)
   return isRight && words.next().empty() && std::isfinite(length) && length > 0.0;
 }
 
-// Compute the 3 by 3 matrix of a quaternion, or its inverse on request.
+// Compute the rotation matrix (3 by 3) of a quaternion, or the inverse matrix if `isInverse` is
+// true.
 std::array<double, 9> rotationOf(const Motion& motion, bool isInverse)
 {
   std::array<double, 4> q = motion.Quaternion;
@@ -217,7 +218,7 @@ private:
     this->Data.ReplacedValues += scan.ReplacedValues;
   }
 
-  // Keep the arrays that all scans have.
+  // Append the arrays of a scan. Arrays that the scan does not have are removed.
   void appendArrays(std::vector<NamedArray>& more, bool isFirst)
   {
     auto& arrays = this->Data.PointArrays;

@@ -21,8 +21,8 @@ bool isInside(const fs::path& realFolder, const fs::path& realPath)
   return folder == realFolder.end() && path != realPath.end();
 }
 
-// Return an identity that is equal for all names of one file, also for hard links if the system
-// supports it.
+// Return a text that identifies a file. The text is equal for all paths to the file, also for hard
+// links if the system supports it.
 std::string identityOf(const fs::path& realPath)
 {
 #ifndef _WIN32

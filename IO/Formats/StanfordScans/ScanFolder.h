@@ -1,4 +1,4 @@
-/// Open the files of a list of scans.
+/// Open scan files by their names in a list of range scans.
 
 #ifndef ConformalScanFolder_h
 #define ConformalScanFolder_h
@@ -9,9 +9,9 @@
 
 namespace conformal
 {
-/// Return a function that opens scans by their paths relative to a folder. Symbolic links are
-/// followed. Unless external files are allowed, a path that leads out of the folder is rejected
-/// (Malformed).
+/// Return a function that opens a scan by its path relative to a folder. Symbolic links are
+/// followed. If allowExternalFiles is false, a path that leads out of the folder is rejected with
+/// the status Malformed.
 OpenScan openScansIn(const std::string& folder, bool allowExternalFiles);
 }
 

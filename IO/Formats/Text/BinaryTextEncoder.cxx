@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-// Compress piece by piece, so that the run can be aborted.
+// Compress bytes piece by piece, so that the run can be aborted.
 std::string deflated(std::string_view bytes, const Run& run)
 {
   constexpr std::size_t piece = 1 << 18;

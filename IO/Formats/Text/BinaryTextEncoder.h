@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Return bytes as base64 text.
-/// @param[in] isCompressed  whether to compress the bytes first
+/// Convert bytes to base64 text.
+/// @param[in] isCompressed  whether to compress the bytes with zlib first
 /// @throws Aborted
 std::string encodeBinaryText(std::string_view bytes, bool isCompressed, const Run& run = {});
 }

@@ -7,8 +7,8 @@ namespace conformal
 {
 namespace
 {
-// Return the number of bytes of the first character of a text, 0 if it is invalid. Invalid
-// characters are truncated, overlong, half of a surrogate pair, or beyond U+10FFFF.
+// Return the number of bytes of the first character of a text. If the character is invalid, return
+// 0. Invalid characters are truncated, overlong, half of a surrogate pair, or beyond U+10FFFF.
 std::size_t lengthOfCharacter(std::string_view text)
 {
   const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

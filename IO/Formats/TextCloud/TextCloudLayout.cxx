@@ -38,7 +38,7 @@ void forEachWord(std::string_view line, char delimiter, Use use)
     return;
   }
   line = trimmed(line, delimiter == '\t' ? " \v\f" : Blanks);
-  while (!line.empty()) // a delimiter at the end of the line only ends the last word
+  while (!line.empty()) // a delimiter at the end of the line starts no word
   {
     const std::size_t end = std::min(line.find(delimiter), line.size());
     use(trimmed(line.substr(0, end), Blanks));
@@ -78,7 +78,7 @@ bool isWholeNumber(std::string_view line)
   return trimmed(line, Blanks).find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// First lines of a text, divided into names, count and rows of numbers.
+// First lines of a text: comments, names of columns, and lines of numbers.
 struct Sample
 {
   std::vector<std::string> Remarks; // comments before the numbers
@@ -138,7 +138,8 @@ Sample takeSample(std::string_view start, bool isWhole)
   return sample;
 }
 
-// Meaning of the name of a column: a component of a known array, or unknown.
+// Meaning of the name of a column: a component of a known array. Name is empty if the meaning is
+// unknown.
 struct Role
 {
   std::string_view Name;
@@ -174,7 +175,7 @@ std::string columnName(std::size_t number)
   return "Column" + std::to_string(number);
 }
 
-// Find the first repeated name; empty if there is none.
+// Find the first repeated name. If no name is repeated, return an empty text.
 std::string repeatedName(const std::vector<std::string>& names)
 {
   std::set<std::string> seen;
@@ -183,8 +184,8 @@ std::string repeatedName(const std::vector<std::string>& names)
   return repeated == names.end() ? "" : *repeated;
 }
 
-// Read names of columns from a line; empty if the line has no names, or not x, y and z. A column
-// without a name is named by its number.
+// Read the names of columns from a line. If there are not as many names as columns, or x, y or z is
+// missing, return no names. A column without a name is named by its number.
 std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::size_t columns)
 {
   for (const char separator : { delimiter == ' ' ? '\t' : delimiter, delimiter })
@@ -273,7 +274,8 @@ std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)
   return names;
 }
 
-// Assign each column. Names of a known array form that array, all other columns keep their names.
+// Assign each column to an array. Columns of a known array form this array. Every other column
+// becomes an array of its own name.
 void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextCloudLayout& layout)
 {
   constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
@@ -281,7 +283,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
   const auto group = [&](const char* array, ScalarType type, std::size_t components)
   {
     std::array<std::size_t, 3> members = { nowhere, nowhere, nowhere };
-    for (std::size_t i = names.size(); i-- > 0;) // of "x" and "X" the first one is used
+    for (std::size_t i = names.size(); i-- > 0;) // if "x" and "X" exist, the first is used
     {
       const Role role = roleOf(lowerCase(names[i]));
       if (role.Name == array)
@@ -329,7 +331,7 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
   throw NoTextCloud(line, "found " + quoted(text) + ", expected " + expected);
 }
 
-// The numbers of the lines that have one for each column.
+// Return the numbers of all lines that have one number in each column.
 Rows rowsOf(const std::vector<std::string_view>& lines, char delimiter, std::size_t columns,
   bool decimalComma)
 {
@@ -365,7 +367,8 @@ double meanBytesOf(const std::vector<std::string_view>& lines)
   return std::max(minimum, bytes);
 }
 
-// The names of the columns by their line, or by a remark before the points; empty without any.
+// Return the names of the columns from the line of names, or from a comment before the points. If
+// both are missing, return no names.
 std::vector<std::string> statedNames(const Sample& sample, char delimiter, std::size_t columns)
 {
   std::vector<std::string> names;
@@ -457,12 +460,12 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   }
   layout.FirstOffset = sample.FirstOffset;
   layout.HasCount = isWholeNumber(sample.Lines[0]);
-  if (layout.HasCount) // other blocks are possible
+  if (layout.HasCount) // the counts of further blocks are also removed
   {
     sample.Lines.erase(
       std::remove_if(sample.Lines.begin(), sample.Lines.end(), isWholeNumber), sample.Lines.end());
   }
-  // Without a point in the sample, the points that follow count as three numbers.
+  // If the first lines contain no point, points are assumed to have three numbers.
   const std::string_view line = sample.Lines.empty() ? "0 0 0" : sample.Lines[0];
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
   layout.Delimiter = has(';') ? ';' : has(',') && !decimalComma ? ',' : ' ';

@@ -1,4 +1,4 @@
-/// Meaning of the columns of a text file of points, derived from its first lines.
+/// Find the meaning of the columns of a text file of points, from its first lines.
 
 #ifndef ConformalTextCloudLayout_h
 #define ConformalTextCloudLayout_h
@@ -14,9 +14,9 @@ namespace conformal
 {
 struct TextCloudLayout
 {
-  char Delimiter = ' '; ///< separator of columns; a blank includes tabs
-  bool HasCount = false;
-  bool HasNames = false;
+  char Delimiter = ' ';  ///< separator of columns; a blank stands for blanks and tabs
+  bool HasCount = false; ///< whether the number of points precedes the points
+  bool HasNames = false; ///< whether a line, not a comment, contains the names of the columns
 
   /// Array and component in which the values of a column are stored.
   struct Column
@@ -26,9 +26,9 @@ struct TextCloudLayout
   };
   std::vector<Column> Columns;
   std::vector<NamedArray> Arrays; ///< arrays without values; the first array contains the points
-  std::size_t FirstOffset = 0;    ///< offset of the first line with numbers
-  double MeanLineBytes = 0.0;     ///< mean length of the examined lines with points
-  bool AllLinesFit = false;       ///< whether there are such lines, and each has all columns
+  std::size_t FirstOffset = 0;    ///< offset of the first line with numbers [bytes]
+  double MeanLineBytes = 0.0;     ///< mean length of the examined lines [bytes]
+  bool AllLinesFit = false;       ///< whether lines were examined, and each has all columns
 };
 
 /// Test whether a line is blank or a comment after #, // or ;.
@@ -37,11 +37,13 @@ bool isIgnoredLine(std::string_view line);
 /// Test whether a line begins with a number.
 bool startsWithNumber(std::string_view line, char delimiter);
 
-/// Describe why a line is not a point: a wrong number of columns, or a word that is not a number.
+/// Return an error message for a line that is not a point. The line has a wrong number of columns,
+/// or contains a word that is not a number.
 std::string describeNoPoint(
   std::string_view line, const TextCloudLayout& layout, bool decimalComma);
 
-/// Exception for a text whose first lines are not points. Line is counted from 1.
+/// Exception for a text whose first lines are not points. Line is the number of the wrong line,
+/// counted from 1.
 class NoTextCloud : public std::invalid_argument
 {
 public:
@@ -55,23 +57,27 @@ public:
 
 /// Find the layout of a text from its first lines.
 ///
-/// The delimiter is a semicolon if the first line of numbers contains a semicolon. Otherwise it is
-/// a comma, if the line contains a comma and commas are not decimal marks. Otherwise it is a blank.
+/// The delimiter is found in the first line of numbers. If this line contains a semicolon, the
+/// delimiter is a semicolon. Otherwise, if the line contains a comma that is not a decimal mark,
+/// the delimiter is a comma. Otherwise, blanks and tabs separate the columns.
 ///
 /// Names of columns are read from a line before the numbers, which may be a comment. This line must
 /// contain the names x, y and z, and no name twice. Without names, the first three columns are x, y
-/// and z. The other columns are classified by the number of columns and by the values of the first
-/// hundred lines:
+/// and z. The other columns are then classified by the number of columns, and by the values in the
+/// first hundred lines:
 /// - 4 columns: intensity;
-/// - 6 columns: normals if all are of unit length, else colors if all are integers in 0..255;
-/// - 7 columns: intensity and colors in either order;
-/// - 9 columns: normals and colors in either order.
+/// - 6 columns: normals if all normals have unit length, otherwise colors if all values are
+///   integers in [0, 255];
+/// - 7 columns: intensity and colors, or colors and intensity;
+/// - 9 columns: normals and colors, or colors and normals.
 ///
-/// All other columns are named "Column4" and so on.
+/// Columns without a known meaning are named by their number, such as "Column4".
 ///
-/// @param[in] start    bytes from the start of a text
-/// @param[in] isWhole  whether `start` is the whole text; otherwise the last line may be incomplete
-/// @throws NoTextCloud
+/// @param[in] start         bytes from the start of a text
+/// @param[in] isWhole       whether `start` is the whole text; otherwise the last line may be
+///   incomplete
+/// @param[in] decimalComma  whether commas are decimal marks
+/// @throws NoTextCloud if the first lines are not points
 TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool decimalComma);
 }
 

@@ -110,7 +110,7 @@ private:
     }
   }
 
-  // Find the bytes in which the lines of this piece begin.
+  // Find the range of bytes in which the lines of this piece begin.
   void findPiece(std::uint64_t firstPoint)
   {
     const FilePiece& piece = this->Options.Piece;
@@ -125,7 +125,8 @@ private:
     this->End = firstPoint + piece.end(size - firstPoint);
   }
 
-  // Advance to the first line that begins at an offset or later. A line end may span the offset.
+  // Advance to the first line that begins at an offset or later. The offset may be between CR and
+  // LF of a line end.
   void goToLineFrom(std::uint64_t offset)
   {
     this->Input.beginBinary();
@@ -137,7 +138,7 @@ private:
     }
   }
 
-  // Read a line into Row; return false if it is not a point.
+  // Read the numbers of a line into Row. Return false if the line is not a point.
   bool readPoint(std::string_view line)
   {
     if (this->Options.DecimalComma)
@@ -263,7 +264,7 @@ private:
   std::vector<double> Row;
   std::string Text;
   std::uint64_t PointsToCome = 0;
-  std::uint64_t Begin = 0, End = 0; ///< bytes of the piece
+  std::uint64_t Begin = 0, End = 0; ///< range of bytes of the piece
 };
 }
 

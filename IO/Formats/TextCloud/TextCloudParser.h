@@ -1,4 +1,4 @@
-/// Parse text files of points: XYZ, ASC, TXT, CSV, NTS, PTS.
+/// Parse text files of points: formats XYZ, ASC, TXT, CSV, NTS and PTS.
 
 #ifndef ConformalTextCloudParser_h
 #define ConformalTextCloudParser_h
@@ -16,21 +16,24 @@ namespace conformal
 struct TextCloudOptions
 {
   bool DecimalComma = false; ///< whether numbers use a decimal comma, as in 0,5
-  /// Whether to count lines that are not points, instead of rejecting the file
+  /// Whether to skip and count malformed lines. If false, a malformed line is an error
   bool SkipMalformedLines = false;
-  /// Part of the file to read. Parts have equal numbers of bytes, rounded to line ends. A file with
-  /// a count cannot be divided
+  /// Part of the file to read. Parts have equal numbers of bytes, rounded to whole lines. If a file
+  /// states its number of points, all points belong to the first part
   FilePiece Piece;
 };
 
-/// Read a text with one point in each line. findTextCloudLayout() defines the meaning of the
-/// columns. Points, "Normals" and all other columns are Float64, except integer colors, which
-/// become "RGB" (UInt8). A single number on the first line is the number of points that follow
-/// (PTS). A file may have several such blocks.
+/// Read a text with one point in each line. findTextCloudLayout() determines the meaning of the
+/// columns. Colors become "RGB" (UInt8) if they are integers. Points, "Normals" and all other
+/// columns are Float64.
+///
+/// If the first line of numbers is a single number, it is the number of points that follow (format
+/// PTS). The file may then have several blocks of points, each after its number of points.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file are points as text, without decimal commas.
+/// Test whether the first bytes of a file are points as text. Numbers with decimal commas are not
+/// recognized.
 bool looksLikeTextCloud(std::string_view start);
 }
 

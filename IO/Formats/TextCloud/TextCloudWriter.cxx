@@ -25,7 +25,7 @@ std::vector<std::string> fieldsOf(const NamedArray& array)
   return fields;
 }
 
-// Write a comment with the names of all columns.
+// Return a comment line with the names of all columns.
 std::string titleOf(const std::vector<NamedArray>& arrays)
 {
   FieldNames names(",;\"'#/"); // readers use these as separators, quotes and starts of comments

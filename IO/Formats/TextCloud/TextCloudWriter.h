@@ -10,11 +10,12 @@
 
 namespace conformal
 {
-/// Write points as text, one point in each line. If there are arrays besides the points, the first
-/// line is a comment with the names of all columns. All arrays are written, one column for each
-/// component. Columns of "Normals" are named nx, ny, nz; columns of "RGB" are named r, g, b. Names
-/// of other columns are derived from the name of the array. Repeated names are made unique by
-/// appending "_".
+/// Write points as text, one point in each line. All point arrays are written, with one column for
+/// each component. If there are point arrays, the first line is a comment with the names of all
+/// columns. Columns of "Normals" are named nx, ny, nz, and columns of "RGB" are named r, g, b. The
+/// names of other columns are derived from the name of the array. If a name is repeated, "_" is
+/// appended until the name is unique.
+/// @return the text of the file
 /// @throws Aborted
 std::string makeTextCloud(const SurfaceData& surface, const Run& run = {});
 }

@@ -26,7 +26,7 @@ constexpr std::uint32_t Magic = 0x46546C67;     // "glTF"
 constexpr std::uint32_t JSONChunk = 0x4E4F534A; // "JSON"
 constexpr std::uint32_t BINChunk = 0x004E4942;  // "BIN"
 
-// Call body for all i below count and report progress from begin to end.
+// Call body(i) for all i below `count`, and report progress from `begin` to `end`.
 template <typename Body>
 void forEach(std::size_t count, const Run& run, double begin, double end, Body body)
 {
@@ -47,13 +47,13 @@ void pad(std::string& bytes, char filler)
   bytes.append((4 - bytes.size() % 4) % 4, filler);
 }
 
-// Lists of a glTF document, while the buffer is filled.
+// Builder of the lists of a glTF document and of its binary buffer.
 class GLBBuilder
 {
 public:
   std::string Bytes;
 
-  // Add a view of the bytes from `begin` on; return its index.
+  // Add a buffer view of the bytes from `begin` on, and return its index.
   int addView(std::size_t begin, int target)
   {
     this->separate(this->Views);
@@ -128,8 +128,8 @@ private:
   int NumberOfAccessors = 0;
 };
 
-// Choose the origin of coordinates: that of the surface, or its center if floats are too coarse so
-// far from the origin.
+// Choose the origin of the coordinates in the file. If floats are too coarse at this distance from
+// the origin of the surface, choose the center of its bounding box.
 std::array<double, 3> originOf(const std::vector<double>& positions)
 {
   const FloatRounding rounding =
@@ -142,7 +142,7 @@ std::array<double, 3> originOf(const std::vector<double>& positions)
   return origin;
 }
 
-// Transform of the node from coordinates of the file to meters.
+// Return the transform of the node, from coordinates of the file to meters, as JSON.
 std::string placementOf(const std::array<double, 3>& origin, double metersPerUnit)
 {
   std::string text;
@@ -170,7 +170,7 @@ std::string placementOf(const std::array<double, 3>& origin, double metersPerUni
   return text;
 }
 
-// Compute the minimum and maximum position, as the floats in the file.
+// Compute the minimum and maximum of the positions, as floats like in the file.
 template <typename Coordinate>
 std::string boundsOf(std::size_t count, Coordinate coordinate)
 {

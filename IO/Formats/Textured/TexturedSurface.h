@@ -1,4 +1,4 @@
-/// Write textured surfaces: binary glTF 2.0, Wavefront OBJ and PLY.
+/// Write textured surfaces in three formats: binary glTF 2.0, Wavefront OBJ and PLY.
 
 #ifndef ConformalTexturedSurface_h
 #define ConformalTexturedSurface_h
@@ -13,39 +13,44 @@
 
 namespace conformal
 {
-/// Triangles with texture coordinates. All numbers are finite.
+/// Surface of #P points and #F triangles with texture coordinates. All numbers are finite.
 struct TexturedSurface
 {
   std::vector<double> Positions;      ///< #P by 3
-  std::vector<float> Normals;         ///< #P by 3 of unit length, or empty
+  std::vector<float> Normals;         ///< #P by 3, vectors of unit length; or empty
   std::vector<float> TexCoords;       ///< #P by 2, v counted from the bottom of the picture
   std::vector<std::uint32_t> Corners; ///< #F by 3 point ids, counter-clockwise from outside
-  /// Whether the picture is repeated outside of [0, 1]; otherwise its border is repeated there
+  /// Whether the picture is repeated for texture coordinates outside of [0, 1]. Otherwise, the
+  /// pixels of its border are repeated
   bool RepeatsTexture = false;
-  std::string Name;           ///< name of the surface, for glTF; no name if empty
-  double MetersPerUnit = 1.0; ///< unit of the positions, for glTF; finite and above 0
+  std::string Name;           ///< name of the surface, for glTF; may be empty
+  double MetersPerUnit = 1.0; ///< unit of the positions [m], for glTF; finite and above 0
 };
 
-/// Write a binary glTF 2.0 file that contains the picture. As glTF requires, positions become
-/// floats, and v is counted from the top. Lengths are meters in glTF: the node of the surface is
-/// scaled by MetersPerUnit. This number is also "metersPerUnit" in the extras of the asset. If
-/// FloatRounding::isTooCoarse(), positions are relative to the center of the bounding box, and the
-/// node is translated to this center.
+/// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
+/// positions become floats, and v is counted from the top. glTF measures lengths in meters. The
+/// node of the surface is therefore scaled by MetersPerUnit. MetersPerUnit is also written as
+/// "metersPerUnit" in the extras of the asset.
+///
+/// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
+/// are relative to the center of the bounding box. The node is then translated to this center.
+/// @param[in] png  picture as a PNG file
 /// @throws std::invalid_argument if the positions are too large or too small for floats
-/// @throws std::length_error if the file would exceed the 4 GiB of the format
+/// @throws std::length_error if the file would exceed 4 GiB, the limit of the format
 /// @throws Aborted
 std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
 
-/// Return the text of an OBJ file that refers to the material "surface" of a material file.
+/// Return the text of an OBJ file. The surface has the material "surface" of a material file.
 /// @throws Aborted
 std::string makeOBJ(
   const TexturedSurface& surface, const std::string& materialFile, const Run& run = {});
 
-/// Return the text of a material file with the material "surface", which shows the texture.
+/// Return the text of a material file (MTL). Its only material, "surface", shows the texture.
 std::string makeMTL(const std::string& textureFile);
 
-/// Write a binary PLY file. Its vertices have the texture coordinates "texture_u" and "texture_v";
-/// v is counted from the bottom. A comment "TextureFile" names the picture. Positions are doubles.
+/// Write a binary PLY file. Positions are doubles. The vertices have the texture coordinates
+/// "texture_u" and "texture_v", with v counted from the bottom of the picture. A header line
+/// "comment TextureFile" contains the name of the picture.
 /// @throws std::length_error if there are too many points for signed 32-bit ids
 /// @throws Aborted
 std::string makePLY(

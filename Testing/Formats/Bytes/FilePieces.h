@@ -1,4 +1,4 @@
-// What the pieces of a file owe the whole, said once for all parsers.
+// Check for all parsers that the pieces of a file together equal the whole file.
 #ifndef FilePieces_h
 #define FilePieces_h
 
@@ -13,7 +13,8 @@
 
 namespace samples
 {
-/// Bytes as a file has them, which counts what is read of it.
+/// Return a reader of bytes that works as for a file. The number of bytes read is counted in
+/// `numberRead`.
 inline conformal::ByteReader InFile(const std::string& bytes, std::size_t& numberRead)
 {
   auto position = std::make_shared<std::size_t>(0);
@@ -38,7 +39,8 @@ inline std::string bytesOf(const conformal::NamedArray& array)
   return std::string(reinterpret_cast<const char*>(array.Values.data()), array.Values.size());
 }
 
-/// However many pieces there are, they have all arrays, and one after the other all their values.
+/// Divide a file into different numbers of pieces. Expect that each piece has all arrays. The
+/// values of consecutive pieces must equal the values of the whole file.
 inline void ExpectPiecesMakeTheWhole(const std::string& bytes, const ParsePiece& parse)
 {
   std::size_t numberRead = 0;
@@ -81,7 +83,9 @@ inline void ExpectPiecesMakeTheWhole(const std::string& bytes, const ParsePiece&
   }
 }
 
-/// Of a large file each of so many pieces reads its share, what tells the format, and a window.
+/// Divide a large file into 4 pieces. Expect that the parser of each piece reads about a quarter of
+/// the bytes. The parser may also read the bytes that identify the format, and two windows of the
+/// reader.
 inline void ExpectPiecesReadTheirShare(const std::string& bytes, const ParsePiece& parse)
 {
   constexpr std::uint64_t count = 4;

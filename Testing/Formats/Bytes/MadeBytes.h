@@ -1,4 +1,4 @@
-// Files made in place, changed ones, and what parsers make of bytes.
+// Make the bytes of files for tests of parsers.
 #ifndef MadeBytes_h
 #define MadeBytes_h
 
@@ -20,7 +20,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text;
 }
 
-// Builds bytes with numbers of either order.
+// Builder of bytes. Numbers are big-endian or little-endian.
 class Bytes
 {
 public:

@@ -1,4 +1,4 @@
-// Whatever may happen to a file.
+// Change the bytes of a file at random.
 #ifndef Mutations_h
 #define Mutations_h
 
@@ -9,10 +9,10 @@
 
 namespace samples
 {
-/// One to three changes of a file; the same for the same seed.
+/// Return the bytes after one to three random changes. Equal seeds cause equal changes.
 inline std::string Mutated(std::string bytes, std::uint32_t seed)
 {
-  // Numbers and words that break readers.
+  // Numbers and words that often cause errors of parsers.
   static const char* const words[] = { "-1", "0", "4294967295", "18446744073709551615", "nan",
     "1e999", "x", "3", "255", "list", "double", "face", "tristrips", "BINARY", "\n", "\r", "\t",
     "\xFF\xFF\xFF\xFF", "\x7F\xFF\xFF\xFF", "1e-400", ",", ";", "#", "{", ")" };
@@ -21,7 +21,8 @@ inline std::string Mutated(std::string bytes, std::uint32_t seed)
   const std::size_t changes = 1 + below(3);
   for (std::size_t i = 0; i < changes && !bytes.empty(); ++i)
   {
-    // Most of a small file may be header: every second change is one of its second half.
+    // A small file may consist mostly of its header. Every second change is therefore in the second
+    // half of the file.
     const std::size_t begin = below(2) == 0 ? 0 : bytes.size() / 2;
     const std::size_t at = begin + below(bytes.size() - begin);
     switch (below(10))
@@ -47,10 +48,10 @@ inline std::string Mutated(std::string bytes, std::uint32_t seed)
       case 6:
         bytes.insert(at, below(50) == 0 ? (1 << 20) : 1 + below(3000), bytes[at]);
         break;
-      case 7: // a number of four bytes
+      case 7: // replace a number of four bytes
         bytes.replace(at, 4, { '\0', static_cast<char>(random()), '\0', '\1' });
         break;
-      default: // a word for a word
+      default: // replace a word by another word
       {
         const std::size_t word = std::min(bytes.find_first_of(" \n", at), bytes.size() - 1) + 1;
         const std::size_t end = std::min(bytes.find_first_of(" \n", word), bytes.size());

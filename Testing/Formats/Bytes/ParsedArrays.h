@@ -1,4 +1,4 @@
-// Looks at what parsers give.
+// Access and compare the results of parsers.
 #ifndef ParsedArrays_h
 #define ParsedArrays_h
 

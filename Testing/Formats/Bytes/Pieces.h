@@ -1,4 +1,4 @@
-// Bytes as they come from a file.
+// Read bytes piece by piece, as from a file.
 #ifndef Pieces_h
 #define Pieces_h
 

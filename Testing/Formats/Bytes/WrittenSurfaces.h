@@ -1,4 +1,5 @@
-/// Surfaces to write, and whether they are read back the same, to the last bit.
+/// Make surfaces for tests of writers, and check that parsers read the same numbers, equal to the
+/// last bit.
 
 #ifndef ConformalWrittenSurfaces_h
 #define ConformalWrittenSurfaces_h
@@ -52,7 +53,7 @@ NamedArray randomArray(
   return arrayOf(name, type, components, values);
 }
 
-/// A tetrahedron of doubles, of a size and at a distance from the origin.
+/// Return a tetrahedron of doubles with a given size, at a given distance from the origin.
 inline SurfaceData distantTetrahedron(double size, double distance)
 {
   SurfaceData data;
@@ -74,8 +75,9 @@ inline SurfaceData distantTetrahedron(double size, double distance)
   return data;
 }
 
-/// Writing a surface so far from the origin that floats would spoil it is refused, nearer ones are
-/// written, and so are far ones whose coordinates are floats.
+/// Expect an error if a writer of floats gets a surface far from the origin, whose shape rounding
+/// would change. Surfaces closer to the origin must be written. Distant surfaces must also be
+/// written if their coordinates are exact as floats.
 template <typename Make>
 void ExpectRefusesDistantSurfaces(Make make)
 {
@@ -83,7 +85,7 @@ void ExpectRefusesDistantSurfaces(Make make)
   EXPECT_NO_THROW(make(distantTetrahedron(1.0, 100.0)));
   EXPECT_NO_THROW(make(distantTetrahedron(1e-30, 1e-28)));
   EXPECT_NO_THROW(make(distantTetrahedron(1e30, 1e32)));
-  EXPECT_NO_THROW(make(distantTetrahedron(0.0, 0.1))); // all of one place
+  EXPECT_NO_THROW(make(distantTetrahedron(0.0, 0.1))); // all points coincide
   SurfaceData floats = distantTetrahedron(1.0, 5e6);
   double* numbers = reinterpret_cast<double*>(floats.Points.Values.data());
   std::transform(numbers, numbers + 12, numbers,
@@ -105,7 +107,8 @@ void ExpectRefusesDistantSurfaces(Make make)
   }
 }
 
-/// A tetrahedron of hard numbers, in floats or doubles.
+/// Return a tetrahedron of floats or doubles with numbers that are difficult to write exactly, such
+/// as 1/3.
 inline SurfaceData tetrahedron(bool isDouble)
 {
   SurfaceData data;
@@ -144,7 +147,8 @@ inline std::vector<double> asDoubles(const NamedArray& array)
   return result;
 }
 
-/// Arrays of the same names and values; also of the same types if asked.
+/// Expect arrays of the same names and values. If `areTypesKept` is true, also expect the same
+/// types.
 inline void ExpectSame(
   const std::vector<NamedArray>& read, const std::vector<NamedArray>& written, bool areTypesKept)
 {
@@ -189,7 +193,7 @@ inline NamedArray spherePositions()
     "SpherePosition", ScalarType::Float64, 3, { 0, 0, 1, 1, 0, 0, 0, -1, 0, 0.6, 0, 0.8 });
 }
 
-/// A tetrahedron whose map has one position without a direction.
+/// Return tetrahedra whose map has one position without a direction: zero, NaN or infinite.
 inline std::vector<SurfaceData> surfacesWithABrokenMap()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -209,7 +213,7 @@ inline std::vector<SurfaceData> surfacesWithABrokenMap()
   return surfaces;
 }
 
-/// A square beside a triangle.
+/// Return a surface with one more polygon id than its triangles need, as if it had a quadrilateral.
 inline SurfaceData surfaceWithAQuad()
 {
   SurfaceData quads = tetrahedron(false);

@@ -1,4 +1,4 @@
-// FreeSurfer's files made in place.
+// Make valid and broken files of FreeSurfer for tests.
 #ifndef FreeSurferSamples_h
 #define FreeSurferSamples_h
 
@@ -19,7 +19,8 @@ inline const std::vector<std::int32_t>& TetrahedronIds()
   return ids;
 }
 
-// Triangles; a scale other than 1 gives another surface of the same sphere.
+// Return a surface file of triangles. The polygons do not depend on the scale. The surface of scale
+// 1 can therefore be the sphere of the surface of another scale.
 inline std::string FreeSurferTriangles(float scale = 1.0F)
 {
   Bytes file(true,
@@ -83,19 +84,19 @@ inline std::vector<std::string> FreeSurferFiles()
   return { FreeSurferTriangles(), FreeSurferQuads(false), FreeSurferQuads(true) };
 }
 
-// A file with a number of four bytes in place of that at some byte.
+// Return a file with the four bytes from `at` on replaced by a number.
 inline std::string With32(std::string file, std::size_t at, std::uint32_t value)
 {
   return file.replace(at, 4, Bytes(true).add(value).bytes());
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadFreeSurferFiles()
 {
   const std::string triangles = FreeSurferTriangles();
   const std::string quads = FreeSurferQuads(false);
   const std::string old = FreeSurferQuads(true);
-  const std::size_t head = 3 + 24; // magic and lines
+  const std::size_t head = 3 + 24; // size of the magic number and the lines of text
   const std::size_t ids = head + 8 + 48;
   std::vector<std::string> files = { FreeSurferCurv(true), FreeSurferCurv(false),
     With32(triangles, head, 0xFFFFFFFFU), With32(triangles, head, 0x7FFFFFFFU),

@@ -1,4 +1,4 @@
-// GIFTI files made in place.
+// Make valid and broken GIFTI files for tests.
 #ifndef GIFTISamples_h
 #define GIFTISamples_h
 
@@ -47,7 +47,7 @@ inline std::string AsciiGIFTI()
     { "SHAPE", "FLOAT32", "Dimensionality=\"1\" Dim0=\"4\"", "ASCII", "", "1 2 3 0.25" } });
 }
 
-// With or without compression, of either order of bytes; a scale gives another surface.
+// Return a binary GIFTI file of a surface. The scale multiplies all coordinates.
 inline std::string BinaryGIFTI(bool isBig, bool isCompressed, double scale = 1.0)
 {
   const std::string encoding = isCompressed ? "GZipBase64Binary" : "Base64Binary";
@@ -80,7 +80,7 @@ inline std::string ShapeGIFTI(int points = 4)
 
 inline std::vector<std::string> GIFTIFiles()
 {
-  std::string metadata; // that nobody reads
+  std::string metadata; // ignored by parsers
   for (int i = 0; i < 40; ++i)
   {
     metadata += "<MD><Name>Description " + std::to_string(i) +
@@ -91,7 +91,7 @@ inline std::vector<std::string> GIFTIFiles()
   return { AsciiGIFTI(), BinaryGIFTI(false, false), BinaryGIFTI(true, true), described };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadGIFTIFiles()
 {
   const std::string ascii = AsciiGIFTI();

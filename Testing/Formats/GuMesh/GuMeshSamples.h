@@ -1,4 +1,4 @@
-// Gu's meshes made in place.
+// Make valid and broken files in the .m format of Gu's MeshLib for tests.
 #ifndef GuMeshSamples_h
 #define GuMeshSamples_h
 
@@ -14,7 +14,8 @@ inline const std::string& PlainGuMesh()
   return text;
 }
 
-// Sparse ids in no order, every trait and some of others.
+// Return a mesh with unsorted ids that are not consecutive, with all known traits, and with unknown
+// traits.
 inline const std::string& RichGuMesh()
 {
   static const std::string text =
@@ -32,7 +33,7 @@ inline std::vector<std::string> GuMeshFiles()
   return { PlainGuMesh(), RichGuMesh(), "Vertex 0 0 0 0\nVertex 1 1 1 1\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadGuMeshFiles()
 {
   const auto& plain = PlainGuMesh();

@@ -1,4 +1,4 @@
-// OFF files made in place.
+// Make valid and broken OFF files for tests.
 #ifndef OFFSamples_h
 #define OFFSamples_h
 
@@ -13,7 +13,8 @@ inline const std::string& PlainOFF()
   return text;
 }
 
-// Every prefix of a text but 4 and n, remarks, colors of faces of every sort.
+// Return a text file with all prefixes except 4 and n. The file has comments, and all kinds of
+// colors of faces.
 inline const std::string& RichOFF()
 {
   static const std::string text = "STCNOFF # all of it\n# points\n4 3 # no edges\n\n"
@@ -45,7 +46,7 @@ inline std::vector<std::string> OFFFiles()
     "OFF\n3 1 0\n0 0 0 1 2 3\n1 0 0 4 5 6\n0 1 0 7 8 9\n3 0 1 2\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadOFFFiles()
 {
   const auto& plain = PlainOFF();

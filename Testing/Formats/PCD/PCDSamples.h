@@ -1,4 +1,4 @@
-// PCD files made in place.
+// Make valid and broken PCD files for tests.
 #ifndef PCDSamples_h
 #define PCDSamples_h
 
@@ -20,7 +20,8 @@ inline const std::string& AsciiPCD()
   return text;
 }
 
-// Fields of several numbers, padding, 8 bytes, an old version without WIDTH.
+// Return a header of an old version without WIDTH. The header has fields of several numbers,
+// padding, and fields of 8 bytes.
 inline std::string PCDHead(const std::string& format)
 {
   return "VERSION 0.5\nCOLUMNS normal_x x y z _ normal_y normal_z rgba pair stamp\n"
@@ -61,7 +62,8 @@ inline std::string BinaryPCD()
   return file.bytes();
 }
 
-// Compresses as LibLZF does, slowly: the longest match in the last 8192 bytes.
+// Compress bytes in the format of LibLZF. The slow search finds the longest match in the last 8192
+// bytes.
 inline std::string CompressedLZF(const std::string& bytes)
 {
   std::string result;
@@ -146,7 +148,7 @@ inline std::vector<std::string> PCDFiles()
     "FIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadPCDFiles()
 {
   const auto& ascii = AsciiPCD();

@@ -1,4 +1,4 @@
-// PLY files made in place.
+// Make valid and broken PLY files for tests.
 #ifndef PLYSamples_h
 #define PLYSamples_h
 
@@ -9,7 +9,8 @@
 
 namespace samples
 {
-// A tetrahedron with an attribute of every sort, elements around it that nobody knows.
+// Return a tetrahedron with all kinds of attributes, and with unknown elements before and after the
+// known elements.
 inline const std::string& AsciiMesh()
 {
   static const std::string text = "ply\n"
@@ -80,7 +81,8 @@ inline const std::string& AsciiStrips()
   return text;
 }
 
-// Three by three cells of a scanner, one of which saw nothing, with a step to the last column.
+// Return a range grid of 3 by 3 cells. One cell has no point, and the last column has a different
+// depth.
 inline const std::string& AsciiGrid()
 {
   static const std::string text = "ply\n"
@@ -101,7 +103,7 @@ inline const std::string& AsciiGrid()
   return text;
 }
 
-// A binary file of either order, behind its header.
+// Return the header of a binary file, big-endian or little-endian, to which the data are added.
 inline Bytes Binary(bool isBig, const std::string& header)
 {
   return Bytes(isBig,
@@ -109,7 +111,7 @@ inline Bytes Binary(bool isBig, const std::string& header)
       "end_header\n");
 }
 
-// The mesh of AsciiMesh() in binary, properties in another order.
+// Return the mesh of AsciiMesh() as a binary file, with properties in a different order.
 inline std::string BinaryMesh(bool isBig)
 {
   Bytes file = Binary(isBig,
@@ -160,7 +162,7 @@ inline std::vector<std::string> PLYFiles()
     BinaryMesh(true), BinaryCloud(false), BinaryCloud(true) };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadPLYFiles()
 {
   const auto& mesh = AsciiMesh();

@@ -1,4 +1,4 @@
-// Plate models made in place.
+// Make valid and broken plate models for tests.
 #ifndef PlateModelSamples_h
 #define PlateModelSamples_h
 
@@ -6,7 +6,7 @@
 
 namespace samples
 {
-// Two tables with numbered rows and a count each.
+// Return a file with two tables. Each table has a count and numbered rows.
 inline const std::string& NumberedPlates()
 {
   static const std::string text =
@@ -17,7 +17,8 @@ inline const std::string& NumberedPlates()
   return text;
 }
 
-// Both counts first, and a line for the number of corners.
+// Return a .ver file with both counts on the first line. The number of corners of each plate is on
+// a separate line.
 inline const std::string& VerPlates()
 {
   static const std::string text = "  4   4\n 0 0 0\n 1.5 0 0\n 0 1 0\n 0 0 1e-3\n"
@@ -33,7 +34,7 @@ inline std::vector<std::string> PlateModelFiles()
     "3 1\n\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n", "3\n0 0 0 0\n1 1 0 0\n2 0 1 0\n1\n0 0 1 2\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadPlateModelFiles()
 {
   const auto& numbered = NumberedPlates();

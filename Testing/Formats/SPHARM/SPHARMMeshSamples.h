@@ -1,4 +1,4 @@
-// SPHARM-PDM's meshes made in place.
+// Make valid and broken meshes of SPHARM-PDM for tests.
 #ifndef SPHARMMeshSamples_h
 #define SPHARMMeshSamples_h
 
@@ -14,7 +14,7 @@ inline const std::string& SPHARMMesh()
   return text;
 }
 
-// Of the same polygons.
+// Return a sphere with the polygons of SPHARMMesh().
 inline const std::string& SPHARMSphere()
 {
   static const std::string text =
@@ -23,7 +23,7 @@ inline const std::string& SPHARMSphere()
   return text;
 }
 
-// The other kinds of files: of version 5.1, binary, and with cells and arrays that are passed over.
+// Return a file of version 5.1 with cells and arrays that parsers skip.
 inline std::string SPHARMMeshByOffsets()
 {
   return "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n"
@@ -61,7 +61,7 @@ inline std::vector<std::string> SPHARMMeshFiles()
   return { SPHARMMesh(), SPHARMMeshByOffsets(), BinarySPHARMMesh(false), BinarySPHARMMesh(true) };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadSPHARMMeshFiles()
 {
   const std::string &mesh = SPHARMMesh(), offsets = SPHARMMeshByOffsets();

@@ -1,4 +1,4 @@
-// Files of coefficients made in place.
+// Make valid and broken files of spherical-harmonic coefficients for tests.
 #ifndef SPHARMSamples_h
 #define SPHARMSamples_h
 
@@ -6,7 +6,7 @@
 
 namespace samples
 {
-// Of degree 1, as SPHARM-PDM prints them.
+// Return coefficients up to degree 1, with the number of digits that SPHARM-PDM writes.
 inline const std::string& SPHARMCoefficients()
 {
   static const std::string text = "{ 4,{0.500000, -1.000000, 2.000000},\n"
@@ -27,7 +27,7 @@ inline std::vector<std::string> SPHARMCoefficientFiles()
   return { SPHARMCoefficients(), large + "}\n", "{1,{0,0,0}}" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadSPHARMCoefficientFiles()
 {
   const std::string& good = SPHARMCoefficients();

@@ -1,4 +1,4 @@
-// Scans of a sphere from three sides, laid out as those of the Stanford repository.
+// Make scans of a sphere from three sides, in the format of the Stanford 3D Scanning Repository.
 #ifndef AlignedScansSamples_h
 #define AlignedScansSamples_h
 
@@ -16,7 +16,7 @@ struct SphereScan
 {
   std::string Name;
   std::array<double, 3> Translation;
-  std::array<double, 4> Quaternion; // of unit length, its scalar last
+  std::array<double, 4> Quaternion; // unit quaternion with the scalar part last
 };
 
 inline const std::vector<SphereScan>& SphereScanMotions()
@@ -27,7 +27,7 @@ inline const std::vector<SphereScan>& SphereScanMotions()
   return scans;
 }
 
-// v turned by a quaternion as it commonly is.
+// Return the vector v, rotated by the usual rotation of a unit quaternion q.
 inline std::array<double, 3> Turned(const std::array<double, 4>& q, const std::array<double, 3>& v)
 {
   const auto cross = [](const std::array<double, 3>& a, const std::array<double, 3>& b)
@@ -45,8 +45,9 @@ inline std::array<double, 3> Turned(const std::array<double, 4>& q, const std::a
   return { v[0] + 2 * outer[0], v[1] + 2 * outer[1], v[2] + 2 * outer[2] };
 }
 
-// What a scanner sees of the unit sphere, big endian, with a grid and a confidence. The file's
-// motion is p' = R^-1 p + t, so its points are R (p' - t).
+// Return scans of the unit sphere as big-endian PLY files, with a range grid and a confidence. The
+// list of scans moves each point p of a scan to R^-1 p + t. For each scanned point s of the sphere,
+// the scan therefore contains p = R (s - t).
 inline std::vector<std::pair<std::string, std::string>> SphereScans()
 {
   std::vector<std::pair<std::string, std::string>> files;
@@ -66,7 +67,7 @@ inline std::vector<std::pair<std::string, std::string>> SphereScans()
       {
         continue;
       }
-      // The side that the scanner sees is turned with it.
+      // The scanned side of the sphere is rotated with the scanner.
       const std::array<double, 3> seen = { x, y, std::sqrt(zz) };
       const std::array<double, 3> shift = Turned(scan.Quaternion, scan.Translation);
       for (int c = 0; c < 3; ++c)
@@ -102,7 +103,7 @@ inline std::vector<std::string> AlignedScansFiles()
   return { SphereConf(), "mesh side.ply 0 0 0 0 0 0 2\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadAlignedScansFiles()
 {
   const std::string& conf = SphereConf();

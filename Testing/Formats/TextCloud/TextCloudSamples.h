@@ -1,4 +1,4 @@
-// Clouds as text, made in place.
+// Make valid and broken text files of points for tests.
 #ifndef TextCloudSamples_h
 #define TextCloudSamples_h
 
@@ -12,7 +12,7 @@ inline const std::string& PlainCloud()
   return text;
 }
 
-// Columns by names, in an order of their own, as spreadsheets write them.
+// Return a file with named columns in unusual order, as spreadsheets write them.
 inline const std::string& NamedCloud()
 {
   static const std::string text = "\"label\",\"X\",\"Y\",\"Z\",Red,green,Blue,nx,ny,nz,i\n"
@@ -21,7 +21,7 @@ inline const std::string& NamedCloud()
   return text;
 }
 
-// Two blocks of a laser scan.
+// Return a laser scan of two blocks of points.
 inline const std::string& LaserCloud()
 {
   static const std::string text = "3\n0 0 0 -100 1 2 3\n1 0 0 100 4 5 6\n0 1 0 7 7 8 9\n"
@@ -37,7 +37,7 @@ inline std::vector<std::string> TextCloudFiles()
     "0\t0\t1\t10\t20\t30\t0\t0\t1\n0\t0\t2\t11\t21\t31\t0\t1\t0\n" };
 }
 
-// Each breaks another rule.
+// Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadTextCloudFiles()
 {
   const auto& plain = PlainCloud();

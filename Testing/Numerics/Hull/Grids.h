@@ -1,4 +1,4 @@
-/// Grids shared by tests.
+/// Make grids for tests.
 
 #ifndef ConformalTestGrids_h
 #define ConformalTestGrids_h
@@ -10,9 +10,9 @@
 
 namespace grids
 {
-using Marks = std::vector<std::uint8_t>; ///< of nodes
+using Marks = std::vector<std::uint8_t>; ///< one mark for each node of a grid
 
-/// As many nodes along each axis.
+/// Return a grid with `size` nodes along each axis.
 inline conformal::FreudenthalGrid cube(int size)
 {
   conformal::FreudenthalGrid grid;
