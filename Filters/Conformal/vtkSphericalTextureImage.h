@@ -75,7 +75,7 @@ public:
   ///@{
   /**
    * Controller of the processes that share the source. Each process runs this filter on its own
-   * piece of the source. Default is the global controller. With null, only the source of this
+   * piece of the source. Default is the global controller. With null, only the source on this
    * process is used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
