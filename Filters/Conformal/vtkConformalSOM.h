@@ -3,9 +3,9 @@
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
  * Learn a closed triangle mesh with a one-to-one map to the sphere. Only points are needed. The
- * method is the conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing
- * 71 (2008). The point array "SpherePosition" of the mesh holds the position of each point on the
- * sphere. The second output is a table of the training history, for a line chart.
+ * method is the conformal self-organizing map (CSM) of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds the position of each
+ * point on the sphere. The second output is a table of the training history, for a line chart.
  *
  * Input port 0: vtkPointSet, points in any order. Polygons can serve as the surface from which
  * learning starts, see StartingShape. Other cells are ignored. Points with non-finite coordinates
@@ -14,9 +14,10 @@
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from it,
  * and StartingShape is ignored. ONLINE learning then also starts from this mesh, instead of from
- * the sphere. Let R be the largest distance of an input point from the center of the input points.
- * No coordinate of this mesh, relative to that center, may exceed 4 R. If all input points lie in a
- * plane, this mesh is used only if MeshType is ADAPTIVE.
+ * the sphere. For BATCH learning of a geodesic mesh, this input is an error. Let R be the largest
+ * distance of an input point from the center of the input points. No coordinate of this mesh,
+ * relative to that center, may exceed 4 R in magnitude. If all input points lie in a plane, this
+ * mesh is used only if MeshType is ADAPTIVE.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
  * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
@@ -28,7 +29,7 @@
  *   mesh, it is the image of the point under a conformal map. vtkGlobalConformalMap computes other
  *   maps, for example a map with more area for limbs (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
- *   to 0 over holes of the scan. vtkCurvedSeamlessSurface interpolates this array.
+ *   to 0 over holes in the data. vtkCurvedSeamlessSurface interpolates this array.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
  *   has more than 12 points for each neuron, the error is computed from a selection of that size.
@@ -67,19 +68,20 @@
  *   normals of the input.
  * - field data "NumberOfStarts" (1 value): number of surfaces from which learning was started:
  *   sphere, hull or mesh. The best result is kept.
- * - field data "VertexShift" (1 value): the property VertexShift for vtkCurvedSeamlessSurface. That
- *   filter shifts the vertices by this factor before it replaces the flat triangles by curved
- *   triangles. A value of 1 keeps the enclosed volume. The value is 0 if the mesh was not fitted.
+ * - field data "VertexShift" (1 value): suitable value of the property VertexShift of
+ *   vtkCurvedSeamlessSurface. That filter shifts the vertices by this factor before it replaces the
+ *   flat triangles by curved triangles. A value of 1 keeps the enclosed volume. The value is 0 if
+ *   the mesh was not fitted.
  * - point array "GlobalPointIds" and cell array "GlobalCellIds" (vtkIdType), only with
  *   DistributeOutput: the active global ids.
  *
- * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass (Batch)
- * or iteration of the fit. Column "Frequency" is the frequency of the geodesic sphere that has
- * about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t) on the unit sphere, and
- * "LearningRate" is alpha(t), see OnlineConstants. "MeanSquareError" is the mean square distance
- * between the presented points and the mesh. "MeanDisplacement" is the mean distance by which the
- * neurons moved. The unit of length for both columns is the largest distance of an input point from
- * the centroid of the points.
+ * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass over
+ * the points (Batch) or iteration of the fit. Column "Frequency" is the frequency of the geodesic
+ * sphere that has about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t) on the unit
+ * sphere, and "LearningRate" is alpha(t), see OnlineConstants. "MeanSquareError" is the mean square
+ * distance between the points used in the step and the mesh. "MeanDisplacement" is the mean
+ * distance by which the neurons moved. In the last two columns, the unit of length is the largest
+ * distance of an input point from the centroid of the points.
  *
  * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
  * The output is empty without GenerateStages. The name of a block consists of the number of the
@@ -185,8 +187,8 @@ public:
    * whole surface, including long limbs; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in
    * batch learning, GEODESIC in online learning and for points in a plane.
    *
-   * Learning of a geodesic mesh always starts from the sphere. An adaptive mesh has points on sharp
-   * edges and corners of the object. Documentation/Fit.md compares both types.
+   * In batch learning, a geodesic mesh is always learned from the sphere. An adaptive mesh has
+   * points on sharp edges and corners of the object. Documentation/Fit.md compares both types.
    */
   vtkSetClampMacro(MeshType, int, AUTOMATIC_MESH, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -283,8 +285,9 @@ public:
   ///@{
   /**
    * Online: the paper's constants (sigma_0, tau_1, alpha_0, tau_2). sigma_0 and tau_1 define the
-   * size of the neighborhood; alpha_0 and tau_2 define the learning rate. alpha_0 is in [0, 1), and
-   * the others are positive. Default is (0.4, 20, 0.01, 60).
+   * size of the neighborhood, the part of the sphere whose neurons learn from one point. alpha_0
+   * and tau_2 define the learning rate. alpha_0 is in [0, 1), and the others are positive. Default
+   * is (0.4, 20, 0.01, 60).
    *
    * Let t be the number of the epoch, and d a distance on the unit sphere. The neighborhood
    * function is h(d) = exp(-d^2 / (2 sigma(t)^2)) with sigma(t) = sigma_0 exp(-t / tau_1). The
@@ -322,9 +325,9 @@ public:
    * fillings, or is bad otherwise, it is learned again from a hull.
    *
    * If several meshes are learned, the best mesh is kept. The field data "UncoveredFraction",
-   * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. A geodesic mesh is
-   * always learned from the sphere; HULL and MESH are then errors. If all points lie in a plane and
-   * MeshType is AUTOMATIC_MESH, learning starts from the sphere.
+   * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. A geodesic mesh is not
+   * learned from a hull or from polygons; HULL and MESH are then errors. If all points lie in a
+   * plane and MeshType is AUTOMATIC_MESH, learning starts from the sphere.
    *
    * Where vertices of the polygons are sparse, additional points are sampled from the polygons.
    * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
@@ -349,9 +352,10 @@ public:
   /**
    * Batch: method by which the hull of the points is made, if learning starts from a hull. The
    * method classifies space as inside or outside of the points, as the Method of vtkGenusZeroHull.
-   * DISTANCE: by the distance to the points. WINDING_NUMBERS: for scans with large holes, hidden
-   * sides or noise. AUTOMATIC_METHOD (default): as AUTOMATIC of vtkGenusZeroHull; a bad adaptive
-   * mesh is learned again from the hull by the other method, and the better mesh is kept.
+   * DISTANCE: by the distance to the points. WINDING_NUMBERS: by winding numbers of the points, for
+   * scans with large holes, hidden sides or noise. AUTOMATIC_METHOD (default): as AUTOMATIC of
+   * vtkGenusZeroHull; a bad adaptive mesh is learned again from the hull by the other method, and
+   * the better mesh is kept.
    *
    * If most points of the input belong to a polygon, winding numbers use the normals of the
    * polygons, consistently oriented. Otherwise they use the active normals of the input. If there
@@ -368,8 +372,8 @@ public:
   /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
    * the fit, and the result. A level is one network of the sequence; a turn is one remeshing with
-   * its fit. Each surface has field data about its quality. Use them for figures, and to find the
-   * cause of a bad result. Default is off.
+   * its fit. Each surface has field data about its quality. Use these surfaces for figures, and to
+   * find the cause of a bad result. Default is off.
    *
    * Each intermediate surface is evaluated and kept in memory. The evaluation costs some tenths of
    * a second.
@@ -383,7 +387,7 @@ public:
   /**
    * Controller of the processes that share the points. Each process runs this filter on its own
    * piece of the points, which may be empty. The surface is learned from the points of all
-   * processes. It is equal bit by bit for any number of processes. Default is the global
+   * processes. The result is equal bit by bit for any number of processes. Default is the global
    * controller. With null, only the points of this process are used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
@@ -394,7 +398,7 @@ public:
   /**
    * Whether each process gets a piece of the surface: a range of triangles, with their points and
    * with global ids. Default is off: the first process gets the whole surface, and the other
-   * processes get an empty one.
+   * processes get an empty surface.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);

@@ -163,9 +163,9 @@ public:
   ///@{
   /**
    * Controller of the processes that share the points. Each process runs this filter on its own
-   * piece of the points, which may be empty. The surface encloses the points of all processes. It
-   * is equal bit by bit for any number of processes. Default is the global controller. With null,
-   * only the points of this process are used.
+   * piece of the points, which may be empty. The surface encloses the points of all processes. The
+   * result is equal bit by bit for any number of processes. Default is the global controller. With
+   * null, only the points of this process are used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -175,7 +175,7 @@ public:
   /**
    * Whether each process gets a piece of the surface: a range of triangles, with their points and
    * with global ids. Default is off: the first process gets the whole surface, and the other
-   * processes get an empty one.
+   * processes get an empty surface.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);

@@ -1,6 +1,6 @@
 /**
  * @class   vtkConformalPLYReader
- * @brief   read scans in the PLY format: every property, doubles, strips, and clouds with visible points
+ * @brief   read scans in the PLY format: every property, doubles, strips, and visible clouds
  *
  * Read points and polygons from a PLY file, as text or binary. Unlike ParaView's PLY Reader, this
  * reader keeps double precision and every property of a point. It also reads triangle strips, range
