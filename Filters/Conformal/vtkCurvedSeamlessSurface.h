@@ -16,10 +16,11 @@
  * - field array "VertexShift" (1 component, optional, at least 1 tuple): see the property
  *   VertexShift.
  *
- * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
- * directions of the points of this mesh, and gets the triangles of this mesh. The directions are
- * the point array "SpherePosition" (3 components) or, without this array, the coordinates. Without
- * this input, the property Sampling determines where the surface is evaluated.
+ * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. A direction is a point of the
+ * unit sphere. The surface is evaluated in the directions of the points of this mesh, and gets the
+ * triangles of this mesh. The directions are the point array "SpherePosition" (3 components) or,
+ * without this array, the coordinates. Without this input, the property Sampling determines where
+ * the surface is evaluated.
  *
  * Input port 2 (optional): vtkPointSet, the point cloud to which the surface is fitted if
  * DomeHeight is FITTED. Points with non-finite coordinates are left out with a warning, and ghost
@@ -27,7 +28,7 @@
  *
  * Output port 0: vtkPolyData, the smooth, dense surface, in the coordinates of input port 0, double
  * precision.
- * - point array "SpherePosition" (double, 3 components): unit vector of each point.
+ * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  * - point array "Normals" (double, 3 components): outward unit normals. If DomeHeight is CURVATURE
  *   or FITTED, they are shading normals, which are continuous across the edges of the input's
  *   triangles. Otherwise they are means of the normals of the triangles around each point, weighted
@@ -39,15 +40,15 @@
  *   0, otherwise 0. If Sampling is NETWORK, these are the parts of the degenerate triangle.
  *   Otherwise they are all triangles with at least one point in the degenerate triangle.
  * - field array "NumberOfDegeneratePatches" (vtkIdType): number of degenerate triangles of input
- *   port 0, for which the usual construction of the map or the dome fails. If the number is not 0,
- *   there is a warning. A triangle without area in space or on the sphere is mapped affinely. If
- *   DomeHeight is CURVATURE or FITTED, a dome that would fold over is replaced by the flat
- *   triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is opposite to that of a
- *   neighbor are also counted.
+ *   port 0, for which the usual construction of the map or the dome (see DomeHeight) fails. If the
+ *   number is not 0, there is a warning. A triangle without area in space or on the sphere is
+ *   mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is replaced
+ *   by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is opposite
+ *   to that of a neighbor are also counted.
  *
- * The algorithm is that of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11, with
- * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
+ * The surface is computed by the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to
+ * 11, with Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
  *
  * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
  * algorithm, the maps of two neighboring triangles differ along their common edge. The published

@@ -13,9 +13,9 @@
  *
  * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
  * the coordinates of the input, double precision. Triangles are counter-clockwise seen from
- * outside. With DistributeOutput, the point array "GlobalPointIds" and the cell array
- * "GlobalCellIds" (vtkIdType) are the active global ids. Field data (one value each; lengths in
- * units of the coordinates):
+ * outside. The hull bounds a set of nodes of a regular grid, which were classified as inside. With
+ * DistributeOutput, the point array "GlobalPointIds" and the cell array "GlobalCellIds" (vtkIdType)
+ * are the active global ids. Field data (one value each; lengths in units of the coordinates):
  * - "AffineRank" (idtype): dimension of the space that the points span: 3 in general, 2 for points
  *   in a plane, 1 for points on a line, 0 for equal points.
  * - "Method" (idtype): value of the property Method by which this hull was made, DISTANCE or

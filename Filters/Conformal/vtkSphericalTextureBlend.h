@@ -4,8 +4,8 @@
  *
  * Blend two pictures of an object into one image of the sphere, for the texture coordinates of
  * vtkSphericalTextureMap. The projection of that filter should cover the whole sphere (any but
- * STEREOGRAPHIC). The middle of the front picture is at the pole of the view. The pictures fade
- * into each other in a band around the equator between front and back.
+ * STEREOGRAPHIC). The middle of the front picture faces the ViewDirection of that filter. The
+ * pictures fade into each other in a band around the equator between front and back.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
  * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
