@@ -26,11 +26,12 @@
  * - "MeanAngleDistortion", "MeanQuasiConformalError" (double): means of the cell arrays.
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
  * - "SphereDegree" (double): number of times that the triangles cover the sphere; 1 for a valid
- *   map. The number is negative if the triangles are clockwise on the sphere. It is thus -1 for a
- *   valid map that mirrors the surface, and for a surface that is oriented inward.
+ *   map. The number is negative if the triangles are clockwise on the sphere. For example, the
+ *   number is -1 for a valid map that mirrors the surface, and for a surface that is oriented
+ *   inward.
  * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that have no area on the sphere, or
- *   whose orientation there is opposite to that of the majority, by area. It is 0 for a map that
- *   mirrors all triangles.
+ *   whose orientation there is opposite to that of the majority, by area. If a map mirrors all
+ *   triangles, this number is 0.
  * - "NumberOfZeroAreaTriangles" (vtkIdType): number of triangles without area, which are left out
  *   of the means.
  *

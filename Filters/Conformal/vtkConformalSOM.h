@@ -7,7 +7,7 @@
  * Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds the position of each
  * point on the sphere. The second output is a table of the training history, for a line chart.
  *
- * Input port 0: vtkPointSet, points in any order. Polygons can serve as the surface from which
+ * Input port 0: vtkPointSet, points in any sequence. Polygons can serve as the surface from which
  * learning starts, see StartingShape. Other cells are ignored. Points with non-finite coordinates
  * are left out with a warning. Hidden and duplicate ghost points are left out silently.
  *
@@ -109,9 +109,9 @@
  * still larger than a triangle. Documentation/Filters.md has the measurement.
  *
  * Implementation note: the paper's mismatch error E_mis measures distances from the points to the
- * mesh only. A mesh learned from the sphere may have webs between limbs, which E_mis does not
- * detect. An adaptive mesh is checked for webs. If there are webs, the mesh is learned again from a
- * hull, see StartingShape.
+ * mesh only. A mesh that is learned from the sphere may have webs between limbs. E_mis does not
+ * detect webs. An adaptive mesh is checked for webs. If there are webs, the mesh is learned again
+ * from a hull, see StartingShape.
  *
  * @sa
  * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkGlobalConformalMap vtkSphericalTextureMap
@@ -331,10 +331,10 @@ public:
    *
    * Where vertices of the polygons are sparse, additional points are sampled from the polygons.
    * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
-   * that belong to no polygon are left out with a warning. With AUTOMATIC, polygons that form no
-   * such surface only provide normals, see HullMethod. With several processes, polygons are used
-   * only if one process has the whole input. If several processes have points, MESH is an error,
-   * and AUTOMATIC gives a warning.
+   * that belong to no polygon are left out with a warning. With AUTOMATIC, polygons that do not
+   * form a closed surface of genus zero only provide normals, see HullMethod. With several
+   * processes, polygons are used only if one process has the whole input. If several processes have
+   * points, MESH is an error, and AUTOMATIC gives a warning.
    *
    * Small webs can be detected only in the fitted mesh. If more than 0.1 % of the fitted mesh's
    * area has no points nearby, the mesh is learned again from a hull. The second learning doubles

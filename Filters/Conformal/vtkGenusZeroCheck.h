@@ -3,10 +3,10 @@
  * @brief   check whether a surface is closed, manifold, connected, of genus zero and oriented
  *
  * Check a surface and add the result as field data; the surface itself is not changed. IsGenusZero
- * is 1 if the surface is valid. Other field data hold the numbers of boundary edges, components,
- * non-manifold edges and other faults, and the ids of faulty edges, points and cells.
- * GenusZeroReport describes the faults in words. A spreadsheet view shows all of them under Field
- * Data.
+ * is 1 if the surface is closed, manifold, connected and without handles. Other field data hold the
+ * numbers of boundary edges, components, non-manifold edges and other faults, and the ids of faulty
+ * edges, points and cells. GenusZeroReport describes the faults in words. A spreadsheet view shows
+ * these arrays under Field Data.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.

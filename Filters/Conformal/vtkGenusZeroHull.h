@@ -4,11 +4,11 @@
  *
  * Make a closed triangle mesh without handles around scattered points. The mesh closes holes in the
  * data, and has no webs (spurious membranes) between limbs. The field data hold the size of the
- * largest hole, and the number of points outside of the mesh. They also describe the handles that
- * were cut.
+ * largest hole, and the number of points outside of the mesh. Further field data describe the
+ * handles that were cut.
  *
- * Input port 0: vtkPointSet, points in any order. Points with non-finite coordinates are left out
- * with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
+ * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
+ * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
  * used only to compute winding numbers, see Method.
  *
  * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
@@ -24,8 +24,9 @@
  * - "NormalsUsed" (idtype): 1 if the winding numbers were computed with normals of the input.
  * - "KernelWidth" (double): radius over which winding numbers were averaged, which is larger for
  *   noisy points; 0 for DISTANCE.
- * - "GridSpacing" (double): distance between neighboring nodes of the grid. It is given by Spacing,
- *   or is a multiple of that length if the points are too far apart.
+ * - "GridSpacing" (double): distance between neighboring nodes of the grid. The distance is given
+ *   by Spacing. If the points are too far apart for this spacing, it is doubled until the grid is
+ *   suitable.
  * - "NumberOfInsideNodes" (idtype): number of grid nodes inside. For DISTANCE, only nodes farther
  *   from the points than the Offset are counted. 0 means that the points enclose nothing.
  * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before its handles were
@@ -53,10 +54,10 @@
  * - More than 0.5 % of the points are outside of the hull and not near it.
  * - More than 0.5 % of the points are inside the hull and not near its surface.
  *
- * The hull is an own construction of this project. It is not part of the paper (C.-Y. Liou, Y.-T.
- * Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface", Neurocomputing 71
- * (2008)). The paper's method starts from a closed surface of genus zero. This filter makes such a
- * surface without webs between limbs.
+ * The method of this filter is an own construction of the project. The hull is not part of the
+ * paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless
+ * surface", Neurocomputing 71 (2008)). The paper's method starts from a closed surface of genus
+ * zero. This filter makes such a surface without webs between limbs.
  *
  * DISTANCE computes the distance to the points at each node of a grid. It extracts the surface at a
  * small distance from the points, the Offset. A hole in the data is closed if the space behind it
@@ -104,10 +105,10 @@ public:
    *
    * Winding numbers use the normals of the input's polygons, or the active normals if there are no
    * polygons. Inward normals are reversed. If the input has no normals, they are estimated from the
-   * points. If normals contradict each other, they are also estimated, with a warning. With
-   * AUTOMATIC, the result of the distance seems wrong in three cases: a hole is as wide as the
-   * space behind it, there are handles, or many points are outside. Winding numbers are used only
-   * if they find little noise. The test costs about one second on one thread.
+   * points. If the input's normals contradict each other, normals are also estimated, with a
+   * warning. With AUTOMATIC, the result of the distance seems wrong in three cases: a hole is as
+   * wide as the space behind it, there are handles, or many points are outside. Winding numbers are
+   * used only if they find little noise. The test costs about one second on one thread.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);

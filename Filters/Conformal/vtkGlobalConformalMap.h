@@ -38,9 +38,9 @@
  * cause infinite string constants. ROBUST maps every surface one to one.
  *
  * A conformal map is unique up to a Moebius transform. ROBUST chooses the transform so that the
- * mean of the sphere positions, weighted by area on the surface, is the center of the sphere. It
- * then rotates the sphere so that positions on the sphere agree best with directions from the
- * middle of the surface.
+ * mean of the sphere positions, weighted by area on the surface, is the center of the sphere.
+ * ROBUST then rotates the sphere so that positions on the sphere agree best with directions from
+ * the middle of the surface.
  *
  * @note In a conformal map, a limb becomes exponentially smaller with its length. Keep
  * SpherePosition in double precision. If a program converts the map to float, triangles may appear

@@ -82,9 +82,9 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, across the circle inscribed in each picture. To cover the
-   * whole band in which the pictures fade into each other, it must be at least 180 plus BlendAngle.
-   * In [0.001, 340]. Default is 210.
+   * Angle on the sphere, in degrees, across the circle inscribed in each picture. If this angle is
+   * at least 180 plus BlendAngle, each picture covers the whole band in which the pictures fade
+   * into each other. In [0.001, 340]. Default is 210.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);

@@ -15,9 +15,9 @@
  *   cover the sphere exactly once. Either all maps mirror their surfaces, or no map does.
  *
  * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
- * inputs, with the names of the input's blocks. A block is a vtkPolyData. Its points are points of
- * one surface, sampled in directions on the sphere that are shared by all blocks. The points are
- * not aligned or moved. The polygons of all blocks are identical.
+ * inputs, with the names of the input's blocks. A block is a vtkPolyData. The points of a block are
+ * points of one surface, sampled in directions on the sphere that are equal for all blocks. Blocks
+ * are not aligned. The polygons of all blocks are identical.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - the point arrays of the surface, interpolated as in vtkSphericalResample.
  * - field data "MeanSquarePointToSurface" (double): mean square distance between the points of the
@@ -122,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Maximum number of principal components to keep, those of the largest variance first. There are
-   * at most as many components as surfaces, minus one. In [0, 1000]. Default is 10.
+   * Maximum number of principal components to keep, those of the largest variance first. The number
+   * of components is less than the number of surfaces. In [0, 1000]. Default is 10.
    */
   vtkSetClampMacro(NumberOfModes, int, 0, 1000);
   vtkGetMacro(NumberOfModes, int);

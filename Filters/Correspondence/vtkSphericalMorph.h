@@ -33,7 +33,7 @@
  *
  * With GenerateTimeSteps, the filter offers time steps from 0 to 1, and the requested time is the
  * MorphFactor. An animation thus plays the morph. The sampled surfaces do not depend on the factor.
- * They are kept until an input or a property of the mesh changes.
+ * The filter keeps the sampled surfaces until an input or a property of the mesh changes.
  *
  * Implementation note: RIGID interpolates deformation gradients of triangles as in D. Xu, H. Zhang,
  * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). RIGID propagates
@@ -87,8 +87,8 @@ public:
   ///@{
   /**
    * Add the weight of the next surface. Weights replace MorphFactor: add one weight for each
-   * surface, in the sequence of the surfaces. Weights are at least 0, and not all are 0. They are
-   * divided by their sum. Default is none: MorphFactor is used.
+   * surface, in the sequence of the surfaces. Weights are at least 0, and not all are 0. The filter
+   * divides all weights by their sum. Default is none: MorphFactor is used.
    */
   void AddWeight(double weight);
   void RemoveAllWeights();
@@ -188,7 +188,7 @@ private:
   int NumberOfTimeSteps = 25;
 
   struct Common;
-  std::shared_ptr<const Common> Kept; ///< of the inputs of the last run
+  std::shared_ptr<const Common> Kept; ///< sampled inputs of the last run
 };
 
 #endif

@@ -26,8 +26,8 @@
  *
  * Field data:
  * - "RegistrationStretch" (1 double): symmetric Dirichlet energy of the map between the surfaces,
- *   after both are scaled to equal area. It measures stretch: 1 if the surfaces are isometric,
- *   otherwise larger.
+ *   after both are scaled to equal area. The energy measures stretch. It is 1 if the surfaces are
+ *   isometric, and larger otherwise.
  * - "LandmarkError" (1 double): largest distance on the unit sphere between two corresponding
  *   landmarks, after the registration.
  * - "FeatureAgreement" (2 double): weighted mean of the correlations between the features of both
@@ -112,9 +112,9 @@ public:
 
   ///@{
   /**
-   * Resolution of the deformation. It is computed at the vertices of geodesic spheres, from coarse
-   * to fine. This is the frequency f of the finest sphere, which has 10 f^2 + 2 vertices. Time is
-   * proportional to f^2. In [8, 128]. Default is 16.
+   * Resolution of the deformation. The deformation is computed at the vertices of geodesic spheres,
+   * from coarse to fine. This property is the frequency f of the finest sphere, which has 10 f^2 +
+   * 2 vertices. Time is proportional to f^2. In [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -145,9 +145,9 @@ public:
   ///@{
   /**
    * Add a feature to match: the name of a point array with 1 component that both surfaces have, and
-   * a weight. The weight is finite and at least 0. It is relative to StretchWeight, the weight of
-   * the stretch. On each surface, the values of the array are shifted and scaled to mean 0 and
-   * variance 1. Default is none.
+   * a weight. The weight is finite and at least 0. A weight is relative to StretchWeight, the
+   * weight of the stretch. On each surface, the values of the array are shifted and scaled to mean
+   * 0 and variance 1. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

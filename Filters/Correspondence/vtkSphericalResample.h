@@ -8,9 +8,9 @@
  * are averaged. For labels and masks (integer arrays with 1 component), the value of the largest
  * weight is used.
  *
- * Input port 0: vtkPolyData, the target: the surface that gets the arrays. It has the point array
- * "SpherePosition", or its points are on a sphere around the origin. Polygons and strips are cut
- * into triangles.
+ * Input port 0: vtkPolyData, the target: the surface that gets the arrays. This surface has the
+ * point array "SpherePosition", or its points are on a sphere around the origin. Polygons and
+ * strips are cut into triangles.
  *
  * Input port 1: vtkPolyData, the source: the surface that has the arrays. Both surfaces have
  * - point array "SpherePosition" (3 components, of any length but 0, float or double): position of
@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Set the source: the surface that has the arrays. It has the point array "SpherePosition", or
-   * its points are on a sphere around the origin.
+   * Set the source: the surface that has the arrays. This surface has the point array
+   * "SpherePosition", or its points are on a sphere around the origin.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkPolyData* source);

@@ -8,8 +8,8 @@
  * The second output is the mean surface.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
- * composite data. All are closed, of genus zero, in one coordinate system, with the point array
- * "SpherePosition". Each surface has
+ * composite data. All surfaces are closed, of genus zero, in one coordinate system, with the point
+ * array "SpherePosition". Each surface has
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
  * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds of registration with the mean. With 0, all surfaces are only
-   * registered with one of them, the start. Each round costs one registration per surface. In [0,
+   * Maximum number of rounds of registration with the mean. With 0, surfaces are registered only
+   * with one of the surfaces, the start. Each round costs one registration per surface. In [0,
    * 100]. Default is 4.
    */
   vtkSetClampMacro(MaximumNumberOfRounds, int, 0, 100);

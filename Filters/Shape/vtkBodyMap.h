@@ -41,15 +41,15 @@
  * if the input's map was mirrored. The transform balances north and south: the mean of the sine of
  * the latitude over the area of the body is 0.
  *
- * @note Longitude and latitude are coordinates of a map to the sphere. They are one to one on
- * bodies of any shape, even if a ray from the center intersects the surface several times. These
- * coordinates are neither planetocentric nor planetographic. Latitude is not an angle at the center
- * or at the axis, and longitude is not an angle of rotation. The length of a degree differs from
- * place to place. The coordinates depend on the mesh and on the chosen map. Do not combine them
- * with coordinates of a catalog. See Documentation/Filters.md.
+ * @note Longitude and latitude are coordinates of a map to the sphere. These coordinates are one to
+ * one on bodies of any shape, even if a ray from the center intersects the surface several times.
+ * The coordinates are neither planetocentric nor planetographic. Latitude is not an angle at the
+ * center or at the axis, and longitude is not an angle of rotation. The length of a degree differs
+ * from place to place. The coordinates depend on the mesh and on the chosen map. Do not combine
+ * these coordinates with coordinates of a catalog. See Documentation/Filters.md.
  *
- * The coordinates are an own construction of this project. They are not part of the paper (C.-Y.
- * Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * This method is an own construction of the project. The coordinates are not part of the paper
+ * (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
  * Neurocomputing 71 (2008)).
  *
  * @sa

@@ -31,10 +31,10 @@
  * middle. Every point of the body has a position on the map, for any shape of the body. If many
  * vertices fall into one pixel, the image undersamples the surface.
  *
- * This filter is an own construction of this project. It is not part of the paper (C.-Y. Liou,
- * Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008)). The quincuncial projection is that of C. S. Peirce (1879), computed by
- * an elliptic integral with complex arguments (Carlson 1995); see Documentation/references.bib.
+ * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The quincuncial
+ * projection is that of C. S. Peirce (1879), computed by an elliptic integral with complex
+ * arguments (Carlson 1995); see Documentation/references.bib.
  *
  * @sa
  * vtkBodyMap vtkSphericalTextureImage vtkPNGWriter vtkTIFFWriter

@@ -15,8 +15,8 @@
  * - SHAPE: every point array with 1 component, with its name, as floats, without the surface
  *   (.shape.gii). Integers beyond 16,777,216 are rounded.
  *
- * Connectome Workbench reads files of GEOMETRY, SPHERE and SHAPE. It does not read a surface file
- * that has arrays.
+ * Connectome Workbench reads files of GEOMETRY, SPHERE and SHAPE. Connectome Workbench does not
+ * read a surface file that has arrays.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -8,8 +8,8 @@
  * Output port 0: vtkTable as from vtkSurfaceHarmonics, with one row for each harmonic: columns
  * "Degree", "Order" (int) and "X", "Y", "Z" (double). The coefficients belong to real orthonormal
  * harmonics without the Condon-Shortley phase, as required by vtkSurfaceHarmonicsSource. Let m be
- * the order without its sign. If m is above 0, the coefficient in the table is that of the file,
- * multiplied by (-1)^m / sqrt(2). If m is 0, both are equal.
+ * the absolute value of the order. If m is above 0, the coefficient in the table is that of the
+ * file, multiplied by (-1)^m / sqrt(2). If m is 0, both are equal.
  *
  * Let d be a point of the sphere mesh of SPHARM-PDM. In the surfaces that SPHARM-PDM writes
  * (..._SPHARM.vtk), the corresponding point is evaluated at -d. To get this point from

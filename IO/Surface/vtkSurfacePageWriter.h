@@ -4,7 +4,7 @@
  *
  * Write a web page that shows a surface and its map to the sphere. The page is one file that needs
  * no network. Surface and sphere rotate side by side, colored by a picture or any point array. A
- * point that is picked on one of them is also marked on the other.
+ * point that is picked on the surface is also marked on the sphere, and vice versa.
  *
  * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertices and lines
  * are left out.
@@ -23,9 +23,9 @@
  *
  * The page is one file that needs no network and sends no data. Any browser of 2023 or later can
  * open the page, also on phones. Surface and sphere rotate side by side, and a slider morphs the
- * surface into the sphere. A point that is picked on one of them is also marked on the other. The
- * page then shows the position of the point, its values, and its longitude and latitude as in
- * vtkBodyMap. The title of the page is the name of the file without the extension.
+ * surface into the sphere. A point that is picked on the surface is also marked on the sphere, and
+ * vice versa. The page then shows the position of the point, its values, and its longitude and
+ * latitude as in vtkBodyMap. The title of the page is the name of the file without the extension.
  *
  * The page uses the library three.js for graphics. The writer copies this library into the page
  * from a file on this computer, on Debian from the package libjs-three. If the file is missing,
