@@ -2,10 +2,10 @@
  * @class   vtkAdaptiveSphere
  * @brief   make a mesh of the sphere that is dense where a surface or a picture needs it
  *
- * Make a closed triangle mesh of the unit sphere with a given number of points. The points are
- * dense where a surface that is mapped to the sphere needs them. No angle of a triangle is below 28
- * degrees. To control where vtkCurvedSeamlessSurface places the points of a surface, connect this
- * mesh as its Sphere.
+ * Make a closed triangle mesh of the unit sphere with a given number of points. The density of the
+ * points is defined by a surface that is mapped to the sphere, or by a picture, see Density. No
+ * angle of a triangle is below 28 degrees. To control where vtkCurvedSeamlessSurface places the
+ * points of a surface, connect this mesh to the input Sphere of that filter.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
@@ -13,12 +13,12 @@
  *   sphere. The map must cover the sphere exactly once.
  * - point or cell array with the name DensityArrayName (1 component), required if Density is ARRAY.
  * - field data of vtkSphericalTextureMap (optional), used if Density is IMAGE: placement of the
- *   image on the sphere. Without these field data, the columns of the image are longitudes and its
- *   rows are latitudes. Its middle is in direction (0, 0, 1), and its top edge is towards (0, 1,
- *   0).
+ *   picture on the sphere. Without these field data, the columns of the picture are longitudes, and
+ *   its rows are latitudes. The middle of the picture is then in direction (0, 0, 1), and its top
+ *   edge is towards (0, 1, 0).
  *
- * Input port 1 (optional): vtkImageData, one slice of point scalars with any number of components.
- * This image is required if Density is IMAGE.
+ * Input port 1 (optional): vtkImageData, the picture: one slice of point scalars with any number of
+ * components. The picture is required if Density is IMAGE.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. Its
  * number of points differs from NumberOfPoints by at most 2 percent. Triangles are
@@ -32,10 +32,10 @@
  * dense vertices in an area with fine texture. The triangles of the mesh do not depend on the
  * triangles of the surface.
  *
- * Implementation note: Delaunay refinement after L. P. Chew, "Guaranteed-quality mesh generation
- * for curved surfaces", Symposium on Computational Geometry (1993). The triangle that is largest
- * relative to the density is always refined next, until the number of points is reached. The final
- * smoothing keeps all angles at 28 degrees or more.
+ * Implementation note: the mesh is made by the Delaunay refinement of L. P. Chew,
+ * "Guaranteed-quality mesh generation for curved surfaces", Symposium on Computational Geometry
+ * (1993). The triangle that is largest relative to the density is always refined next, until the
+ * number of points is reached. The final smoothing keeps all angles at 28 degrees or more.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkGeodesicSphereSource vtkSphericalTextureMap

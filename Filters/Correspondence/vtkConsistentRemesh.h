@@ -28,7 +28,7 @@
  *   deviation of the mode; the mean shape has the score 0.
  *
  * Output port 1: vtkPolyData, the mean shape on the same mesh, computed after Alignment of the
- * surfaces. Its position and orientation are those of the first surface.
+ * surfaces. The position and orientation of the mean shape are those of the first surface.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes

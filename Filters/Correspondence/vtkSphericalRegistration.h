@@ -38,9 +38,9 @@
  * Features are numbers at the points of both surfaces that should be equal at corresponding points.
  * The filter computes five features from each surface: mean geodesic distance, nearby area at two
  * scales, and mean curvature at two scales. Point arrays added by AddFeature() are further
- * features. The filter first rotates the map. Two or more landmarks determine the rotation.
- * Otherwise the filter selects several rotations for which the features agree best. The map is
- * deformed from each of these rotations, and the result with the lowest score is kept. The score is
+ * features. The filter first rotates the map. If there are two or more landmarks, they determine
+ * the rotation. Otherwise the filter selects several rotations for which the features agree best.
+ * The rotated maps are then deformed, and the result with the lowest score is kept. The score is
  * the sum of three penalties: stretch, disagreement of features, and difference of the shapes after
  * a rotation in space. The distances between corresponding landmarks are a further penalty. Mirror
  * images are never tried.

@@ -20,9 +20,10 @@
  *   in vtkSphericalRegistration, for the last registration with the mean.
  *
  * Output port 1: vtkPolyData, the mean surface, computed after Alignment of the surfaces, with 10
- * f^2 + 2 points, where f is MeanFrequency. Its position and orientation are those of the start, a
- * surface described below.
- * - point array "SpherePosition" (double, 3 components): the directions, uniform over the sphere.
+ * f^2 + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are
+ * those of the start, a surface that is described below.
+ * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere, which are
+ *   uniform over the sphere.
  * - field data "TemplateChange" (double, one value per round; absent without rounds): change of the
  *   mean in the round. It is the root mean square distance between corresponding points of the mean
  *   and the previous mean, divided by the root mean square radius.
